@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use rncf::app::charts::{Chart, Line};
 use rncf::app::{Figure, RunResult, RunSettings, run};
-use rncf::mesh::Configuration;
+use rncf::model::Configuration;
 use rncf::prelude::*;
 use rncf_models::{Esail, EsailSlack};
 

@@ -231,14 +231,14 @@ impl ::rncf::Model for AndrewsSqueezer {
         &self,
         formulation: ::rncf::Formulation,
         joints: ::rncf::Joints,
-        fidelity: &[(::std::string::String, ::rncf::mesh::Fidelity)],
+        fidelity: &[(::std::string::String, ::rncf::emitted::Fidelity)],
     ) -> ::std::result::Result<
         ::std::boxed::Box<dyn ::rncf::Scene>,
         ::rncf::ModelError,
     > {
-        ::rncf::mesh::check_params(self)?;
+        ::rncf::model::check_params(self)?;
         let equations = andrews_squeezer_equations::Equations::new(self);
-        ::rncf::mesh::build_as(equations, formulation, joints, fidelity)
+        ::rncf::build_as(equations, formulation, joints, fidelity)
     }
 }
 /// Equations of [`AndrewsSqueezer`]: derived, checked and written by the generator.
@@ -281,7 +281,7 @@ pub mod andrews_squeezer_equations {
     /// Crank, turning about the origin.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_k1(model: &AndrewsSqueezer, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_k1(model: &AndrewsSqueezer, spec: &mut ::rncf::emitted::FreeSpec) {
         spec.angle = -0.06171389001427645;
         spec.axis[2] = 1.0;
         spec.rigid.mass = 0.04325;
@@ -296,7 +296,7 @@ pub mod andrews_squeezer_equations {
     /// Rod from the crank's end to the point F, in which four bodies meet.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_k2(model: &AndrewsSqueezer, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_k2(model: &AndrewsSqueezer, spec: &mut ::rncf::emitted::FreeSpec) {
         spec.position[0] = 0.006986674115451445;
         spec.position[1] = -0.0004317230645688955;
         spec.angle = -0.06171389001427645;
@@ -313,7 +313,7 @@ pub mod andrews_squeezer_equations {
     /// Triangle on the ground's point B, which the spring pulls.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_k3(model: &AndrewsSqueezer, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_k3(model: &AndrewsSqueezer, spec: &mut ::rncf::emitted::FreeSpec) {
         spec.position[0] = -0.03635;
         spec.position[1] = 0.03273;
         spec.angle = 0.45527981916307037;
@@ -334,7 +334,7 @@ pub mod andrews_squeezer_equations {
     /// Rod from k5 to F.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_k4(model: &AndrewsSqueezer, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_k4(model: &AndrewsSqueezer, spec: &mut ::rncf::emitted::FreeSpec) {
         spec.position[0] = -0.03399720388583998;
         spec.position[1] = 0.01646197167499768;
         spec.angle = 0.7100333697097284;
@@ -351,7 +351,7 @@ pub mod andrews_squeezer_equations {
     /// Lower arm on the ground's point A.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_k5(model: &AndrewsSqueezer, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_k5(model: &AndrewsSqueezer, spec: &mut ::rncf::emitted::FreeSpec) {
         spec.position[0] = -0.06934;
         spec.position[1] = -0.00227;
         spec.angle = 0.48736497954384256;
@@ -372,7 +372,7 @@ pub mod andrews_squeezer_equations {
     /// Rod from k7 to F.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_k6(model: &AndrewsSqueezer, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_k6(model: &AndrewsSqueezer, spec: &mut ::rncf::emitted::FreeSpec) {
         spec.position[0] = -0.03163313450740889;
         spec.position[1] = -0.015618868668304536;
         spec.angle = 1.0078790543839353;
@@ -389,7 +389,7 @@ pub mod andrews_squeezer_equations {
     /// Upper arm on the ground's point A.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_k7(model: &AndrewsSqueezer, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_k7(model: &AndrewsSqueezer, spec: &mut ::rncf::emitted::FreeSpec) {
         spec.position[0] = -0.06934;
         spec.position[1] = -0.00227;
         spec.angle = 1.2305474445498212;
@@ -615,44 +615,44 @@ pub mod andrews_squeezer_equations {
             Self { model: model.clone() }
         }
     }
-    impl ::rncf::mesh::Parts for Equations {
+    impl ::rncf::emitted::Parts for Equations {
         fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
             Some("force `motor` has no potential")
         }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::ObservedSpec::Marker {
+                ::rncf::emitted::ObservedSpec::Marker {
                     marker: 20,
                     derivative: 0,
                     component: 0,
                 },
-                ::rncf::mesh::ObservedSpec::Marker {
+                ::rncf::emitted::ObservedSpec::Marker {
                     marker: 21,
                     derivative: 0,
                     component: 0,
                 },
-                ::rncf::mesh::ObservedSpec::Marker {
+                ::rncf::emitted::ObservedSpec::Marker {
                     marker: 22,
                     derivative: 0,
                     component: 0,
                 },
-                ::rncf::mesh::ObservedSpec::Marker {
+                ::rncf::emitted::ObservedSpec::Marker {
                     marker: 23,
                     derivative: 0,
                     component: 0,
                 },
-                ::rncf::mesh::ObservedSpec::Marker {
+                ::rncf::emitted::ObservedSpec::Marker {
                     marker: 24,
                     derivative: 0,
                     component: 0,
                 },
-                ::rncf::mesh::ObservedSpec::Marker {
+                ::rncf::emitted::ObservedSpec::Marker {
                     marker: 25,
                     derivative: 0,
                     component: 0,
                 },
-                ::rncf::mesh::ObservedSpec::Marker {
+                ::rncf::emitted::ObservedSpec::Marker {
                     marker: 26,
                     derivative: 0,
                     component: 0,
@@ -671,85 +671,85 @@ pub mod andrews_squeezer_equations {
         fn conservative(&self) -> bool {
             false
         }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
+            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
         }
         fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
             outputs(&self.model, t, observed, out);
         }
-        fn free(&self) -> ::std::vec::Vec<::rncf::mesh::FreeSpec> {
-            let still = ::rncf::mesh::FreeSpec {
+        fn free(&self) -> ::std::vec::Vec<::rncf::emitted::FreeSpec> {
+            let still = ::rncf::emitted::FreeSpec {
                 frame: 0,
                 parent: 0,
                 is_body: false,
-                motions: ::rncf::mesh::Motions::Spatial,
+                motions: ::rncf::emitted::Motions::Spatial,
                 position: [0.0; 3],
                 axis: [0.0; 3],
                 angle: 0.0,
                 velocity: [0.0; 3],
                 spin: [0.0; 3],
-                rigid: ::rncf::mesh::RigidSpec::default(),
+                rigid: ::rncf::emitted::RigidSpec::default(),
             };
             let mut specs = ::std::vec::Vec::from([
-                ::rncf::mesh::FreeSpec {
+                ::rncf::emitted::FreeSpec {
                     frame: 1,
                     parent: 0,
                     is_body: true,
-                    motions: ::rncf::mesh::Motions::Planar {
+                    motions: ::rncf::emitted::Motions::Planar {
                         normal: 2,
                     },
                     ..still.clone()
                 },
-                ::rncf::mesh::FreeSpec {
+                ::rncf::emitted::FreeSpec {
                     frame: 2,
                     parent: 0,
                     is_body: true,
-                    motions: ::rncf::mesh::Motions::Planar {
+                    motions: ::rncf::emitted::Motions::Planar {
                         normal: 2,
                     },
                     ..still.clone()
                 },
-                ::rncf::mesh::FreeSpec {
+                ::rncf::emitted::FreeSpec {
                     frame: 3,
                     parent: 0,
                     is_body: true,
-                    motions: ::rncf::mesh::Motions::Planar {
+                    motions: ::rncf::emitted::Motions::Planar {
                         normal: 2,
                     },
                     ..still.clone()
                 },
-                ::rncf::mesh::FreeSpec {
+                ::rncf::emitted::FreeSpec {
                     frame: 4,
                     parent: 0,
                     is_body: true,
-                    motions: ::rncf::mesh::Motions::Planar {
+                    motions: ::rncf::emitted::Motions::Planar {
                         normal: 2,
                     },
                     ..still.clone()
                 },
-                ::rncf::mesh::FreeSpec {
+                ::rncf::emitted::FreeSpec {
                     frame: 5,
                     parent: 0,
                     is_body: true,
-                    motions: ::rncf::mesh::Motions::Planar {
+                    motions: ::rncf::emitted::Motions::Planar {
                         normal: 2,
                     },
                     ..still.clone()
                 },
-                ::rncf::mesh::FreeSpec {
+                ::rncf::emitted::FreeSpec {
                     frame: 6,
                     parent: 0,
                     is_body: true,
-                    motions: ::rncf::mesh::Motions::Planar {
+                    motions: ::rncf::emitted::Motions::Planar {
                         normal: 2,
                     },
                     ..still.clone()
                 },
-                ::rncf::mesh::FreeSpec {
+                ::rncf::emitted::FreeSpec {
                     frame: 7,
                     parent: 0,
                     is_body: true,
-                    motions: ::rncf::mesh::Motions::Planar {
+                    motions: ::rncf::emitted::Motions::Planar {
                         normal: 2,
                     },
                     ..still.clone()
@@ -764,210 +764,210 @@ pub mod andrews_squeezer_equations {
             free_k7(&self.model, &mut specs[6]);
             specs
         }
-        fn markers(&self) -> ::std::vec::Vec<::rncf::mesh::MarkerSpec> {
+        fn markers(&self) -> ::std::vec::Vec<::rncf::emitted::MarkerSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 0,
                     at: [0.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Matching {
+                ::rncf::emitted::MarkerSpec::Matching {
                     frame: 1,
                     marker: 0,
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 0,
                     at: [-0.06934, -0.00227, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Matching {
+                ::rncf::emitted::MarkerSpec::Matching {
                     frame: 5,
                     marker: 2,
                 },
-                ::rncf::mesh::MarkerSpec::Matching {
+                ::rncf::emitted::MarkerSpec::Matching {
                     frame: 7,
                     marker: 2,
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 0,
                     at: [-0.03635, 0.03273, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Matching {
+                ::rncf::emitted::MarkerSpec::Matching {
                     frame: 3,
                     marker: 5,
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 1,
                     at: [0.007, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 2,
                     at: [0.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 5,
                     at: [0.04, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 4,
                     at: [0.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 7,
                     at: [0.0, -0.04, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 6,
                     at: [0.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 2,
                     at: [-0.028, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 3,
                     at: [0.0, -0.035, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 4,
                     at: [0.0, -0.02, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 6,
                     at: [0.02, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 3,
                     at: [0.02, -0.018, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 0,
                     at: [0.014, 0.072, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Turn {
+                ::rncf::emitted::MarkerSpec::Turn {
                     frame: 1,
                 },
-                ::rncf::mesh::MarkerSpec::Angle {
+                ::rncf::emitted::MarkerSpec::Angle {
                     frame: 1,
                 },
-                ::rncf::mesh::MarkerSpec::Angle {
+                ::rncf::emitted::MarkerSpec::Angle {
                     frame: 2,
                 },
-                ::rncf::mesh::MarkerSpec::Angle {
+                ::rncf::emitted::MarkerSpec::Angle {
                     frame: 3,
                 },
-                ::rncf::mesh::MarkerSpec::Angle {
+                ::rncf::emitted::MarkerSpec::Angle {
                     frame: 4,
                 },
-                ::rncf::mesh::MarkerSpec::Angle {
+                ::rncf::emitted::MarkerSpec::Angle {
                     frame: 5,
                 },
-                ::rncf::mesh::MarkerSpec::Angle {
+                ::rncf::emitted::MarkerSpec::Angle {
                     frame: 6,
                 },
-                ::rncf::mesh::MarkerSpec::Angle {
+                ::rncf::emitted::MarkerSpec::Angle {
                     frame: 7,
                 },
             ])
         }
-        fn constraints(&self) -> ::std::vec::Vec<::rncf::mesh::ConstraintSpec> {
+        fn constraints(&self) -> ::std::vec::Vec<::rncf::emitted::ConstraintSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "o",
                     kind: "revolute",
                     rows: &["position x", "position y"],
                     markers: &[1, 0],
                     coupled: &[],
                     first_party: 1,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "a5",
                     kind: "revolute",
                     rows: &["position x", "position y"],
                     markers: &[3, 2],
                     coupled: &[],
                     first_party: 1,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "a7",
                     kind: "revolute",
                     rows: &["position x", "position y"],
                     markers: &[4, 2],
                     coupled: &[],
                     first_party: 1,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "b",
                     kind: "revolute",
                     rows: &["position x", "position y"],
                     markers: &[6, 5],
                     coupled: &[],
                     first_party: 1,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "k",
                     kind: "revolute",
                     rows: &["position x", "position y"],
                     markers: &[7, 8],
                     coupled: &[],
                     first_party: 1,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "e54",
                     kind: "revolute",
                     rows: &["position x", "position y"],
                     markers: &[9, 10],
                     coupled: &[],
                     first_party: 1,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "h76",
                     kind: "revolute",
                     rows: &["position x", "position y"],
                     markers: &[11, 12],
                     coupled: &[],
                     first_party: 1,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "f23",
                     kind: "revolute",
                     rows: &["position x", "position y"],
                     markers: &[13, 14],
                     coupled: &[],
                     first_party: 1,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "f24",
                     kind: "revolute",
                     rows: &["position x", "position y"],
                     markers: &[13, 15],
                     coupled: &[],
                     first_party: 1,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "f26",
                     kind: "revolute",
                     rows: &["position x", "position y"],
                     markers: &[13, 16],
                     coupled: &[],
                     first_party: 1,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
             ])
         }
         fn marker_constraint(
             &self,
             constraint: usize,
-            level: ::rncf::system::ConstraintLevel,
+            level: ::rncf::emitted::ConstraintLevel,
             t: f64,
             z: &[[[f64; 3]; 4]],
             rows: &mut [f64],
@@ -975,16 +975,16 @@ pub mod andrews_squeezer_equations {
             match constraint {
                 0 | 1 | 2 | 3 | 4 | 5 | 6 | 7 | 8 | 9 => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             constraint_position_o(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
+                        ::rncf::emitted::ConstraintLevel::Velocity => {
                             constraint_velocity_o(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
+                        ::rncf::emitted::ConstraintLevel::Acceleration => {
                             constraint_acceleration_o(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Jerk => {
+                        ::rncf::emitted::ConstraintLevel::Jerk => {
                             constraint_jerk_o(&self.model, t, z, rows)
                         }
                     }
@@ -1007,15 +1007,15 @@ pub mod andrews_squeezer_equations {
                 _ => {}
             }
         }
-        fn forces(&self) -> ::std::vec::Vec<::rncf::mesh::ForceSpec> {
+        fn forces(&self) -> ::std::vec::Vec<::rncf::emitted::ForceSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::ForceSpec {
+                ::rncf::emitted::ForceSpec {
                     name: "tension",
                     markers: &[17, 18],
                     conservative: true,
                 },
-                ::rncf::mesh::ForceSpec {
+                ::rncf::emitted::ForceSpec {
                     name: "motor",
                     markers: &[19],
                     conservative: false,

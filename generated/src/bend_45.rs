@@ -118,14 +118,14 @@ impl ::rncf::Model for Bend45 {
         &self,
         formulation: ::rncf::Formulation,
         joints: ::rncf::Joints,
-        fidelity: &[(::std::string::String, ::rncf::mesh::Fidelity)],
+        fidelity: &[(::std::string::String, ::rncf::emitted::Fidelity)],
     ) -> ::std::result::Result<
         ::std::boxed::Box<dyn ::rncf::Scene>,
         ::rncf::ModelError,
     > {
-        ::rncf::mesh::check_params(self)?;
+        ::rncf::model::check_params(self)?;
         let equations = bend45_equations::Equations::new(self);
-        ::rncf::mesh::build_as(equations, formulation, joints, fidelity)
+        ::rncf::build_as(equations, formulation, joints, fidelity)
     }
 }
 /// Equations of [`Bend45`]: derived, checked and written by the generator.
@@ -196,13 +196,13 @@ pub mod bend45_equations {
         pub rhoIy: f64,
     }
     /// Nodal vectors by what they interpolate: Position, SectionY, SectionZ.
-    static BEAM_SPATIAL_CURVED_VECTORS: ::rncf::mesh::Vectors<10, 3, 3, 3> = ::rncf::mesh::Vectors {
+    static BEAM_SPATIAL_CURVED_VECTORS: ::rncf::emitted::Vectors<10, 3, 3, 3> = ::rncf::emitted::Vectors {
         base: 0,
         nodal: [[1, 6, 7], [2, 4, 8], [3, 5, 9]],
         positions: [[false, true, false], [false, false, false], [false, false, false]],
     };
     /// Gauss rule with 3 points, and derivatives of the shape functions there.
-    static BEAM_SPATIAL_CURVED_POINTS3: ::rncf::mesh::Rule<3, 3, 3> = ::rncf::mesh::Rule {
+    static BEAM_SPATIAL_CURVED_POINTS3: ::rncf::emitted::Rule<3, 3, 3> = ::rncf::emitted::Rule {
         groups: [0, 1, 2],
         weights: [0.2777777777777776, 0.4444444444444444, 0.2777777777777776],
         shapes: [
@@ -220,13 +220,13 @@ pub mod bend45_equations {
         ],
     };
     /// Blocks that the tangent's kernel writes, by pairs of fields.
-    static BEAM_SPATIAL_CURVED_POINTS3_STIFFNESS: ::rncf::mesh::Blocks<3, 9, 6> = BEAM_SPATIAL_CURVED_POINTS3
+    static BEAM_SPATIAL_CURVED_POINTS3_STIFFNESS: ::rncf::emitted::Blocks<3, 9, 6> = BEAM_SPATIAL_CURVED_POINTS3
         .blocks(
             &[(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)],
             &[(0, 0, 1), (1, 1, 2), (2, 2, 3), (3, 3, 4), (4, 4, 5), (5, 5, 6)],
         );
     /// Gauss rule with 2 points, and derivatives of the shape functions there.
-    static BEAM_SPATIAL_CURVED_POINTS2: ::rncf::mesh::Rule<2, 5, 3> = ::rncf::mesh::Rule {
+    static BEAM_SPATIAL_CURVED_POINTS2: ::rncf::emitted::Rule<2, 5, 3> = ::rncf::emitted::Rule {
         groups: [0, 1, 2, 1, 2],
         weights: [0.5000000000000001, 0.5000000000000001],
         shapes: [
@@ -247,7 +247,7 @@ pub mod bend45_equations {
         ],
     };
     /// Blocks that the tangent's kernel writes, by pairs of fields.
-    static BEAM_SPATIAL_CURVED_POINTS2_STIFFNESS: ::rncf::mesh::Blocks<2, 9, 15> = BEAM_SPATIAL_CURVED_POINTS2
+    static BEAM_SPATIAL_CURVED_POINTS2_STIFFNESS: ::rncf::emitted::Blocks<2, 9, 15> = BEAM_SPATIAL_CURVED_POINTS2
         .blocks(
             &[
                 (0, 0),
@@ -269,7 +269,7 @@ pub mod bend45_equations {
             &[(0, 0, 1), (1, 1, 2), (2, 2, 3), (3, 3, 7), (4, 7, 11), (5, 11, 15)],
         );
     /// Blocks that the tangent's kernel writes, by pairs of fields.
-    static BEAM_SPATIAL_CURVED_POINTS3_BETWEEN: ::rncf::mesh::Blocks<3, 9, 9> = BEAM_SPATIAL_CURVED_POINTS3
+    static BEAM_SPATIAL_CURVED_POINTS3_BETWEEN: ::rncf::emitted::Blocks<3, 9, 9> = BEAM_SPATIAL_CURVED_POINTS3
         .blocks(
             &[(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2), (2, 0), (2, 1), (2, 2)],
             &[
@@ -285,7 +285,7 @@ pub mod bend45_equations {
             ],
         );
     /// Blocks that the tangent's kernel writes, by pairs of fields.
-    static BEAM_SPATIAL_CURVED_POINTS2_BETWEEN: ::rncf::mesh::Blocks<2, 9, 21> = BEAM_SPATIAL_CURVED_POINTS2
+    static BEAM_SPATIAL_CURVED_POINTS2_BETWEEN: ::rncf::emitted::Blocks<2, 9, 21> = BEAM_SPATIAL_CURVED_POINTS2
         .blocks(
             &[
                 (0, 0),
@@ -916,7 +916,7 @@ pub mod bend45_equations {
                 &vectors,
                 |point, fields, rates, forces| beam_spatial_curved_points3_force(
                     row,
-                    ::rncf::mesh::array(&reference[0 + 6 * point..][..6]),
+                    ::rncf::emitted::array(&reference[0 + 6 * point..][..6]),
                     fields,
                     forces,
                 ),
@@ -928,7 +928,7 @@ pub mod bend45_equations {
                 &vectors,
                 |point, fields, rates, forces| beam_spatial_curved_points2_force(
                     row,
-                    ::rncf::mesh::array(&reference[18 + 6 * point..][..6]),
+                    ::rncf::emitted::array(&reference[18 + 6 * point..][..6]),
                     fields,
                     forces,
                 ),
@@ -957,7 +957,7 @@ pub mod bend45_equations {
                 (&BEAM_SPATIAL_CURVED_POINTS3_STIFFNESS, &mut tiles),
                 |point, fields, stiffness| beam_spatial_curved_points3_tangent(
                     row,
-                    ::rncf::mesh::array(&reference[0 + 6 * point..][..6]),
+                    ::rncf::emitted::array(&reference[0 + 6 * point..][..6]),
                     fields,
                     stiffness,
                 ),
@@ -968,7 +968,7 @@ pub mod bend45_equations {
                 (&BEAM_SPATIAL_CURVED_POINTS2_STIFFNESS, &mut tiles),
                 |point, fields, stiffness| beam_spatial_curved_points2_tangent(
                     row,
-                    ::rncf::mesh::array(&reference[18 + 6 * point..][..6]),
+                    ::rncf::emitted::array(&reference[18 + 6 * point..][..6]),
                     fields,
                     stiffness,
                 ),
@@ -997,7 +997,7 @@ pub mod bend45_equations {
                         let mut density = 0.0;
                         beam_spatial_curved_points3_energy(
                             row,
-                            ::rncf::mesh::array(&reference[0 + 6 * point..][..6]),
+                            ::rncf::emitted::array(&reference[0 + 6 * point..][..6]),
                             fields,
                             &mut density,
                         );
@@ -1012,7 +1012,7 @@ pub mod bend45_equations {
                         let mut density = 0.0;
                         beam_spatial_curved_points2_energy(
                             row,
-                            ::rncf::mesh::array(&reference[18 + 6 * point..][..6]),
+                            ::rncf::emitted::array(&reference[18 + 6 * point..][..6]),
                             fields,
                             &mut density,
                         );
@@ -2200,7 +2200,7 @@ pub mod bend45_equations {
                 &end,
                 |point, start, end, forces| beam_spatial_curved_points3_conserving_force(
                     row,
-                    ::rncf::mesh::array(&reference[0 + 6 * point..][..6]),
+                    ::rncf::emitted::array(&reference[0 + 6 * point..][..6]),
                     start,
                     end,
                     forces,
@@ -2213,7 +2213,7 @@ pub mod bend45_equations {
                 &end,
                 |point, start, end, forces| beam_spatial_curved_points2_conserving_force(
                     row,
-                    ::rncf::mesh::array(&reference[18 + 6 * point..][..6]),
+                    ::rncf::emitted::array(&reference[18 + 6 * point..][..6]),
                     start,
                     end,
                     forces,
@@ -2244,7 +2244,7 @@ pub mod bend45_equations {
                 (&BEAM_SPATIAL_CURVED_POINTS3_BETWEEN, &mut tiles),
                 |point, start, end, stiffness| beam_spatial_curved_points3_conserving_tangent(
                     row,
-                    ::rncf::mesh::array(&reference[0 + 6 * point..][..6]),
+                    ::rncf::emitted::array(&reference[0 + 6 * point..][..6]),
                     start,
                     end,
                     stiffness,
@@ -2257,7 +2257,7 @@ pub mod bend45_equations {
                 (&BEAM_SPATIAL_CURVED_POINTS2_BETWEEN, &mut tiles),
                 |point, start, end, stiffness| beam_spatial_curved_points2_conserving_tangent(
                     row,
-                    ::rncf::mesh::array(&reference[18 + 6 * point..][..6]),
+                    ::rncf::emitted::array(&reference[18 + 6 * point..][..6]),
                     start,
                     end,
                     stiffness,
@@ -2279,7 +2279,7 @@ pub mod bend45_equations {
     pub fn joint_root_absolute_position(
         model: &Bend45,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -2303,7 +2303,7 @@ pub mod bend45_equations {
     pub fn joint_root_absolute_jacobian(
         model: &Bend45,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         jacobian: &mut [f64],
     ) {
         let t18 = data.tangent[1] * data.second[2] - data.tangent[2] * data.second[1];
@@ -2331,8 +2331,8 @@ pub mod bend45_equations {
     pub fn joint_root_absolute_prescribed(
         model: &Bend45,
         t: f64,
-        data: &::rncf::mesh::JointData,
-        prescribed: &mut ::rncf::mesh::Prescribed,
+        data: &::rncf::emitted::JointData,
+        prescribed: &mut ::rncf::emitted::Prescribed,
     ) {
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = data.point[1];
@@ -2376,17 +2376,17 @@ pub mod bend45_equations {
             }
         }
     }
-    impl ::rncf::mesh::Parts for Equations {
-        fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {
+    impl ::rncf::emitted::Parts for Equations {
+        fn bodies(&self) -> ::std::vec::Vec<::rncf::emitted::BodySpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::BodySpec {
+                ::rncf::emitted::BodySpec {
                     name: "bend",
                     kind: 0,
                     instance: None,
                     frame: 0,
                     axes: &[0, 1, 2],
-                    line: ::rncf::mesh::Line::Arc {
+                    line: ::rncf::emitted::Line::Arc {
                         from: [0.0, 0.0, 0.0],
                         direction: [1.0, 0.0, 0.0],
                         normal: [0.0, 0.0, 1.0],
@@ -2396,63 +2396,63 @@ pub mod bend45_equations {
                     count: (model.elements as f64) as usize,
                     stations: ::std::vec::Vec::new(),
                     nodal: &[
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "position",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 0,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "slope",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 1,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section y axis",
-                            of: ::rncf::mesh::Interpolant::SectionY,
+                            of: ::rncf::emitted::Interpolant::SectionY,
                             order: 0,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section z axis",
-                            of: ::rncf::mesh::Interpolant::SectionZ,
+                            of: ::rncf::emitted::Interpolant::SectionZ,
                             order: 0,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section y axis",
-                            of: ::rncf::mesh::Interpolant::SectionY,
+                            of: ::rncf::emitted::Interpolant::SectionY,
                             order: 0,
                             xi: 0.5,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section z axis",
-                            of: ::rncf::mesh::Interpolant::SectionZ,
+                            of: ::rncf::emitted::Interpolant::SectionZ,
                             order: 0,
                             xi: 0.5,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "position",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 0,
                             xi: 1.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "slope",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 1,
                             xi: 1.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section y axis",
-                            of: ::rncf::mesh::Interpolant::SectionY,
+                            of: ::rncf::emitted::Interpolant::SectionY,
                             order: 0,
                             xi: 1.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section z axis",
-                            of: ::rncf::mesh::Interpolant::SectionZ,
+                            of: ::rncf::emitted::Interpolant::SectionZ,
                             order: 0,
                             xi: 1.0,
                         },
@@ -2461,9 +2461,9 @@ pub mod bend45_equations {
                     vectors_per_node: 4,
                     stride: 6,
                     section_y: None,
-                    twist: ::rncf::mesh::Twist::even(0.0),
-                    fidelity: ::rncf::mesh::Fidelity::Full,
-                    tie: ::rncf::mesh::FrameTie::Joints,
+                    twist: ::rncf::emitted::Twist::even(0.0),
+                    fidelity: ::rncf::emitted::Fidelity::Full,
+                    tie: ::rncf::emitted::FrameTie::Joints,
                     normals: ::std::vec::Vec::new(),
                 },
             ])
@@ -2476,52 +2476,72 @@ pub mod bend45_equations {
         ) -> ::std::result::Result<(), ::rncf::ModelError> {
             let model = &self.model;
             let length = nodes[1] - nodes[0];
-            let density = ::rncf::mesh::positive(
+            let density = ::rncf::emitted::positive(
                 "material `soft`",
                 "density",
                 1.0,
                 "kg/m^3",
             )?;
-            let young = ::rncf::mesh::positive(
+            let young = ::rncf::emitted::positive(
                 "material `soft`",
                 "young",
                 10000000.0,
                 "Pa",
             )?;
-            let poisson = ::rncf::mesh::poisson("material `soft`", "poisson", 0.0, "1")?;
-            let area = ::rncf::mesh::positive("section `square`", "area", 1.0, "m^2")?;
-            let second_moment_y = ::rncf::mesh::positive(
+            let poisson = ::rncf::emitted::poisson(
+                "material `soft`",
+                "poisson",
+                0.0,
+                "1",
+            )?;
+            let area = ::rncf::emitted::positive(
+                "section `square`",
+                "area",
+                1.0,
+                "m^2",
+            )?;
+            let second_moment_y = ::rncf::emitted::positive(
                 "section `square`",
                 "second_moment_y",
                 0.08333333333333333,
                 "m^4",
             )?;
-            let second_moment_z = ::rncf::mesh::positive(
+            let second_moment_z = ::rncf::emitted::positive(
                 "section `square`",
                 "second_moment_z",
                 0.08333333333333333,
                 "m^4",
             )?;
-            let torsion_constant = ::rncf::mesh::positive(
+            let torsion_constant = ::rncf::emitted::positive(
                 "section `square`",
                 "torsion_constant",
                 0.14057701493497562,
                 "m^4",
             )?;
-            let shear_factor_y = ::rncf::mesh::part(
+            let shear_factor_y = ::rncf::emitted::part(
                 "section `square`",
                 "shear_factor_y",
                 0.8333333333333334,
                 "1",
             )?;
-            let shear_factor_z = ::rncf::mesh::part(
+            let shear_factor_z = ::rncf::emitted::part(
                 "section `square`",
                 "shear_factor_z",
                 0.8333333333333334,
                 "1",
             )?;
-            let size_y = ::rncf::mesh::positive("section `square`", "size_y", 1.0, "m")?;
-            let size_z = ::rncf::mesh::positive("section `square`", "size_z", 1.0, "m")?;
+            let size_y = ::rncf::emitted::positive(
+                "section `square`",
+                "size_y",
+                1.0,
+                "m",
+            )?;
+            let size_z = ::rncf::emitted::positive(
+                "section `square`",
+                "size_z",
+                1.0,
+                "m",
+            )?;
             let shear_modulus = young / (2.0 * (1.0 + poisson));
             let half_young = 0.5 * young;
             let quarter_polar_moment = 0.25 * (second_moment_y + second_moment_z);
@@ -2547,7 +2567,7 @@ pub mod bend45_equations {
                     let mut reference = [0.0; 30];
                     beam_spatial_curved_reference(
                         &self.row_bend,
-                        ::rncf::mesh::array(shape),
+                        ::rncf::emitted::array(shape),
                         &mut reference,
                     );
                     reference
@@ -2556,7 +2576,7 @@ pub mod bend45_equations {
             Ok(())
         }
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
-            beam_spatial_curved_mass(&self.row_bend, ::rncf::mesh::array_mut(mass));
+            beam_spatial_curved_mass(&self.row_bend, ::rncf::emitted::array_mut(mass));
         }
         fn elastic_force(
             &self,
@@ -2569,8 +2589,8 @@ pub mod bend45_equations {
             beam_spatial_curved_elastic_force(
                 &self.row_bend,
                 &self.reference_bend[element],
-                ::rncf::mesh::array(q),
-                ::rncf::mesh::array_mut(force),
+                ::rncf::emitted::array(q),
+                ::rncf::emitted::array_mut(force),
             );
         }
         fn elastic_tangent(
@@ -2585,8 +2605,8 @@ pub mod bend45_equations {
             beam_spatial_curved_elastic_tangent(
                 &self.row_bend,
                 &self.reference_bend[element],
-                ::rncf::mesh::array(q),
-                ::rncf::mesh::array_mut(stiffness),
+                ::rncf::emitted::array(q),
+                ::rncf::emitted::array_mut(stiffness),
             );
         }
         fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {
@@ -2594,7 +2614,7 @@ pub mod bend45_equations {
             beam_spatial_curved_strain_energy(
                 &self.row_bend,
                 &self.reference_bend[element],
-                ::rncf::mesh::array(q),
+                ::rncf::emitted::array(q),
                 &mut energy,
             );
             energy
@@ -2603,53 +2623,53 @@ pub mod bend45_equations {
             &self,
             body: usize,
             element: usize,
-            of: ::rncf::mesh::Interpolant,
+            of: ::rncf::emitted::Interpolant,
             order: usize,
             xi: f64,
             weights: &mut [f64],
         ) {
             weights.fill(0.0);
             match (of, order) {
-                (::rncf::mesh::Interpolant::Position, 0) => {
+                (::rncf::emitted::Interpolant::Position, 0) => {
                     beam_spatial_curved_shapes_position_0(
                         self.row_bend.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::Position, 1) => {
+                (::rncf::emitted::Interpolant::Position, 1) => {
                     beam_spatial_curved_shapes_position_1(
                         self.row_bend.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::SectionY, 0) => {
+                (::rncf::emitted::Interpolant::SectionY, 0) => {
                     beam_spatial_curved_shapes_section_y_0(
                         self.row_bend.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::SectionY, 1) => {
+                (::rncf::emitted::Interpolant::SectionY, 1) => {
                     beam_spatial_curved_shapes_section_y_1(
                         self.row_bend.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::SectionZ, 0) => {
+                (::rncf::emitted::Interpolant::SectionZ, 0) => {
                     beam_spatial_curved_shapes_section_z_0(
                         self.row_bend.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::SectionZ, 1) => {
+                (::rncf::emitted::Interpolant::SectionZ, 1) => {
                     beam_spatial_curved_shapes_section_z_1(
                         self.row_bend.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
                 _ => {}
@@ -2660,10 +2680,10 @@ pub mod bend45_equations {
             body: usize,
             x: f64,
             length: f64,
-        ) -> ::rncf::mesh::SectionSpec {
+        ) -> ::rncf::emitted::SectionSpec {
             let model = &self.model;
-            ::rncf::mesh::SectionSpec {
-                shape: ::rncf::mesh::SectionShape::Rectangle {
+            ::rncf::emitted::SectionSpec {
+                shape: ::rncf::emitted::SectionShape::Rectangle {
                     sizes: [1.0, 1.0],
                 },
                 area: 1.0,
@@ -2673,13 +2693,16 @@ pub mod bend45_equations {
                 material: "soft",
             }
         }
-        fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {
+        fn fields(
+            &self,
+            body: usize,
+        ) -> &'static [(::rncf::emitted::Interpolant, usize)] {
             &[
-                (::rncf::mesh::Interpolant::Position, 1),
-                (::rncf::mesh::Interpolant::SectionY, 0),
-                (::rncf::mesh::Interpolant::SectionZ, 0),
-                (::rncf::mesh::Interpolant::SectionY, 1),
-                (::rncf::mesh::Interpolant::SectionZ, 1),
+                (::rncf::emitted::Interpolant::Position, 1),
+                (::rncf::emitted::Interpolant::SectionY, 0),
+                (::rncf::emitted::Interpolant::SectionZ, 0),
+                (::rncf::emitted::Interpolant::SectionY, 1),
+                (::rncf::emitted::Interpolant::SectionZ, 1),
             ]
         }
         fn field_forces(
@@ -2693,9 +2716,9 @@ pub mod bend45_equations {
         ) {
             beam_spatial_curved_field_forces(
                 &self.row_bend,
-                ::rncf::mesh::array(stress_free),
-                ::rncf::mesh::array(fields),
-                ::rncf::mesh::array_mut(forces),
+                ::rncf::emitted::array(stress_free),
+                ::rncf::emitted::array(fields),
+                ::rncf::emitted::array_mut(forces),
             );
         }
         fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
@@ -2712,9 +2735,9 @@ pub mod bend45_equations {
             beam_spatial_curved_conserving_force(
                 &self.row_bend,
                 &self.reference_bend[element],
-                ::rncf::mesh::array(start),
-                ::rncf::mesh::array(end),
-                ::rncf::mesh::array_mut(force),
+                ::rncf::emitted::array(start),
+                ::rncf::emitted::array(end),
+                ::rncf::emitted::array_mut(force),
             );
         }
         fn conserving_tangent(
@@ -2728,17 +2751,17 @@ pub mod bend45_equations {
             beam_spatial_curved_conserving_tangent(
                 &self.row_bend,
                 &self.reference_bend[element],
-                ::rncf::mesh::array(start),
-                ::rncf::mesh::array(end),
-                ::rncf::mesh::array_mut(stiffness),
+                ::rncf::emitted::array(start),
+                ::rncf::emitted::array(end),
+                ::rncf::emitted::array_mut(stiffness),
             );
         }
-        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+        fn joints(&self) -> ::std::vec::Vec<::rncf::emitted::JointSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::JointSpec {
+                ::rncf::emitted::JointSpec {
                     name: "root",
-                    kind: ::rncf::mesh::JointKind::Clamp,
+                    kind: ::rncf::emitted::JointKind::Clamp,
                     body: 0,
                     at_end: false,
                     frame: 0,
@@ -2750,9 +2773,9 @@ pub mod bend45_equations {
             &self,
             joint: usize,
             absolute: bool,
-            level: ::rncf::system::ConstraintLevel,
+            level: ::rncf::emitted::ConstraintLevel,
             t: f64,
-            data: &::rncf::mesh::JointData,
+            data: &::rncf::emitted::JointData,
             q: &[f64],
             v: &[f64],
             a: &[f64],
@@ -2761,7 +2784,7 @@ pub mod bend45_equations {
             match (joint, absolute) {
                 (0, _) => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             joint_root_absolute_position(
                                 &self.model,
                                 t,
@@ -2783,7 +2806,7 @@ pub mod bend45_equations {
             joint: usize,
             absolute: bool,
             t: f64,
-            data: &::rncf::mesh::JointData,
+            data: &::rncf::emitted::JointData,
             jacobian: &mut [f64],
         ) {
             match (joint, absolute) {
@@ -2798,8 +2821,8 @@ pub mod bend45_equations {
             joint: usize,
             absolute: bool,
             t: f64,
-            data: &::rncf::mesh::JointData,
-            prescribed: &mut ::rncf::mesh::Prescribed,
+            data: &::rncf::emitted::JointData,
+            prescribed: &mut ::rncf::emitted::Prescribed,
         ) {
             match (joint, absolute) {
                 (0, _) => {
@@ -2808,14 +2831,14 @@ pub mod bend45_equations {
                 _ => {}
             }
         }
-        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
+        fn loads(&self) -> ::std::vec::Vec<::rncf::emitted::LoadSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::LoadSpec {
+                ::rncf::emitted::LoadSpec {
                     name: "pull",
-                    kind: ::rncf::mesh::LoadKind::Force {
+                    kind: ::rncf::emitted::LoadKind::Force {
                         body: 0,
-                        at: ::rncf::mesh::Place::End,
+                        at: ::rncf::emitted::Place::End,
                     },
                     frame: 0,
                 },
@@ -2833,25 +2856,25 @@ pub mod bend45_equations {
             }
             value
         }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 0,
                 },
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 1,
                 },
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 2,
                 },
             ])
@@ -2868,8 +2891,8 @@ pub mod bend45_equations {
         fn conservative(&self) -> bool {
             true
         }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
+            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
         }
         fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
             outputs(&self.model, t, observed, out);

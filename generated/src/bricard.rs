@@ -106,14 +106,14 @@ impl ::rncf::Model for Bricard {
         &self,
         formulation: ::rncf::Formulation,
         joints: ::rncf::Joints,
-        fidelity: &[(::std::string::String, ::rncf::mesh::Fidelity)],
+        fidelity: &[(::std::string::String, ::rncf::emitted::Fidelity)],
     ) -> ::std::result::Result<
         ::std::boxed::Box<dyn ::rncf::Scene>,
         ::rncf::ModelError,
     > {
-        ::rncf::mesh::check_params(self)?;
+        ::rncf::model::check_params(self)?;
         let equations = bricard_equations::Equations::new(self);
-        ::rncf::mesh::build_as(equations, formulation, joints, fidelity)
+        ::rncf::build_as(equations, formulation, joints, fidelity)
     }
 }
 /// Equations of [`Bricard`]: derived, checked and written by the generator.
@@ -148,7 +148,7 @@ pub mod bricard_equations {
     /// Parts `p01`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_p01(model: &Bricard, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_p01(model: &Bricard, spec: &mut ::rncf::emitted::FreeSpec) {
         spec.axis[2] = 1.0;
         spec.rigid.mass = 1.0;
         spec.rigid.moment[0] = 0.5;
@@ -161,7 +161,7 @@ pub mod bricard_equations {
     /// Parts `p12`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_p12(model: &Bricard, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_p12(model: &Bricard, spec: &mut ::rncf::emitted::FreeSpec) {
         spec.position[0] = 1.0;
         spec.axis[2] = 1.0;
         spec.rigid.mass = 1.0;
@@ -175,7 +175,7 @@ pub mod bricard_equations {
     /// Parts `p23`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_p23(model: &Bricard, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_p23(model: &Bricard, spec: &mut ::rncf::emitted::FreeSpec) {
         spec.position[0] = 1.0;
         spec.position[1] = -1.0;
         spec.axis[2] = 1.0;
@@ -190,7 +190,7 @@ pub mod bricard_equations {
     /// Parts `p34`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_p34(model: &Bricard, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_p34(model: &Bricard, spec: &mut ::rncf::emitted::FreeSpec) {
         spec.position[0] = 1.0;
         spec.position[1] = -1.0;
         spec.position[2] = 1.0;
@@ -206,7 +206,7 @@ pub mod bricard_equations {
     /// Parts `p45`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_p45(model: &Bricard, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_p45(model: &Bricard, spec: &mut ::rncf::emitted::FreeSpec) {
         spec.position[1] = -1.0;
         spec.position[2] = 1.0;
         spec.axis[2] = 1.0;
@@ -604,16 +604,16 @@ pub mod bricard_equations {
             Self { model: model.clone() }
         }
     }
-    impl ::rncf::mesh::Parts for Equations {
+    impl ::rncf::emitted::Parts for Equations {
         fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
             None
         }
-        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
+        fn loads(&self) -> ::std::vec::Vec<::rncf::emitted::LoadSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::LoadSpec {
+                ::rncf::emitted::LoadSpec {
                     name: "weight",
-                    kind: ::rncf::mesh::LoadKind::Gravity,
+                    kind: ::rncf::emitted::LoadKind::Gravity,
                     frame: 0,
                 },
             ])
@@ -630,20 +630,20 @@ pub mod bricard_equations {
             }
             value
         }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::ObservedSpec::Marker {
+                ::rncf::emitted::ObservedSpec::Marker {
                     marker: 16,
                     derivative: 0,
                     component: 0,
                 },
-                ::rncf::mesh::ObservedSpec::Marker {
+                ::rncf::emitted::ObservedSpec::Marker {
                     marker: 16,
                     derivative: 0,
                     component: 1,
                 },
-                ::rncf::mesh::ObservedSpec::Marker {
+                ::rncf::emitted::ObservedSpec::Marker {
                     marker: 16,
                     derivative: 0,
                     component: 2,
@@ -662,59 +662,59 @@ pub mod bricard_equations {
         fn conservative(&self) -> bool {
             true
         }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
+            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
         }
         fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
             outputs(&self.model, t, observed, out);
         }
-        fn free(&self) -> ::std::vec::Vec<::rncf::mesh::FreeSpec> {
-            let still = ::rncf::mesh::FreeSpec {
+        fn free(&self) -> ::std::vec::Vec<::rncf::emitted::FreeSpec> {
+            let still = ::rncf::emitted::FreeSpec {
                 frame: 0,
                 parent: 0,
                 is_body: false,
-                motions: ::rncf::mesh::Motions::Spatial,
+                motions: ::rncf::emitted::Motions::Spatial,
                 position: [0.0; 3],
                 axis: [0.0; 3],
                 angle: 0.0,
                 velocity: [0.0; 3],
                 spin: [0.0; 3],
-                rigid: ::rncf::mesh::RigidSpec::default(),
+                rigid: ::rncf::emitted::RigidSpec::default(),
             };
             let mut specs = ::std::vec::Vec::from([
-                ::rncf::mesh::FreeSpec {
+                ::rncf::emitted::FreeSpec {
                     frame: 1,
                     parent: 0,
                     is_body: true,
-                    motions: ::rncf::mesh::Motions::Spatial,
+                    motions: ::rncf::emitted::Motions::Spatial,
                     ..still.clone()
                 },
-                ::rncf::mesh::FreeSpec {
+                ::rncf::emitted::FreeSpec {
                     frame: 2,
                     parent: 0,
                     is_body: true,
-                    motions: ::rncf::mesh::Motions::Spatial,
+                    motions: ::rncf::emitted::Motions::Spatial,
                     ..still.clone()
                 },
-                ::rncf::mesh::FreeSpec {
+                ::rncf::emitted::FreeSpec {
                     frame: 3,
                     parent: 0,
                     is_body: true,
-                    motions: ::rncf::mesh::Motions::Spatial,
+                    motions: ::rncf::emitted::Motions::Spatial,
                     ..still.clone()
                 },
-                ::rncf::mesh::FreeSpec {
+                ::rncf::emitted::FreeSpec {
                     frame: 4,
                     parent: 0,
                     is_body: true,
-                    motions: ::rncf::mesh::Motions::Spatial,
+                    motions: ::rncf::emitted::Motions::Spatial,
                     ..still.clone()
                 },
-                ::rncf::mesh::FreeSpec {
+                ::rncf::emitted::FreeSpec {
                     frame: 5,
                     parent: 0,
                     is_body: true,
-                    motions: ::rncf::mesh::Motions::Spatial,
+                    motions: ::rncf::emitted::Motions::Spatial,
                     ..still.clone()
                 },
             ]);
@@ -725,145 +725,145 @@ pub mod bricard_equations {
             free_p45(&self.model, &mut specs[4]);
             specs
         }
-        fn markers(&self) -> ::std::vec::Vec<::rncf::mesh::MarkerSpec> {
+        fn markers(&self) -> ::std::vec::Vec<::rncf::emitted::MarkerSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 0,
                     at: [0.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Matching {
+                ::rncf::emitted::MarkerSpec::Matching {
                     frame: 1,
                     marker: 0,
                 },
-                ::rncf::mesh::MarkerSpec::Direction {
+                ::rncf::emitted::MarkerSpec::Direction {
                     frame: 1,
                     along: [0.0, 1.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Normal {
+                ::rncf::emitted::MarkerSpec::Normal {
                     frame: 0,
                     marker: 2,
                     which: 0,
                 },
-                ::rncf::mesh::MarkerSpec::Normal {
+                ::rncf::emitted::MarkerSpec::Normal {
                     frame: 0,
                     marker: 2,
                     which: 1,
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 1,
                     at: [1.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 2,
                     at: [0.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Direction {
+                ::rncf::emitted::MarkerSpec::Direction {
                     frame: 1,
                     along: [0.0, 0.0, 1.0],
                 },
-                ::rncf::mesh::MarkerSpec::Normal {
+                ::rncf::emitted::MarkerSpec::Normal {
                     frame: 2,
                     marker: 7,
                     which: 0,
                 },
-                ::rncf::mesh::MarkerSpec::Normal {
+                ::rncf::emitted::MarkerSpec::Normal {
                     frame: 2,
                     marker: 7,
                     which: 1,
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 2,
                     at: [0.0, -1.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 3,
                     at: [0.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Direction {
+                ::rncf::emitted::MarkerSpec::Direction {
                     frame: 2,
                     along: [1.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Normal {
+                ::rncf::emitted::MarkerSpec::Normal {
                     frame: 3,
                     marker: 12,
                     which: 0,
                 },
-                ::rncf::mesh::MarkerSpec::Normal {
+                ::rncf::emitted::MarkerSpec::Normal {
                     frame: 3,
                     marker: 12,
                     which: 1,
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 3,
                     at: [0.0, 0.0, 1.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 4,
                     at: [0.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Direction {
+                ::rncf::emitted::MarkerSpec::Direction {
                     frame: 3,
                     along: [0.0, 1.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Normal {
+                ::rncf::emitted::MarkerSpec::Normal {
                     frame: 4,
                     marker: 17,
                     which: 0,
                 },
-                ::rncf::mesh::MarkerSpec::Normal {
+                ::rncf::emitted::MarkerSpec::Normal {
                     frame: 4,
                     marker: 17,
                     which: 1,
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 4,
                     at: [-1.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 5,
                     at: [0.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Direction {
+                ::rncf::emitted::MarkerSpec::Direction {
                     frame: 4,
                     along: [0.0, 0.0, 1.0],
                 },
-                ::rncf::mesh::MarkerSpec::Normal {
+                ::rncf::emitted::MarkerSpec::Normal {
                     frame: 5,
                     marker: 22,
                     which: 0,
                 },
-                ::rncf::mesh::MarkerSpec::Normal {
+                ::rncf::emitted::MarkerSpec::Normal {
                     frame: 5,
                     marker: 22,
                     which: 1,
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 5,
                     at: [0.0, 1.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 0,
                     at: [0.0, 0.0, 1.0],
                 },
-                ::rncf::mesh::MarkerSpec::Direction {
+                ::rncf::emitted::MarkerSpec::Direction {
                     frame: 5,
                     along: [1.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Direction {
+                ::rncf::emitted::MarkerSpec::Direction {
                     frame: 5,
                     along: [0.0, 0.0, 1.0],
                 },
-                ::rncf::mesh::MarkerSpec::Matching {
+                ::rncf::emitted::MarkerSpec::Matching {
                     frame: 0,
                     marker: 28,
                 },
             ])
         }
-        fn constraints(&self) -> ::std::vec::Vec<::rncf::mesh::ConstraintSpec> {
+        fn constraints(&self) -> ::std::vec::Vec<::rncf::emitted::ConstraintSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "p0",
                     kind: "revolute",
                     rows: &[
@@ -876,9 +876,9 @@ pub mod bricard_equations {
                     markers: &[1, 2, 0, 3, 4],
                     coupled: &[[1, 3], [1, 4]],
                     first_party: 2,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "p1",
                     kind: "revolute",
                     rows: &[
@@ -891,9 +891,9 @@ pub mod bricard_equations {
                     markers: &[5, 7, 6, 8, 9],
                     coupled: &[[1, 3], [1, 4]],
                     first_party: 2,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "p2",
                     kind: "revolute",
                     rows: &[
@@ -906,9 +906,9 @@ pub mod bricard_equations {
                     markers: &[10, 12, 11, 13, 14],
                     coupled: &[[1, 3], [1, 4]],
                     first_party: 2,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "p3",
                     kind: "revolute",
                     rows: &[
@@ -921,9 +921,9 @@ pub mod bricard_equations {
                     markers: &[15, 17, 16, 18, 19],
                     coupled: &[[1, 3], [1, 4]],
                     first_party: 2,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "p4",
                     kind: "revolute",
                     rows: &[
@@ -936,23 +936,23 @@ pub mod bricard_equations {
                     markers: &[20, 22, 21, 23, 24],
                     coupled: &[[1, 3], [1, 4]],
                     first_party: 2,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "p5",
                     kind: "universal",
                     rows: &["position x", "position y", "position z", "direction 1"],
                     markers: &[25, 27, 26, 29],
                     coupled: &[[1, 3]],
                     first_party: 2,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
             ])
         }
         fn marker_constraint(
             &self,
             constraint: usize,
-            level: ::rncf::system::ConstraintLevel,
+            level: ::rncf::emitted::ConstraintLevel,
             t: f64,
             z: &[[[f64; 3]; 4]],
             rows: &mut [f64],
@@ -960,32 +960,32 @@ pub mod bricard_equations {
             match constraint {
                 0 | 1 | 2 | 3 | 4 => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             constraint_position_p0(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
+                        ::rncf::emitted::ConstraintLevel::Velocity => {
                             constraint_velocity_p0(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
+                        ::rncf::emitted::ConstraintLevel::Acceleration => {
                             constraint_acceleration_p0(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Jerk => {
+                        ::rncf::emitted::ConstraintLevel::Jerk => {
                             constraint_jerk_p0(&self.model, t, z, rows)
                         }
                     }
                 }
                 5 => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             constraint_position_p5(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
+                        ::rncf::emitted::ConstraintLevel::Velocity => {
                             constraint_velocity_p5(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
+                        ::rncf::emitted::ConstraintLevel::Acceleration => {
                             constraint_acceleration_p5(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Jerk => {
+                        ::rncf::emitted::ConstraintLevel::Jerk => {
                             constraint_jerk_p5(&self.model, t, z, rows)
                         }
                     }

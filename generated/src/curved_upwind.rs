@@ -149,14 +149,14 @@ impl ::rncf::Model for CurvedUpwind {
         &self,
         formulation: ::rncf::Formulation,
         joints: ::rncf::Joints,
-        fidelity: &[(::std::string::String, ::rncf::mesh::Fidelity)],
+        fidelity: &[(::std::string::String, ::rncf::emitted::Fidelity)],
     ) -> ::std::result::Result<
         ::std::boxed::Box<dyn ::rncf::Scene>,
         ::rncf::ModelError,
     > {
-        ::rncf::mesh::check_params(self)?;
+        ::rncf::model::check_params(self)?;
         let equations = curved_upwind_equations::Equations::new(self);
-        ::rncf::mesh::build_as(equations, formulation, joints, fidelity)
+        ::rncf::build_as(equations, formulation, joints, fidelity)
     }
 }
 /// Equations of [`CurvedUpwind`]: derived, checked and written by the generator.
@@ -217,13 +217,13 @@ pub mod curved_upwind_equations {
         pub rhoIz: f64,
     }
     /// Nodal vectors by what they interpolate: Position, SectionY.
-    static BEAM_PLANAR_CURVED_VECTORS: ::rncf::mesh::Vectors<7, 2, 2, 3> = ::rncf::mesh::Vectors {
+    static BEAM_PLANAR_CURVED_VECTORS: ::rncf::emitted::Vectors<7, 2, 2, 3> = ::rncf::emitted::Vectors {
         base: 0,
         nodal: [[1, 4, 5], [2, 3, 6]],
         positions: [[false, true, false], [false, false, false]],
     };
     /// Gauss rule with 3 points, and derivatives of the shape functions there.
-    static BEAM_PLANAR_CURVED_POINTS3: ::rncf::mesh::Rule<3, 2, 3> = ::rncf::mesh::Rule {
+    static BEAM_PLANAR_CURVED_POINTS3: ::rncf::emitted::Rule<3, 2, 3> = ::rncf::emitted::Rule {
         groups: [0, 1],
         weights: [0.2777777777777776, 0.4444444444444444, 0.2777777777777776],
         shapes: [
@@ -239,10 +239,10 @@ pub mod curved_upwind_equations {
         ],
     };
     /// Blocks that the tangent's kernel writes, by pairs of fields.
-    static BEAM_PLANAR_CURVED_POINTS3_STIFFNESS: ::rncf::mesh::Blocks<3, 9, 3> = BEAM_PLANAR_CURVED_POINTS3
+    static BEAM_PLANAR_CURVED_POINTS3_STIFFNESS: ::rncf::emitted::Blocks<3, 9, 3> = BEAM_PLANAR_CURVED_POINTS3
         .blocks(&[(0, 0), (0, 1), (1, 1)], &[(0, 0, 1), (1, 1, 2), (2, 2, 3)]);
     /// Gauss rule with 2 points, and derivatives of the shape functions there.
-    static BEAM_PLANAR_CURVED_POINTS2: ::rncf::mesh::Rule<2, 3, 3> = ::rncf::mesh::Rule {
+    static BEAM_PLANAR_CURVED_POINTS2: ::rncf::emitted::Rule<2, 3, 3> = ::rncf::emitted::Rule {
         groups: [0, 1, 1],
         weights: [0.5000000000000001, 0.5000000000000001],
         shapes: [
@@ -259,7 +259,7 @@ pub mod curved_upwind_equations {
         ],
     };
     /// Blocks that the tangent's kernel writes, by pairs of fields.
-    static BEAM_PLANAR_CURVED_POINTS2_STIFFNESS: ::rncf::mesh::Blocks<2, 9, 6> = BEAM_PLANAR_CURVED_POINTS2
+    static BEAM_PLANAR_CURVED_POINTS2_STIFFNESS: ::rncf::emitted::Blocks<2, 9, 6> = BEAM_PLANAR_CURVED_POINTS2
         .blocks(
             &[(0, 0), (0, 2), (1, 1), (1, 2), (2, 1), (2, 2)],
             &[(0, 0, 1), (1, 1, 2), (2, 2, 6)],
@@ -468,7 +468,7 @@ pub mod curved_upwind_equations {
                 &vectors,
                 |point, fields, rates, forces| beam_planar_curved_points3_force(
                     row,
-                    ::rncf::mesh::array(&reference[0 + 3 * point..][..3]),
+                    ::rncf::emitted::array(&reference[0 + 3 * point..][..3]),
                     fields,
                     forces,
                 ),
@@ -480,7 +480,7 @@ pub mod curved_upwind_equations {
                 &vectors,
                 |point, fields, rates, forces| beam_planar_curved_points2_force(
                     row,
-                    ::rncf::mesh::array(&reference[9 + 2 * point..][..2]),
+                    ::rncf::emitted::array(&reference[9 + 2 * point..][..2]),
                     fields,
                     forces,
                 ),
@@ -509,7 +509,7 @@ pub mod curved_upwind_equations {
                 (&BEAM_PLANAR_CURVED_POINTS3_STIFFNESS, &mut tiles),
                 |point, fields, stiffness| beam_planar_curved_points3_tangent(
                     row,
-                    ::rncf::mesh::array(&reference[0 + 3 * point..][..3]),
+                    ::rncf::emitted::array(&reference[0 + 3 * point..][..3]),
                     fields,
                     stiffness,
                 ),
@@ -520,7 +520,7 @@ pub mod curved_upwind_equations {
                 (&BEAM_PLANAR_CURVED_POINTS2_STIFFNESS, &mut tiles),
                 |point, fields, stiffness| beam_planar_curved_points2_tangent(
                     row,
-                    ::rncf::mesh::array(&reference[9 + 2 * point..][..2]),
+                    ::rncf::emitted::array(&reference[9 + 2 * point..][..2]),
                     fields,
                     stiffness,
                 ),
@@ -549,7 +549,7 @@ pub mod curved_upwind_equations {
                         let mut density = 0.0;
                         beam_planar_curved_points3_energy(
                             row,
-                            ::rncf::mesh::array(&reference[0 + 3 * point..][..3]),
+                            ::rncf::emitted::array(&reference[0 + 3 * point..][..3]),
                             fields,
                             &mut density,
                         );
@@ -564,7 +564,7 @@ pub mod curved_upwind_equations {
                         let mut density = 0.0;
                         beam_planar_curved_points2_energy(
                             row,
-                            ::rncf::mesh::array(&reference[9 + 2 * point..][..2]),
+                            ::rncf::emitted::array(&reference[9 + 2 * point..][..2]),
                             fields,
                             &mut density,
                         );
@@ -815,9 +815,9 @@ pub mod curved_upwind_equations {
     pub fn frame_hub(
         model: &CurvedUpwind,
         t: f64,
-        motion: &mut ::rncf::mesh::FrameMotion,
+        motion: &mut ::rncf::emitted::FrameMotion,
     ) {
-        *motion = ::rncf::mesh::FrameMotion::INERTIAL;
+        *motion = ::rncf::emitted::FrameMotion::INERTIAL;
         let t15 = model.omega_s / model.T_s;
         let t16 = (model.T_s / 6.283185307179586).powi(2);
         let t17 = t * 6.283185307179586 / model.T_s;
@@ -853,7 +853,7 @@ pub mod curved_upwind_equations {
     pub fn joint_root_referenced_position(
         model: &CurvedUpwind,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -869,7 +869,7 @@ pub mod curved_upwind_equations {
     pub fn joint_root_referenced_jacobian(
         model: &CurvedUpwind,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         jacobian: &mut [f64],
     ) {
         jacobian[0] = 1.0;
@@ -883,8 +883,8 @@ pub mod curved_upwind_equations {
     pub fn joint_root_referenced_prescribed(
         model: &CurvedUpwind,
         t: f64,
-        data: &::rncf::mesh::JointData,
-        prescribed: &mut ::rncf::mesh::Prescribed,
+        data: &::rncf::emitted::JointData,
+        prescribed: &mut ::rncf::emitted::Prescribed,
     ) {
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = data.point[1];
@@ -897,7 +897,7 @@ pub mod curved_upwind_equations {
     pub fn joint_root_absolute_position(
         model: &CurvedUpwind,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -925,7 +925,7 @@ pub mod curved_upwind_equations {
     pub fn joint_root_absolute_velocity(
         model: &CurvedUpwind,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -958,7 +958,7 @@ pub mod curved_upwind_equations {
     pub fn joint_root_absolute_acceleration(
         model: &CurvedUpwind,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -1006,7 +1006,7 @@ pub mod curved_upwind_equations {
     pub fn joint_root_absolute_jerk(
         model: &CurvedUpwind,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -1064,7 +1064,7 @@ pub mod curved_upwind_equations {
     pub fn joint_root_absolute_jacobian(
         model: &CurvedUpwind,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         jacobian: &mut [f64],
     ) {
         let t17 = t * t / 2.0
@@ -1088,8 +1088,8 @@ pub mod curved_upwind_equations {
     pub fn joint_root_absolute_prescribed(
         model: &CurvedUpwind,
         t: f64,
-        data: &::rncf::mesh::JointData,
-        prescribed: &mut ::rncf::mesh::Prescribed,
+        data: &::rncf::emitted::JointData,
+        prescribed: &mut ::rncf::emitted::Prescribed,
     ) {
         let t19 = model.omega_s / model.T_s;
         let t20 = (model.T_s / 6.283185307179586).powi(2);
@@ -1168,17 +1168,17 @@ pub mod curved_upwind_equations {
             }
         }
     }
-    impl ::rncf::mesh::Parts for Equations {
-        fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {
+    impl ::rncf::emitted::Parts for Equations {
+        fn bodies(&self) -> ::std::vec::Vec<::rncf::emitted::BodySpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::BodySpec {
+                ::rncf::emitted::BodySpec {
                     name: "beam",
                     kind: 0,
                     instance: None,
                     frame: 1,
                     axes: &[0, 1],
-                    line: ::rncf::mesh::Line::Arc {
+                    line: ::rncf::emitted::Line::Arc {
                         from: [0.0, 0.0, 0.0],
                         direction: [1.0, 0.0, 0.0],
                         normal: [0.0, 0.0, 1.0],
@@ -1188,45 +1188,45 @@ pub mod curved_upwind_equations {
                     count: (model.elements as f64) as usize,
                     stations: ::std::vec::Vec::new(),
                     nodal: &[
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "position",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 0,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "slope",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 1,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section y axis",
-                            of: ::rncf::mesh::Interpolant::SectionY,
+                            of: ::rncf::emitted::Interpolant::SectionY,
                             order: 0,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section y axis",
-                            of: ::rncf::mesh::Interpolant::SectionY,
+                            of: ::rncf::emitted::Interpolant::SectionY,
                             order: 0,
                             xi: 0.5,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "position",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 0,
                             xi: 1.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "slope",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 1,
                             xi: 1.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section y axis",
-                            of: ::rncf::mesh::Interpolant::SectionY,
+                            of: ::rncf::emitted::Interpolant::SectionY,
                             order: 0,
                             xi: 1.0,
                         },
@@ -1235,9 +1235,9 @@ pub mod curved_upwind_equations {
                     vectors_per_node: 3,
                     stride: 4,
                     section_y: None,
-                    twist: ::rncf::mesh::Twist::even(0.0),
-                    fidelity: ::rncf::mesh::Fidelity::Full,
-                    tie: ::rncf::mesh::FrameTie::Joints,
+                    twist: ::rncf::emitted::Twist::even(0.0),
+                    fidelity: ::rncf::emitted::Fidelity::Full,
+                    tie: ::rncf::emitted::FrameTie::Joints,
                     normals: ::std::vec::Vec::new(),
                 },
             ])
@@ -1250,37 +1250,37 @@ pub mod curved_upwind_equations {
         ) -> ::std::result::Result<(), ::rncf::ModelError> {
             let model = &self.model;
             let length = nodes[1] - nodes[0];
-            let density = ::rncf::mesh::positive(
+            let density = ::rncf::emitted::positive(
                 "material `aluminium`",
                 "density",
                 2766.67,
                 "kg/m^3",
             )?;
-            let young = ::rncf::mesh::positive(
+            let young = ::rncf::emitted::positive(
                 "material `aluminium`",
                 "young",
                 68950000000.0,
                 "Pa",
             )?;
-            let poisson = ::rncf::mesh::poisson(
+            let poisson = ::rncf::emitted::poisson(
                 "material `aluminium`",
                 "poisson",
                 0.3,
                 "1",
             )?;
-            let area = ::rncf::mesh::positive(
+            let area = ::rncf::emitted::positive(
                 "section `tube`",
                 "area",
                 7.299e-5,
                 "m^2",
             )?;
-            let second_moment_z = ::rncf::mesh::positive(
+            let second_moment_z = ::rncf::emitted::positive(
                 "section `tube`",
                 "second_moment_z",
                 8.215e-9,
                 "m^4",
             )?;
-            let shear_factor_y = ::rncf::mesh::part(
+            let shear_factor_y = ::rncf::emitted::part(
                 "section `tube`",
                 "shear_factor_y",
                 0.53,
@@ -1302,7 +1302,7 @@ pub mod curved_upwind_equations {
                     let mut reference = [0.0; 13];
                     beam_planar_curved_reference(
                         &self.row_beam,
-                        ::rncf::mesh::array(shape),
+                        ::rncf::emitted::array(shape),
                         &mut reference,
                     );
                     reference
@@ -1311,7 +1311,7 @@ pub mod curved_upwind_equations {
             Ok(())
         }
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
-            beam_planar_curved_mass(&self.row_beam, ::rncf::mesh::array_mut(mass));
+            beam_planar_curved_mass(&self.row_beam, ::rncf::emitted::array_mut(mass));
         }
         fn elastic_force(
             &self,
@@ -1324,8 +1324,8 @@ pub mod curved_upwind_equations {
             beam_planar_curved_elastic_force(
                 &self.row_beam,
                 &self.reference_beam[element],
-                ::rncf::mesh::array(q),
-                ::rncf::mesh::array_mut(force),
+                ::rncf::emitted::array(q),
+                ::rncf::emitted::array_mut(force),
             );
         }
         fn elastic_tangent(
@@ -1340,8 +1340,8 @@ pub mod curved_upwind_equations {
             beam_planar_curved_elastic_tangent(
                 &self.row_beam,
                 &self.reference_beam[element],
-                ::rncf::mesh::array(q),
-                ::rncf::mesh::array_mut(stiffness),
+                ::rncf::emitted::array(q),
+                ::rncf::emitted::array_mut(stiffness),
             );
         }
         fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {
@@ -1349,7 +1349,7 @@ pub mod curved_upwind_equations {
             beam_planar_curved_strain_energy(
                 &self.row_beam,
                 &self.reference_beam[element],
-                ::rncf::mesh::array(q),
+                ::rncf::emitted::array(q),
                 &mut energy,
             );
             energy
@@ -1358,39 +1358,39 @@ pub mod curved_upwind_equations {
             &self,
             body: usize,
             element: usize,
-            of: ::rncf::mesh::Interpolant,
+            of: ::rncf::emitted::Interpolant,
             order: usize,
             xi: f64,
             weights: &mut [f64],
         ) {
             weights.fill(0.0);
             match (of, order) {
-                (::rncf::mesh::Interpolant::Position, 0) => {
+                (::rncf::emitted::Interpolant::Position, 0) => {
                     beam_planar_curved_shapes_position_0(
                         self.row_beam.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::Position, 1) => {
+                (::rncf::emitted::Interpolant::Position, 1) => {
                     beam_planar_curved_shapes_position_1(
                         self.row_beam.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::SectionY, 0) => {
+                (::rncf::emitted::Interpolant::SectionY, 0) => {
                     beam_planar_curved_shapes_section_y_0(
                         self.row_beam.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::SectionY, 1) => {
+                (::rncf::emitted::Interpolant::SectionY, 1) => {
                     beam_planar_curved_shapes_section_y_1(
                         self.row_beam.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
                 _ => {}
@@ -1401,10 +1401,10 @@ pub mod curved_upwind_equations {
             body: usize,
             x: f64,
             length: f64,
-        ) -> ::rncf::mesh::SectionSpec {
+        ) -> ::rncf::emitted::SectionSpec {
             let model = &self.model;
-            ::rncf::mesh::SectionSpec {
-                shape: ::rncf::mesh::SectionShape::General {
+            ::rncf::emitted::SectionSpec {
+                shape: ::rncf::emitted::SectionShape::General {
                     extent: [None, None],
                 },
                 area: 7.299e-5,
@@ -1414,11 +1414,14 @@ pub mod curved_upwind_equations {
                 material: "aluminium",
             }
         }
-        fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {
+        fn fields(
+            &self,
+            body: usize,
+        ) -> &'static [(::rncf::emitted::Interpolant, usize)] {
             &[
-                (::rncf::mesh::Interpolant::Position, 1),
-                (::rncf::mesh::Interpolant::SectionY, 0),
-                (::rncf::mesh::Interpolant::SectionY, 1),
+                (::rncf::emitted::Interpolant::Position, 1),
+                (::rncf::emitted::Interpolant::SectionY, 0),
+                (::rncf::emitted::Interpolant::SectionY, 1),
             ]
         }
         fn field_forces(
@@ -1432,20 +1435,20 @@ pub mod curved_upwind_equations {
         ) {
             beam_planar_curved_field_forces(
                 &self.row_beam,
-                ::rncf::mesh::array(stress_free),
-                ::rncf::mesh::array(fields),
-                ::rncf::mesh::array_mut(forces),
+                ::rncf::emitted::array(stress_free),
+                ::rncf::emitted::array(fields),
+                ::rncf::emitted::array_mut(forces),
             );
         }
         fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
             Some("frame `hub` moves in a prescribed way")
         }
-        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+        fn joints(&self) -> ::std::vec::Vec<::rncf::emitted::JointSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::JointSpec {
+                ::rncf::emitted::JointSpec {
                     name: "root",
-                    kind: ::rncf::mesh::JointKind::Clamp,
+                    kind: ::rncf::emitted::JointKind::Clamp,
                     body: 0,
                     at_end: false,
                     frame: 1,
@@ -1457,9 +1460,9 @@ pub mod curved_upwind_equations {
             &self,
             joint: usize,
             absolute: bool,
-            level: ::rncf::system::ConstraintLevel,
+            level: ::rncf::emitted::ConstraintLevel,
             t: f64,
-            data: &::rncf::mesh::JointData,
+            data: &::rncf::emitted::JointData,
             q: &[f64],
             v: &[f64],
             a: &[f64],
@@ -1468,7 +1471,7 @@ pub mod curved_upwind_equations {
             match (joint, absolute) {
                 (0, false) => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             joint_root_referenced_position(
                                 &self.model,
                                 t,
@@ -1484,7 +1487,7 @@ pub mod curved_upwind_equations {
                 }
                 (0, _) => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             joint_root_absolute_position(
                                 &self.model,
                                 t,
@@ -1495,7 +1498,7 @@ pub mod curved_upwind_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
+                        ::rncf::emitted::ConstraintLevel::Velocity => {
                             joint_root_absolute_velocity(
                                 &self.model,
                                 t,
@@ -1506,7 +1509,7 @@ pub mod curved_upwind_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
+                        ::rncf::emitted::ConstraintLevel::Acceleration => {
                             joint_root_absolute_acceleration(
                                 &self.model,
                                 t,
@@ -1517,7 +1520,7 @@ pub mod curved_upwind_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Jerk => {
+                        ::rncf::emitted::ConstraintLevel::Jerk => {
                             joint_root_absolute_jerk(&self.model, t, data, q, v, a, rows)
                         }
                     }
@@ -1530,7 +1533,7 @@ pub mod curved_upwind_equations {
             joint: usize,
             absolute: bool,
             t: f64,
-            data: &::rncf::mesh::JointData,
+            data: &::rncf::emitted::JointData,
             jacobian: &mut [f64],
         ) {
             match (joint, absolute) {
@@ -1548,8 +1551,8 @@ pub mod curved_upwind_equations {
             joint: usize,
             absolute: bool,
             t: f64,
-            data: &::rncf::mesh::JointData,
-            prescribed: &mut ::rncf::mesh::Prescribed,
+            data: &::rncf::emitted::JointData,
+            prescribed: &mut ::rncf::emitted::Prescribed,
         ) {
             match (joint, absolute) {
                 (0, false) => {
@@ -1561,19 +1564,19 @@ pub mod curved_upwind_equations {
                 _ => {}
             }
         }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 0,
                 },
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 1,
                 },
             ])
@@ -1595,8 +1598,8 @@ pub mod curved_upwind_equations {
             kinks(&self.model, &mut times);
             times.to_vec()
         }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
+            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
             frame_hub(&self.model, t, &mut motions[1]);
         }
         fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {

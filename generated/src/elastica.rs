@@ -135,14 +135,14 @@ impl ::rncf::Model for Elastica {
         &self,
         formulation: ::rncf::Formulation,
         joints: ::rncf::Joints,
-        fidelity: &[(::std::string::String, ::rncf::mesh::Fidelity)],
+        fidelity: &[(::std::string::String, ::rncf::emitted::Fidelity)],
     ) -> ::std::result::Result<
         ::std::boxed::Box<dyn ::rncf::Scene>,
         ::rncf::ModelError,
     > {
-        ::rncf::mesh::check_params(self)?;
+        ::rncf::model::check_params(self)?;
         let equations = elastica_equations::Equations::new(self);
-        ::rncf::mesh::build_as(equations, formulation, joints, fidelity)
+        ::rncf::build_as(equations, formulation, joints, fidelity)
     }
 }
 /// Equations of [`Elastica`]: derived, checked and written by the generator.
@@ -202,13 +202,13 @@ pub mod elastica_equations {
         pub rhoIz: f64,
     }
     /// Nodal vectors by what they interpolate: Position, SectionY.
-    static BEAM_PLANAR_VECTORS: ::rncf::mesh::Vectors<7, 2, 2, 3> = ::rncf::mesh::Vectors {
+    static BEAM_PLANAR_VECTORS: ::rncf::emitted::Vectors<7, 2, 2, 3> = ::rncf::emitted::Vectors {
         base: 0,
         nodal: [[1, 4, 5], [2, 3, 6]],
         positions: [[false, true, false], [false, false, false]],
     };
     /// Gauss rule with 3 points, and derivatives of the shape functions there.
-    static BEAM_PLANAR_POINTS3: ::rncf::mesh::Rule<3, 2, 3> = ::rncf::mesh::Rule {
+    static BEAM_PLANAR_POINTS3: ::rncf::emitted::Rule<3, 2, 3> = ::rncf::emitted::Rule {
         groups: [0, 1],
         weights: [0.2777777777777776, 0.4444444444444444, 0.2777777777777776],
         shapes: [
@@ -224,10 +224,10 @@ pub mod elastica_equations {
         ],
     };
     /// Blocks that the tangent's kernel writes, by pairs of fields.
-    static BEAM_PLANAR_POINTS3_STIFFNESS: ::rncf::mesh::Blocks<3, 9, 3> = BEAM_PLANAR_POINTS3
+    static BEAM_PLANAR_POINTS3_STIFFNESS: ::rncf::emitted::Blocks<3, 9, 3> = BEAM_PLANAR_POINTS3
         .blocks(&[(0, 0), (0, 1), (1, 1)], &[(0, 0, 1), (1, 1, 2), (2, 2, 3)]);
     /// Gauss rule with 2 points, and derivatives of the shape functions there.
-    static BEAM_PLANAR_POINTS2: ::rncf::mesh::Rule<2, 3, 3> = ::rncf::mesh::Rule {
+    static BEAM_PLANAR_POINTS2: ::rncf::emitted::Rule<2, 3, 3> = ::rncf::emitted::Rule {
         groups: [0, 1, 1],
         weights: [0.5000000000000001, 0.5000000000000001],
         shapes: [
@@ -244,19 +244,19 @@ pub mod elastica_equations {
         ],
     };
     /// Blocks that the tangent's kernel writes, by pairs of fields.
-    static BEAM_PLANAR_POINTS2_STIFFNESS: ::rncf::mesh::Blocks<2, 9, 6> = BEAM_PLANAR_POINTS2
+    static BEAM_PLANAR_POINTS2_STIFFNESS: ::rncf::emitted::Blocks<2, 9, 6> = BEAM_PLANAR_POINTS2
         .blocks(
             &[(0, 0), (0, 2), (1, 1), (1, 2), (2, 1), (2, 2)],
             &[(0, 0, 1), (1, 1, 2), (2, 2, 6)],
         );
     /// Blocks that the tangent's kernel writes, by pairs of fields.
-    static BEAM_PLANAR_POINTS3_BETWEEN: ::rncf::mesh::Blocks<3, 9, 4> = BEAM_PLANAR_POINTS3
+    static BEAM_PLANAR_POINTS3_BETWEEN: ::rncf::emitted::Blocks<3, 9, 4> = BEAM_PLANAR_POINTS3
         .blocks(
             &[(0, 0), (0, 1), (1, 0), (1, 1)],
             &[(0, 0, 1), (1, 1, 2), (2, 2, 3), (3, 3, 4)],
         );
     /// Blocks that the tangent's kernel writes, by pairs of fields.
-    static BEAM_PLANAR_POINTS2_BETWEEN: ::rncf::mesh::Blocks<2, 9, 7> = BEAM_PLANAR_POINTS2
+    static BEAM_PLANAR_POINTS2_BETWEEN: ::rncf::emitted::Blocks<2, 9, 7> = BEAM_PLANAR_POINTS2
         .blocks(
             &[(0, 0), (0, 2), (2, 0), (1, 1), (1, 2), (2, 1), (2, 2)],
             &[(0, 0, 1), (1, 1, 2), (2, 2, 3), (3, 3, 7)],
@@ -972,7 +972,7 @@ pub mod elastica_equations {
     pub fn joint_root_absolute_position(
         model: &Elastica,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -988,7 +988,7 @@ pub mod elastica_equations {
     pub fn joint_root_absolute_jacobian(
         model: &Elastica,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         jacobian: &mut [f64],
     ) {
         jacobian[0] = 1.0;
@@ -1002,8 +1002,8 @@ pub mod elastica_equations {
     pub fn joint_root_absolute_prescribed(
         model: &Elastica,
         t: f64,
-        data: &::rncf::mesh::JointData,
-        prescribed: &mut ::rncf::mesh::Prescribed,
+        data: &::rncf::emitted::JointData,
+        prescribed: &mut ::rncf::emitted::Prescribed,
     ) {
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = data.point[1];
@@ -1039,62 +1039,62 @@ pub mod elastica_equations {
             }
         }
     }
-    impl ::rncf::mesh::Parts for Equations {
-        fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {
+    impl ::rncf::emitted::Parts for Equations {
+        fn bodies(&self) -> ::std::vec::Vec<::rncf::emitted::BodySpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::BodySpec {
+                ::rncf::emitted::BodySpec {
                     name: "beam",
                     kind: 0,
                     instance: None,
                     frame: 0,
                     axes: &[0, 1],
-                    line: ::rncf::mesh::Line::Straight {
+                    line: ::rncf::emitted::Line::Straight {
                         from: [0.0, 0.0, 0.0],
                         to: [1.0, 0.0, 0.0],
                     },
                     count: (model.elements as f64) as usize,
                     stations: ::std::vec::Vec::new(),
                     nodal: &[
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "position",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 0,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "slope",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 1,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section y axis",
-                            of: ::rncf::mesh::Interpolant::SectionY,
+                            of: ::rncf::emitted::Interpolant::SectionY,
                             order: 0,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section y axis",
-                            of: ::rncf::mesh::Interpolant::SectionY,
+                            of: ::rncf::emitted::Interpolant::SectionY,
                             order: 0,
                             xi: 0.5,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "position",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 0,
                             xi: 1.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "slope",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 1,
                             xi: 1.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section y axis",
-                            of: ::rncf::mesh::Interpolant::SectionY,
+                            of: ::rncf::emitted::Interpolant::SectionY,
                             order: 0,
                             xi: 1.0,
                         },
@@ -1103,9 +1103,9 @@ pub mod elastica_equations {
                     vectors_per_node: 3,
                     stride: 4,
                     section_y: None,
-                    twist: ::rncf::mesh::Twist::even(0.0),
-                    fidelity: ::rncf::mesh::Fidelity::Full,
-                    tie: ::rncf::mesh::FrameTie::Joints,
+                    twist: ::rncf::emitted::Twist::even(0.0),
+                    fidelity: ::rncf::emitted::Fidelity::Full,
+                    tie: ::rncf::emitted::FrameTie::Joints,
                     normals: ::std::vec::Vec::new(),
                 },
             ])
@@ -1118,43 +1118,43 @@ pub mod elastica_equations {
         ) -> ::std::result::Result<(), ::rncf::ModelError> {
             let model = &self.model;
             let length = nodes[1] - nodes[0];
-            let density = ::rncf::mesh::positive(
+            let density = ::rncf::emitted::positive(
                 "material `steel`",
                 "density",
                 7850.0,
                 "kg/m^3",
             )?;
-            let young = ::rncf::mesh::positive(
+            let young = ::rncf::emitted::positive(
                 "material `steel`",
                 "young",
                 210000000000.0,
                 "Pa",
             )?;
-            let poisson = ::rncf::mesh::poisson(
+            let poisson = ::rncf::emitted::poisson(
                 "material `steel`",
                 "poisson",
                 0.3,
                 "1",
             )?;
-            let area = ::rncf::mesh::positive(
+            let area = ::rncf::emitted::positive(
                 "section `round`",
                 "area",
                 3.141592653589793 * (model.slenderness * model.slenderness),
                 "m^2",
             )?;
-            let second_moment_z = ::rncf::mesh::positive(
+            let second_moment_z = ::rncf::emitted::positive(
                 "section `round`",
                 "second_moment_z",
                 0.7853981633974483 * model.slenderness.powi(4),
                 "m^4",
             )?;
-            let shear_factor_y = ::rncf::mesh::part(
+            let shear_factor_y = ::rncf::emitted::part(
                 "section `round`",
                 "shear_factor_y",
                 0.8863636363636362,
                 "1",
             )?;
-            let radius = ::rncf::mesh::positive(
+            let radius = ::rncf::emitted::positive(
                 "section `round`",
                 "radius",
                 model.slenderness,
@@ -1173,7 +1173,7 @@ pub mod elastica_equations {
             Ok(())
         }
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
-            beam_planar_mass(&self.row_beam, ::rncf::mesh::array_mut(mass));
+            beam_planar_mass(&self.row_beam, ::rncf::emitted::array_mut(mass));
         }
         fn elastic_force(
             &self,
@@ -1185,8 +1185,8 @@ pub mod elastica_equations {
         ) {
             beam_planar_elastic_force(
                 &self.row_beam,
-                ::rncf::mesh::array(q),
-                ::rncf::mesh::array_mut(force),
+                ::rncf::emitted::array(q),
+                ::rncf::emitted::array_mut(force),
             );
         }
         fn elastic_tangent(
@@ -1200,15 +1200,15 @@ pub mod elastica_equations {
         ) {
             beam_planar_elastic_tangent(
                 &self.row_beam,
-                ::rncf::mesh::array(q),
-                ::rncf::mesh::array_mut(stiffness),
+                ::rncf::emitted::array(q),
+                ::rncf::emitted::array_mut(stiffness),
             );
         }
         fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {
             let mut energy = 0.0;
             beam_planar_strain_energy(
                 &self.row_beam,
-                ::rncf::mesh::array(q),
+                ::rncf::emitted::array(q),
                 &mut energy,
             );
             energy
@@ -1217,39 +1217,39 @@ pub mod elastica_equations {
             &self,
             body: usize,
             element: usize,
-            of: ::rncf::mesh::Interpolant,
+            of: ::rncf::emitted::Interpolant,
             order: usize,
             xi: f64,
             weights: &mut [f64],
         ) {
             weights.fill(0.0);
             match (of, order) {
-                (::rncf::mesh::Interpolant::Position, 0) => {
+                (::rncf::emitted::Interpolant::Position, 0) => {
                     beam_planar_shapes_position_0(
                         self.row_beam.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::Position, 1) => {
+                (::rncf::emitted::Interpolant::Position, 1) => {
                     beam_planar_shapes_position_1(
                         self.row_beam.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::SectionY, 0) => {
+                (::rncf::emitted::Interpolant::SectionY, 0) => {
                     beam_planar_shapes_section_y_0(
                         self.row_beam.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::SectionY, 1) => {
+                (::rncf::emitted::Interpolant::SectionY, 1) => {
                     beam_planar_shapes_section_y_1(
                         self.row_beam.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
                 _ => {}
@@ -1260,10 +1260,10 @@ pub mod elastica_equations {
             body: usize,
             x: f64,
             length: f64,
-        ) -> ::rncf::mesh::SectionSpec {
+        ) -> ::rncf::emitted::SectionSpec {
             let model = &self.model;
-            ::rncf::mesh::SectionSpec {
-                shape: ::rncf::mesh::SectionShape::Circle {
+            ::rncf::emitted::SectionSpec {
+                shape: ::rncf::emitted::SectionShape::Circle {
                     radius: model.slenderness,
                 },
                 area: 3.141592653589793 * (model.slenderness * model.slenderness),
@@ -1276,11 +1276,14 @@ pub mod elastica_equations {
                 material: "steel",
             }
         }
-        fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {
+        fn fields(
+            &self,
+            body: usize,
+        ) -> &'static [(::rncf::emitted::Interpolant, usize)] {
             &[
-                (::rncf::mesh::Interpolant::Position, 1),
-                (::rncf::mesh::Interpolant::SectionY, 0),
-                (::rncf::mesh::Interpolant::SectionY, 1),
+                (::rncf::emitted::Interpolant::Position, 1),
+                (::rncf::emitted::Interpolant::SectionY, 0),
+                (::rncf::emitted::Interpolant::SectionY, 1),
             ]
         }
         fn field_forces(
@@ -1294,9 +1297,9 @@ pub mod elastica_equations {
         ) {
             beam_planar_field_forces(
                 &self.row_beam,
-                ::rncf::mesh::array(stress_free),
-                ::rncf::mesh::array(fields),
-                ::rncf::mesh::array_mut(forces),
+                ::rncf::emitted::array(stress_free),
+                ::rncf::emitted::array(fields),
+                ::rncf::emitted::array_mut(forces),
             );
         }
         fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
@@ -1312,9 +1315,9 @@ pub mod elastica_equations {
         ) {
             beam_planar_conserving_force(
                 &self.row_beam,
-                ::rncf::mesh::array(start),
-                ::rncf::mesh::array(end),
-                ::rncf::mesh::array_mut(force),
+                ::rncf::emitted::array(start),
+                ::rncf::emitted::array(end),
+                ::rncf::emitted::array_mut(force),
             );
         }
         fn conserving_tangent(
@@ -1327,17 +1330,17 @@ pub mod elastica_equations {
         ) {
             beam_planar_conserving_tangent(
                 &self.row_beam,
-                ::rncf::mesh::array(start),
-                ::rncf::mesh::array(end),
-                ::rncf::mesh::array_mut(stiffness),
+                ::rncf::emitted::array(start),
+                ::rncf::emitted::array(end),
+                ::rncf::emitted::array_mut(stiffness),
             );
         }
-        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+        fn joints(&self) -> ::std::vec::Vec<::rncf::emitted::JointSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::JointSpec {
+                ::rncf::emitted::JointSpec {
                     name: "root",
-                    kind: ::rncf::mesh::JointKind::Clamp,
+                    kind: ::rncf::emitted::JointKind::Clamp,
                     body: 0,
                     at_end: false,
                     frame: 0,
@@ -1349,9 +1352,9 @@ pub mod elastica_equations {
             &self,
             joint: usize,
             absolute: bool,
-            level: ::rncf::system::ConstraintLevel,
+            level: ::rncf::emitted::ConstraintLevel,
             t: f64,
-            data: &::rncf::mesh::JointData,
+            data: &::rncf::emitted::JointData,
             q: &[f64],
             v: &[f64],
             a: &[f64],
@@ -1360,7 +1363,7 @@ pub mod elastica_equations {
             match (joint, absolute) {
                 (0, _) => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             joint_root_absolute_position(
                                 &self.model,
                                 t,
@@ -1382,7 +1385,7 @@ pub mod elastica_equations {
             joint: usize,
             absolute: bool,
             t: f64,
-            data: &::rncf::mesh::JointData,
+            data: &::rncf::emitted::JointData,
             jacobian: &mut [f64],
         ) {
             match (joint, absolute) {
@@ -1397,8 +1400,8 @@ pub mod elastica_equations {
             joint: usize,
             absolute: bool,
             t: f64,
-            data: &::rncf::mesh::JointData,
-            prescribed: &mut ::rncf::mesh::Prescribed,
+            data: &::rncf::emitted::JointData,
+            prescribed: &mut ::rncf::emitted::Prescribed,
         ) {
             match (joint, absolute) {
                 (0, _) => {
@@ -1407,14 +1410,14 @@ pub mod elastica_equations {
                 _ => {}
             }
         }
-        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
+        fn loads(&self) -> ::std::vec::Vec<::rncf::emitted::LoadSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::LoadSpec {
+                ::rncf::emitted::LoadSpec {
                     name: "pull",
-                    kind: ::rncf::mesh::LoadKind::Force {
+                    kind: ::rncf::emitted::LoadKind::Force {
                         body: 0,
-                        at: ::rncf::mesh::Place::End,
+                        at: ::rncf::emitted::Place::End,
                     },
                     frame: 0,
                 },
@@ -1432,19 +1435,19 @@ pub mod elastica_equations {
             }
             value
         }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 0,
                 },
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 1,
                 },
             ])
@@ -1461,8 +1464,8 @@ pub mod elastica_equations {
         fn conservative(&self) -> bool {
             true
         }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
+            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
         }
         fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
             outputs(&self.model, t, observed, out);

@@ -345,14 +345,14 @@ impl ::rncf::Model for EsailSlack {
         &self,
         formulation: ::rncf::Formulation,
         joints: ::rncf::Joints,
-        fidelity: &[(::std::string::String, ::rncf::mesh::Fidelity)],
+        fidelity: &[(::std::string::String, ::rncf::emitted::Fidelity)],
     ) -> ::std::result::Result<
         ::std::boxed::Box<dyn ::rncf::Scene>,
         ::rncf::ModelError,
     > {
-        ::rncf::mesh::check_params(self)?;
+        ::rncf::model::check_params(self)?;
         let equations = esail_slack_equations::Equations::new(self);
-        ::rncf::mesh::build_as(equations, formulation, joints, fidelity)
+        ::rncf::build_as(equations, formulation, joints, fidelity)
     }
 }
 /// Equations of [`EsailSlack`]: derived, checked and written by the generator.
@@ -427,7 +427,7 @@ pub mod esail_slack_equations {
     impl CableSpatialSlack {
         /// The constants of four elements side by side.
         #[inline(always)]
-        pub fn side_by_side<L: ::rncf::lanes::Lanes>(
+        pub fn side_by_side<L: ::rncf::emitted::lanes::Lanes>(
             rows: [&Self; 4],
             lanes: L,
         ) -> CableSpatialSlack<L::Real> {
@@ -447,7 +447,7 @@ pub mod esail_slack_equations {
     ///
     /// Operations: 230 additions, 396 multiplications, 1 divisions, 5 function calls.
     #[inline(always)]
-    pub fn cable_spatial_slack_elastic_force<T: ::rncf::lanes::Real>(
+    pub fn cable_spatial_slack_elastic_force<T: ::rncf::emitted::lanes::Real>(
         row: &CableSpatialSlack<T>,
         q: &[T; 12],
         force: &mut [T::Cell; 12],
@@ -650,9 +650,9 @@ pub mod esail_slack_equations {
         pub q: &'a [[f64; 4]; 12],
         pub force: &'a mut [[f64; 4]; 12],
     }
-    impl ::rncf::lanes::Kernel for CableSpatialSlackElasticForce<'_> {
+    impl ::rncf::emitted::lanes::Kernel for CableSpatialSlackElasticForce<'_> {
         #[inline(always)]
-        fn run<L: ::rncf::lanes::Lanes>(self, lanes: L) {
+        fn run<L: ::rncf::emitted::lanes::Lanes>(self, lanes: L) {
             let Self { rows, q, force } = self;
             let row = CableSpatialSlack::side_by_side(rows, lanes);
             let q = lanes.load_all(q);
@@ -667,7 +667,7 @@ pub mod esail_slack_equations {
     ///
     /// Operations: 994 additions, 1390 multiplications, 6 divisions, 5 function calls.
     #[inline(always)]
-    pub fn cable_spatial_slack_elastic_tangent<T: ::rncf::lanes::Real>(
+    pub fn cable_spatial_slack_elastic_tangent<T: ::rncf::emitted::lanes::Real>(
         row: &CableSpatialSlack<T>,
         q: &[T; 12],
         stiffness: &mut [T::Cell; 144],
@@ -1651,9 +1651,9 @@ pub mod esail_slack_equations {
         pub q: &'a [[f64; 4]; 12],
         pub stiffness: &'a mut [[f64; 4]; 144],
     }
-    impl ::rncf::lanes::Kernel for CableSpatialSlackElasticTangent<'_> {
+    impl ::rncf::emitted::lanes::Kernel for CableSpatialSlackElasticTangent<'_> {
         #[inline(always)]
-        fn run<L: ::rncf::lanes::Lanes>(self, lanes: L) {
+        fn run<L: ::rncf::emitted::lanes::Lanes>(self, lanes: L) {
             let Self { rows, q, stiffness } = self;
             let row = CableSpatialSlack::side_by_side(rows, lanes);
             let q = lanes.load_all(q);
@@ -1900,7 +1900,7 @@ pub mod esail_slack_equations {
     /// Spins about its z axis, which points away from the Sun.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_sail(model: &EsailSlack, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_sail(model: &EsailSlack, spec: &mut ::rncf::emitted::FreeSpec) {
         spec.position[0] = 150000000000.0;
         spec.velocity[1] = 29824.48658401348;
         spec.spin[0] = -1.9882991056008987e-7;
@@ -1935,7 +1935,7 @@ pub mod esail_slack_equations {
     pub fn joint_hub_referenced_position(
         model: &EsailSlack,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -1955,7 +1955,7 @@ pub mod esail_slack_equations {
     pub fn joint_hub_referenced_jacobian(
         model: &EsailSlack,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         jacobian: &mut [f64],
     ) {
         jacobian[0] = 1.0;
@@ -1974,8 +1974,8 @@ pub mod esail_slack_equations {
     pub fn joint_hub_referenced_prescribed(
         model: &EsailSlack,
         t: f64,
-        data: &::rncf::mesh::JointData,
-        prescribed: &mut ::rncf::mesh::Prescribed,
+        data: &::rncf::emitted::JointData,
+        prescribed: &mut ::rncf::emitted::Prescribed,
     ) {
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = data.point[1];
@@ -2283,7 +2283,7 @@ pub mod esail_slack_equations {
     ///
     /// Operations: 106 additions, 157 multiplications, 3 divisions.
     #[inline(always)]
-    pub fn density_force_thrust<T: ::rncf::lanes::Real>(
+    pub fn density_force_thrust<T: ::rncf::emitted::lanes::Real>(
         length: &[T; 1],
         values: &[T; 4],
         q: &[T; 12],
@@ -2377,9 +2377,9 @@ pub mod esail_slack_equations {
         pub q: &'a [[f64; 4]; 12],
         pub force: &'a mut [[f64; 4]; 12],
     }
-    impl ::rncf::lanes::Kernel for DensityForceThrust<'_> {
+    impl ::rncf::emitted::lanes::Kernel for DensityForceThrust<'_> {
         #[inline(always)]
-        fn run<L: ::rncf::lanes::Lanes>(self, lanes: L) {
+        fn run<L: ::rncf::emitted::lanes::Lanes>(self, lanes: L) {
             let Self { length, values, q, force } = self;
             let length = lanes.load_all(length);
             let values = lanes.load_all(values);
@@ -2393,7 +2393,7 @@ pub mod esail_slack_equations {
     ///
     /// Operations: 784 additions, 967 multiplications, 3 divisions.
     #[inline(always)]
-    pub fn density_tangent_thrust<T: ::rncf::lanes::Real>(
+    pub fn density_tangent_thrust<T: ::rncf::emitted::lanes::Real>(
         length: &[T; 1],
         values: &[T; 4],
         q: &[T; 12],
@@ -3134,9 +3134,9 @@ pub mod esail_slack_equations {
         pub by_q: &'a mut [[f64; 4]; 144],
         pub by_values: &'a mut [[f64; 4]; 48],
     }
-    impl ::rncf::lanes::Kernel for DensityTangentThrust<'_> {
+    impl ::rncf::emitted::lanes::Kernel for DensityTangentThrust<'_> {
         #[inline(always)]
-        fn run<L: ::rncf::lanes::Lanes>(self, lanes: L) {
+        fn run<L: ::rncf::emitted::lanes::Lanes>(self, lanes: L) {
             let Self { length, values, q, by_q, by_values } = self;
             let length = lanes.load_all(length);
             let values = lanes.load_all(values);
@@ -3211,8 +3211,8 @@ pub mod esail_slack_equations {
             Self {
                 model: model.clone(),
                 counts,
-                firsts: ::rncf::mesh::firsts([counts[0], counts[0]]),
-                first_joints: ::rncf::mesh::firsts([counts[0]]),
+                firsts: ::rncf::emitted::firsts([counts[0], counts[0]]),
+                first_joints: ::rncf::emitted::firsts([counts[0]]),
                 row_main: Default::default(),
                 row_aux: Default::default(),
             }
@@ -3231,20 +3231,20 @@ pub mod esail_slack_equations {
             self.first_joints.partition_point(|&first| first <= joint) - 1
         }
     }
-    impl ::rncf::mesh::Parts for Equations {
-        fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {
+    impl ::rncf::emitted::Parts for Equations {
+        fn bodies(&self) -> ::std::vec::Vec<::rncf::emitted::BodySpec> {
             let model = &self.model;
             let mut specs = ::std::vec::Vec::new();
             for instance in 0..self.counts[0] {
                 let index = instance as f64;
                 specs
-                    .push(::rncf::mesh::BodySpec {
+                    .push(::rncf::emitted::BodySpec {
                         name: "main",
                         kind: 0,
                         instance: Some(instance),
                         frame: 1,
                         axes: &[0, 1, 2],
-                        line: ::rncf::mesh::Line::Straight {
+                        line: ::rncf::emitted::Line::Straight {
                             from: [
                                 model.hub_radius
                                     * (index * 6.283185307179586 / (model.tethers as f64))
@@ -3267,27 +3267,27 @@ pub mod esail_slack_equations {
                         count: (model.elements as f64) as usize,
                         stations: ::std::vec::Vec::new(),
                         nodal: &[
-                            ::rncf::mesh::NodalSpec {
+                            ::rncf::emitted::NodalSpec {
                                 meaning: "position",
-                                of: ::rncf::mesh::Interpolant::Position,
+                                of: ::rncf::emitted::Interpolant::Position,
                                 order: 0,
                                 xi: 0.0,
                             },
-                            ::rncf::mesh::NodalSpec {
+                            ::rncf::emitted::NodalSpec {
                                 meaning: "slope",
-                                of: ::rncf::mesh::Interpolant::Position,
+                                of: ::rncf::emitted::Interpolant::Position,
                                 order: 1,
                                 xi: 0.0,
                             },
-                            ::rncf::mesh::NodalSpec {
+                            ::rncf::emitted::NodalSpec {
                                 meaning: "position",
-                                of: ::rncf::mesh::Interpolant::Position,
+                                of: ::rncf::emitted::Interpolant::Position,
                                 order: 0,
                                 xi: 1.0,
                             },
-                            ::rncf::mesh::NodalSpec {
+                            ::rncf::emitted::NodalSpec {
                                 meaning: "slope",
-                                of: ::rncf::mesh::Interpolant::Position,
+                                of: ::rncf::emitted::Interpolant::Position,
                                 order: 1,
                                 xi: 1.0,
                             },
@@ -3296,22 +3296,22 @@ pub mod esail_slack_equations {
                         vectors_per_node: 2,
                         stride: 2,
                         section_y: None,
-                        twist: ::rncf::mesh::Twist::even(0.0),
-                        fidelity: ::rncf::mesh::Fidelity::Full,
-                        tie: ::rncf::mesh::FrameTie::Joints,
+                        twist: ::rncf::emitted::Twist::even(0.0),
+                        fidelity: ::rncf::emitted::Fidelity::Full,
+                        tie: ::rncf::emitted::FrameTie::Joints,
                         normals: ::std::vec::Vec::new(),
                     });
             }
             for instance in 0..self.counts[0] {
                 let index = instance as f64;
                 specs
-                    .push(::rncf::mesh::BodySpec {
+                    .push(::rncf::emitted::BodySpec {
                         name: "aux",
                         kind: 1,
                         instance: Some(instance),
                         frame: 1,
                         axes: &[0, 1, 2],
-                        line: ::rncf::mesh::Line::Straight {
+                        line: ::rncf::emitted::Line::Straight {
                             from: [0.0, 0.0, 0.0],
                             to: [
                                 6.283185307179586 * (model.length + model.hub_radius)
@@ -3323,27 +3323,27 @@ pub mod esail_slack_equations {
                         count: 1,
                         stations: ::std::vec::Vec::new(),
                         nodal: &[
-                            ::rncf::mesh::NodalSpec {
+                            ::rncf::emitted::NodalSpec {
                                 meaning: "position",
-                                of: ::rncf::mesh::Interpolant::Position,
+                                of: ::rncf::emitted::Interpolant::Position,
                                 order: 0,
                                 xi: 0.0,
                             },
-                            ::rncf::mesh::NodalSpec {
+                            ::rncf::emitted::NodalSpec {
                                 meaning: "slope",
-                                of: ::rncf::mesh::Interpolant::Position,
+                                of: ::rncf::emitted::Interpolant::Position,
                                 order: 1,
                                 xi: 0.0,
                             },
-                            ::rncf::mesh::NodalSpec {
+                            ::rncf::emitted::NodalSpec {
                                 meaning: "position",
-                                of: ::rncf::mesh::Interpolant::Position,
+                                of: ::rncf::emitted::Interpolant::Position,
                                 order: 0,
                                 xi: 1.0,
                             },
-                            ::rncf::mesh::NodalSpec {
+                            ::rncf::emitted::NodalSpec {
                                 meaning: "slope",
-                                of: ::rncf::mesh::Interpolant::Position,
+                                of: ::rncf::emitted::Interpolant::Position,
                                 order: 1,
                                 xi: 1.0,
                             },
@@ -3352,9 +3352,9 @@ pub mod esail_slack_equations {
                         vectors_per_node: 2,
                         stride: 2,
                         section_y: None,
-                        twist: ::rncf::mesh::Twist::even(0.0),
-                        fidelity: ::rncf::mesh::Fidelity::Full,
-                        tie: ::rncf::mesh::FrameTie::Joints,
+                        twist: ::rncf::emitted::Twist::even(0.0),
+                        fidelity: ::rncf::emitted::Fidelity::Full,
+                        tie: ::rncf::emitted::FrameTie::Joints,
                         normals: ::std::vec::Vec::new(),
                     });
             }
@@ -3371,25 +3371,25 @@ pub mod esail_slack_equations {
             match body {
                 0 => {
                     let length = nodes[1] - nodes[0];
-                    let density = ::rncf::mesh::positive(
+                    let density = ::rncf::emitted::positive(
                         "material `aluminium`",
                         "density",
                         2700.0,
                         "kg/m^3",
                     )?;
-                    let young = ::rncf::mesh::positive(
+                    let young = ::rncf::emitted::positive(
                         "material `aluminium`",
                         "young",
                         70000000000.0,
                         "Pa",
                     )?;
-                    let area = ::rncf::mesh::positive(
+                    let area = ::rncf::emitted::positive(
                         "section `wire`",
                         "area",
                         4.571428571428571e-9,
                         "m^2",
                     )?;
-                    let second_moment = ::rncf::mesh::positive(
+                    let second_moment = ::rncf::emitted::positive(
                         "section `wire`",
                         "second_moment",
                         1.663e-18,
@@ -3406,25 +3406,25 @@ pub mod esail_slack_equations {
                 }
                 _ => {
                     let length = nodes[1] - nodes[0];
-                    let density = ::rncf::mesh::positive(
+                    let density = ::rncf::emitted::positive(
                         "material `aluminium`",
                         "density",
                         2700.0,
                         "kg/m^3",
                     )?;
-                    let young = ::rncf::mesh::positive(
+                    let young = ::rncf::emitted::positive(
                         "material `aluminium`",
                         "young",
                         70000000000.0,
                         "Pa",
                     )?;
-                    let area = ::rncf::mesh::positive(
+                    let area = ::rncf::emitted::positive(
                         "section `wire`",
                         "area",
                         4.571428571428571e-9,
                         "m^2",
                     )?;
-                    let second_moment = ::rncf::mesh::positive(
+                    let second_moment = ::rncf::emitted::positive(
                         "section `wire`",
                         "second_moment",
                         1.663e-18,
@@ -3448,13 +3448,13 @@ pub mod esail_slack_equations {
                 0 => {
                     cable_spatial_slack_mass(
                         &self.row_main[instance],
-                        ::rncf::mesh::array_mut(mass),
+                        ::rncf::emitted::array_mut(mass),
                     );
                 }
                 _ => {
                     cable_spatial_slack_mass(
                         &self.row_aux[instance],
-                        ::rncf::mesh::array_mut(mass),
+                        ::rncf::emitted::array_mut(mass),
                     );
                 }
             }
@@ -3472,15 +3472,15 @@ pub mod esail_slack_equations {
                 0 => {
                     cable_spatial_slack_elastic_force(
                         &self.row_main[instance],
-                        ::rncf::mesh::array(q),
-                        ::rncf::mesh::array_mut(force),
+                        ::rncf::emitted::array(q),
+                        ::rncf::emitted::array_mut(force),
                     );
                 }
                 _ => {
                     cable_spatial_slack_elastic_force(
                         &self.row_aux[instance],
-                        ::rncf::mesh::array(q),
-                        ::rncf::mesh::array_mut(force),
+                        ::rncf::emitted::array(q),
+                        ::rncf::emitted::array_mut(force),
                     );
                 }
             }
@@ -3499,15 +3499,15 @@ pub mod esail_slack_equations {
                 0 => {
                     cable_spatial_slack_elastic_tangent(
                         &self.row_main[instance],
-                        ::rncf::mesh::array(q),
-                        ::rncf::mesh::array_mut(stiffness),
+                        ::rncf::emitted::array(q),
+                        ::rncf::emitted::array_mut(stiffness),
                     );
                 }
                 _ => {
                     cable_spatial_slack_elastic_tangent(
                         &self.row_aux[instance],
-                        ::rncf::mesh::array(q),
-                        ::rncf::mesh::array_mut(stiffness),
+                        ::rncf::emitted::array(q),
+                        ::rncf::emitted::array_mut(stiffness),
                     );
                 }
             }
@@ -3525,11 +3525,11 @@ pub mod esail_slack_equations {
                     let four = CableSpatialSlackElasticForce {
                         rows: elements
                             .map(|(body, _)| &self.row_main[self.kind(body).1]),
-                        q: ::rncf::mesh::array(q),
-                        force: ::rncf::mesh::array_mut(force),
+                        q: ::rncf::emitted::array(q),
+                        force: ::rncf::emitted::array_mut(force),
                     };
-                    if !::rncf::lanes::run(four) {
-                        ::rncf::mesh::elastic_force_one_by_one(
+                    if !::rncf::emitted::lanes::run(four) {
+                        ::rncf::emitted::elastic_force_one_by_one(
                             self,
                             elements,
                             q,
@@ -3541,11 +3541,11 @@ pub mod esail_slack_equations {
                 _ => {
                     let four = CableSpatialSlackElasticForce {
                         rows: elements.map(|(body, _)| &self.row_aux[self.kind(body).1]),
-                        q: ::rncf::mesh::array(q),
-                        force: ::rncf::mesh::array_mut(force),
+                        q: ::rncf::emitted::array(q),
+                        force: ::rncf::emitted::array_mut(force),
                     };
-                    if !::rncf::lanes::run(four) {
-                        ::rncf::mesh::elastic_force_one_by_one(
+                    if !::rncf::emitted::lanes::run(four) {
+                        ::rncf::emitted::elastic_force_one_by_one(
                             self,
                             elements,
                             q,
@@ -3570,11 +3570,11 @@ pub mod esail_slack_equations {
                     let four = CableSpatialSlackElasticTangent {
                         rows: elements
                             .map(|(body, _)| &self.row_main[self.kind(body).1]),
-                        q: ::rncf::mesh::array(q),
-                        stiffness: ::rncf::mesh::array_mut(stiffness),
+                        q: ::rncf::emitted::array(q),
+                        stiffness: ::rncf::emitted::array_mut(stiffness),
                     };
-                    if !::rncf::lanes::run(four) {
-                        ::rncf::mesh::elastic_tangent_one_by_one(
+                    if !::rncf::emitted::lanes::run(four) {
+                        ::rncf::emitted::elastic_tangent_one_by_one(
                             self,
                             elements,
                             q,
@@ -3587,11 +3587,11 @@ pub mod esail_slack_equations {
                 _ => {
                     let four = CableSpatialSlackElasticTangent {
                         rows: elements.map(|(body, _)| &self.row_aux[self.kind(body).1]),
-                        q: ::rncf::mesh::array(q),
-                        stiffness: ::rncf::mesh::array_mut(stiffness),
+                        q: ::rncf::emitted::array(q),
+                        stiffness: ::rncf::emitted::array_mut(stiffness),
                     };
-                    if !::rncf::lanes::run(four) {
-                        ::rncf::mesh::elastic_tangent_one_by_one(
+                    if !::rncf::emitted::lanes::run(four) {
+                        ::rncf::emitted::elastic_tangent_one_by_one(
                             self,
                             elements,
                             q,
@@ -3610,14 +3610,14 @@ pub mod esail_slack_equations {
                 0 => {
                     cable_spatial_slack_strain_energy(
                         &self.row_main[instance],
-                        ::rncf::mesh::array(q),
+                        ::rncf::emitted::array(q),
                         &mut energy,
                     );
                 }
                 _ => {
                     cable_spatial_slack_strain_energy(
                         &self.row_aux[instance],
-                        ::rncf::mesh::array(q),
+                        ::rncf::emitted::array(q),
                         &mut energy,
                     );
                 }
@@ -3628,7 +3628,7 @@ pub mod esail_slack_equations {
             &self,
             body: usize,
             element: usize,
-            of: ::rncf::mesh::Interpolant,
+            of: ::rncf::emitted::Interpolant,
             order: usize,
             xi: f64,
             weights: &mut [f64],
@@ -3638,25 +3638,25 @@ pub mod esail_slack_equations {
             match body {
                 0 => {
                     match (of, order) {
-                        (::rncf::mesh::Interpolant::Position, 0) => {
+                        (::rncf::emitted::Interpolant::Position, 0) => {
                             cable_spatial_slack_shapes_position_0(
                                 self.row_main[instance].length,
                                 xi,
-                                ::rncf::mesh::array_mut(weights),
+                                ::rncf::emitted::array_mut(weights),
                             )
                         }
-                        (::rncf::mesh::Interpolant::Position, 1) => {
+                        (::rncf::emitted::Interpolant::Position, 1) => {
                             cable_spatial_slack_shapes_position_1(
                                 self.row_main[instance].length,
                                 xi,
-                                ::rncf::mesh::array_mut(weights),
+                                ::rncf::emitted::array_mut(weights),
                             )
                         }
-                        (::rncf::mesh::Interpolant::Position, 2) => {
+                        (::rncf::emitted::Interpolant::Position, 2) => {
                             cable_spatial_slack_shapes_position_2(
                                 self.row_main[instance].length,
                                 xi,
-                                ::rncf::mesh::array_mut(weights),
+                                ::rncf::emitted::array_mut(weights),
                             )
                         }
                         _ => {}
@@ -3664,25 +3664,25 @@ pub mod esail_slack_equations {
                 }
                 _ => {
                     match (of, order) {
-                        (::rncf::mesh::Interpolant::Position, 0) => {
+                        (::rncf::emitted::Interpolant::Position, 0) => {
                             cable_spatial_slack_shapes_position_0(
                                 self.row_aux[instance].length,
                                 xi,
-                                ::rncf::mesh::array_mut(weights),
+                                ::rncf::emitted::array_mut(weights),
                             )
                         }
-                        (::rncf::mesh::Interpolant::Position, 1) => {
+                        (::rncf::emitted::Interpolant::Position, 1) => {
                             cable_spatial_slack_shapes_position_1(
                                 self.row_aux[instance].length,
                                 xi,
-                                ::rncf::mesh::array_mut(weights),
+                                ::rncf::emitted::array_mut(weights),
                             )
                         }
-                        (::rncf::mesh::Interpolant::Position, 2) => {
+                        (::rncf::emitted::Interpolant::Position, 2) => {
                             cable_spatial_slack_shapes_position_2(
                                 self.row_aux[instance].length,
                                 xi,
-                                ::rncf::mesh::array_mut(weights),
+                                ::rncf::emitted::array_mut(weights),
                             )
                         }
                         _ => {}
@@ -3695,13 +3695,13 @@ pub mod esail_slack_equations {
             body: usize,
             x: f64,
             length: f64,
-        ) -> ::rncf::mesh::SectionSpec {
+        ) -> ::rncf::emitted::SectionSpec {
             let (body, instance) = self.kind(body);
             let model = &self.model;
             match body {
                 0 => {
-                    ::rncf::mesh::SectionSpec {
-                        shape: ::rncf::mesh::SectionShape::General {
+                    ::rncf::emitted::SectionSpec {
+                        shape: ::rncf::emitted::SectionShape::General {
                             extent: [None, None],
                         },
                         area: 4.571428571428571e-9,
@@ -3712,8 +3712,8 @@ pub mod esail_slack_equations {
                     }
                 }
                 _ => {
-                    ::rncf::mesh::SectionSpec {
-                        shape: ::rncf::mesh::SectionShape::General {
+                    ::rncf::emitted::SectionSpec {
+                        shape: ::rncf::emitted::SectionShape::General {
                             extent: [None, None],
                         },
                         area: 4.571428571428571e-9,
@@ -3725,19 +3725,22 @@ pub mod esail_slack_equations {
                 }
             }
         }
-        fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {
+        fn fields(
+            &self,
+            body: usize,
+        ) -> &'static [(::rncf::emitted::Interpolant, usize)] {
             let (body, instance) = self.kind(body);
             match body {
                 0 => {
                     &[
-                        (::rncf::mesh::Interpolant::Position, 1),
-                        (::rncf::mesh::Interpolant::Position, 2),
+                        (::rncf::emitted::Interpolant::Position, 1),
+                        (::rncf::emitted::Interpolant::Position, 2),
                     ]
                 }
                 _ => {
                     &[
-                        (::rncf::mesh::Interpolant::Position, 1),
-                        (::rncf::mesh::Interpolant::Position, 2),
+                        (::rncf::emitted::Interpolant::Position, 1),
+                        (::rncf::emitted::Interpolant::Position, 2),
                     ]
                 }
             }
@@ -3756,17 +3759,17 @@ pub mod esail_slack_equations {
                 0 => {
                     cable_spatial_slack_field_forces(
                         &self.row_main[instance],
-                        ::rncf::mesh::array(stress_free),
-                        ::rncf::mesh::array(fields),
-                        ::rncf::mesh::array_mut(forces),
+                        ::rncf::emitted::array(stress_free),
+                        ::rncf::emitted::array(fields),
+                        ::rncf::emitted::array_mut(forces),
                     );
                 }
                 _ => {
                     cable_spatial_slack_field_forces(
                         &self.row_aux[instance],
-                        ::rncf::mesh::array(stress_free),
-                        ::rncf::mesh::array(fields),
-                        ::rncf::mesh::array_mut(forces),
+                        ::rncf::emitted::array(stress_free),
+                        ::rncf::emitted::array(fields),
+                        ::rncf::emitted::array_mut(forces),
                     );
                 }
             }
@@ -3774,16 +3777,16 @@ pub mod esail_slack_equations {
         fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
             Some("the load per length `thrust` has no potential")
         }
-        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+        fn joints(&self) -> ::std::vec::Vec<::rncf::emitted::JointSpec> {
             let model = &self.model;
             let mut specs = ::std::vec::Vec::new();
             for instance in 0..self.counts[0] {
                 let index = instance as f64;
                 specs
-                    .push(::rncf::mesh::JointSpec {
+                    .push(::rncf::emitted::JointSpec {
                         name: "hub",
-                        kind: ::rncf::mesh::JointKind::Clamp,
-                        body: ::rncf::mesh::instance(
+                        kind: ::rncf::emitted::JointKind::Clamp,
+                        body: ::rncf::emitted::instance(
                             self.first(0),
                             self.counts[0],
                             index,
@@ -3799,9 +3802,9 @@ pub mod esail_slack_equations {
             &self,
             joint: usize,
             absolute: bool,
-            level: ::rncf::system::ConstraintLevel,
+            level: ::rncf::emitted::ConstraintLevel,
             t: f64,
-            data: &::rncf::mesh::JointData,
+            data: &::rncf::emitted::JointData,
             q: &[f64],
             v: &[f64],
             a: &[f64],
@@ -3811,7 +3814,7 @@ pub mod esail_slack_equations {
             match (joint, absolute) {
                 (0, false) => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             joint_hub_referenced_position(
                                 &self.model,
                                 t,
@@ -3833,7 +3836,7 @@ pub mod esail_slack_equations {
             joint: usize,
             absolute: bool,
             t: f64,
-            data: &::rncf::mesh::JointData,
+            data: &::rncf::emitted::JointData,
             jacobian: &mut [f64],
         ) {
             let joint = self.joint_kind(joint);
@@ -3849,8 +3852,8 @@ pub mod esail_slack_equations {
             joint: usize,
             absolute: bool,
             t: f64,
-            data: &::rncf::mesh::JointData,
-            prescribed: &mut ::rncf::mesh::Prescribed,
+            data: &::rncf::emitted::JointData,
+            prescribed: &mut ::rncf::emitted::Prescribed,
         ) {
             let joint = self.joint_kind(joint);
             match (joint, absolute) {
@@ -3860,17 +3863,17 @@ pub mod esail_slack_equations {
                 _ => {}
             }
         }
-        fn shares(&self) -> ::std::vec::Vec<::rncf::mesh::ShareSpec> {
+        fn shares(&self) -> ::std::vec::Vec<::rncf::emitted::ShareSpec> {
             let model = &self.model;
             let mut specs = ::std::vec::Vec::new();
             for instance in 0..self.counts[0] {
                 let index = instance as f64;
                 specs
-                    .push(::rncf::mesh::ShareSpec {
+                    .push(::rncf::emitted::ShareSpec {
                         name: "near",
                         ends: [
                             (
-                                ::rncf::mesh::instance(
+                                ::rncf::emitted::instance(
                                     self.first(1),
                                     self.counts[0],
                                     index,
@@ -3878,7 +3881,7 @@ pub mod esail_slack_equations {
                                 false,
                             ),
                             (
-                                ::rncf::mesh::instance(
+                                ::rncf::emitted::instance(
                                     self.first(0),
                                     self.counts[0],
                                     index,
@@ -3892,11 +3895,11 @@ pub mod esail_slack_equations {
             for instance in 0..self.counts[0] {
                 let index = instance as f64;
                 specs
-                    .push(::rncf::mesh::ShareSpec {
+                    .push(::rncf::emitted::ShareSpec {
                         name: "far",
                         ends: [
                             (
-                                ::rncf::mesh::instance(
+                                ::rncf::emitted::instance(
                                     self.first(1),
                                     self.counts[0],
                                     index,
@@ -3904,7 +3907,7 @@ pub mod esail_slack_equations {
                                 true,
                             ),
                             (
-                                ::rncf::mesh::instance(
+                                ::rncf::emitted::instance(
                                     self.first(0),
                                     self.counts[0],
                                     (index + 1.0).rem_euclid((model.tethers as f64)),
@@ -3918,11 +3921,11 @@ pub mod esail_slack_equations {
             for instance in 0..self.counts[0] {
                 let index = instance as f64;
                 specs
-                    .push(::rncf::mesh::ShareSpec {
+                    .push(::rncf::emitted::ShareSpec {
                         name: "ring",
                         ends: [
                             (
-                                ::rncf::mesh::instance(
+                                ::rncf::emitted::instance(
                                     self.first(1),
                                     self.counts[0],
                                     index,
@@ -3930,7 +3933,7 @@ pub mod esail_slack_equations {
                                 true,
                             ),
                             (
-                                ::rncf::mesh::instance(
+                                ::rncf::emitted::instance(
                                     self.first(1),
                                     self.counts[0],
                                     (index + 1.0).rem_euclid((model.tethers as f64)),
@@ -3943,12 +3946,12 @@ pub mod esail_slack_equations {
             }
             specs
         }
-        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
+        fn loads(&self) -> ::std::vec::Vec<::rncf::emitted::LoadSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::LoadSpec {
+                ::rncf::emitted::LoadSpec {
                     name: "sun",
-                    kind: ::rncf::mesh::LoadKind::Field {
+                    kind: ::rncf::emitted::LoadKind::Field {
                         markers: &[1],
                     },
                     frame: 1,
@@ -3959,144 +3962,144 @@ pub mod esail_slack_equations {
             const VARIES: [bool; 1] = [false];
             VARIES[load]
         }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
             let model = &self.model;
             let mut specs = ::std::vec::Vec::new();
             specs
-                .push(::rncf::mesh::ObservedSpec::Marker {
+                .push(::rncf::emitted::ObservedSpec::Marker {
                     marker: 1,
                     derivative: 0,
                     component: 0,
                 });
             specs
-                .push(::rncf::mesh::ObservedSpec::Marker {
+                .push(::rncf::emitted::ObservedSpec::Marker {
                     marker: 1,
                     derivative: 0,
                     component: 1,
                 });
             specs
-                .push(::rncf::mesh::ObservedSpec::Marker {
+                .push(::rncf::emitted::ObservedSpec::Marker {
                     marker: 1,
                     derivative: 0,
                     component: 2,
                 });
             specs
-                .push(::rncf::mesh::ObservedSpec::Marker {
+                .push(::rncf::emitted::ObservedSpec::Marker {
                     marker: 4,
                     derivative: 0,
                     component: 0,
                 });
             specs
-                .push(::rncf::mesh::ObservedSpec::Marker {
+                .push(::rncf::emitted::ObservedSpec::Marker {
                     marker: 5,
                     derivative: 1,
                     component: 0,
                 });
             specs
-                .push(::rncf::mesh::ObservedSpec::Marker {
+                .push(::rncf::emitted::ObservedSpec::Marker {
                     marker: 4,
                     derivative: 0,
                     component: 1,
                 });
             specs
-                .push(::rncf::mesh::ObservedSpec::Marker {
+                .push(::rncf::emitted::ObservedSpec::Marker {
                     marker: 5,
                     derivative: 1,
                     component: 1,
                 });
             specs
-                .push(::rncf::mesh::ObservedSpec::Marker {
+                .push(::rncf::emitted::ObservedSpec::Marker {
                     marker: 4,
                     derivative: 0,
                     component: 2,
                 });
             specs
-                .push(::rncf::mesh::ObservedSpec::Marker {
+                .push(::rncf::emitted::ObservedSpec::Marker {
                     marker: 5,
                     derivative: 1,
                     component: 2,
                 });
             specs
-                .push(::rncf::mesh::ObservedSpec::Multiplier {
+                .push(::rncf::emitted::ObservedSpec::Multiplier {
                     constraint: 0,
                     row: 0,
                 });
             specs
-                .push(::rncf::mesh::ObservedSpec::Multiplier {
+                .push(::rncf::emitted::ObservedSpec::Multiplier {
                     constraint: 1,
                     row: 0,
                 });
             for instance in 0..self.counts[0] {
                 let index = instance as f64;
                 specs
-                    .push(::rncf::mesh::ObservedSpec::Point {
-                        body: ::rncf::mesh::instance(
+                    .push(::rncf::emitted::ObservedSpec::Point {
+                        body: ::rncf::emitted::instance(
                             self.first(0),
                             self.counts[0],
                             index,
                         ),
-                        at: ::rncf::mesh::Place::End,
-                        what: ::rncf::mesh::PointQuantity::Position,
+                        at: ::rncf::emitted::Place::End,
+                        what: ::rncf::emitted::PointQuantity::Position,
                         component: 2,
                     });
             }
             for instance in 0..self.counts[0] {
                 let index = instance as f64;
                 specs
-                    .push(::rncf::mesh::ObservedSpec::Point {
-                        body: ::rncf::mesh::instance(
+                    .push(::rncf::emitted::ObservedSpec::Point {
+                        body: ::rncf::emitted::instance(
                             self.first(0),
                             self.counts[0],
                             index,
                         ),
-                        at: ::rncf::mesh::Place::End,
-                        what: ::rncf::mesh::PointQuantity::Position,
+                        at: ::rncf::emitted::Place::End,
+                        what: ::rncf::emitted::PointQuantity::Position,
                         component: 2,
                     });
             }
             for instance in 0..self.counts[0] {
                 let index = instance as f64;
                 specs
-                    .push(::rncf::mesh::ObservedSpec::Section {
-                        body: ::rncf::mesh::instance(
+                    .push(::rncf::emitted::ObservedSpec::Section {
+                        body: ::rncf::emitted::instance(
                             self.first(0),
                             self.counts[0],
                             index,
                         ),
-                        at: ::rncf::mesh::Place::Start,
-                        what: ::rncf::mesh::SectionQuantity::AxialForce,
+                        at: ::rncf::emitted::Place::Start,
+                        what: ::rncf::emitted::SectionQuantity::AxialForce,
                     });
             }
             for instance in 0..self.counts[0] {
                 let index = instance as f64;
                 specs
-                    .push(::rncf::mesh::ObservedSpec::Section {
-                        body: ::rncf::mesh::instance(
+                    .push(::rncf::emitted::ObservedSpec::Section {
+                        body: ::rncf::emitted::instance(
                             self.first(1),
                             self.counts[0],
                             index,
                         ),
-                        at: ::rncf::mesh::Place::At(
+                        at: ::rncf::emitted::Place::At(
                             3.141592653589793 * (model.length + model.hub_radius)
                                 / (model.tethers as f64),
                         ),
-                        what: ::rncf::mesh::SectionQuantity::AxialForce,
+                        what: ::rncf::emitted::SectionQuantity::AxialForce,
                     });
             }
             for instance in 0..self.counts[0] {
                 let index = instance as f64;
                 specs
-                    .push(::rncf::mesh::ObservedSpec::Section {
-                        body: ::rncf::mesh::instance(
+                    .push(::rncf::emitted::ObservedSpec::Section {
+                        body: ::rncf::emitted::instance(
                             self.first(1),
                             self.counts[0],
                             index,
                         ),
-                        at: ::rncf::mesh::Place::At(
+                        at: ::rncf::emitted::Place::At(
                             3.141592653589793 * (model.length + model.hub_radius)
                                 / (model.tethers as f64),
                         ),
-                        what: ::rncf::mesh::SectionQuantity::AxialForce,
+                        what: ::rncf::emitted::SectionQuantity::AxialForce,
                     });
             }
             specs
@@ -4113,16 +4116,16 @@ pub mod esail_slack_equations {
         fn conservative(&self) -> bool {
             false
         }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
+            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
         }
         fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
             let model = &self.model;
             let (plain, mut rest) = observed.split_at(11);
             let mut seen = [0.0; 16];
             seen[..11].copy_from_slice(plain);
-            seen[11] = ::rncf::mesh::reduce(
-                ::rncf::mesh::Reduction::Min,
+            seen[11] = ::rncf::emitted::reduce(
+                ::rncf::emitted::Reduction::Min,
                 self.counts[0],
                 1,
                 &mut rest,
@@ -4132,8 +4135,8 @@ pub mod esail_slack_equations {
                     value[0]
                 },
             );
-            seen[12] = ::rncf::mesh::reduce(
-                ::rncf::mesh::Reduction::Max,
+            seen[12] = ::rncf::emitted::reduce(
+                ::rncf::emitted::Reduction::Max,
                 self.counts[0],
                 1,
                 &mut rest,
@@ -4143,8 +4146,8 @@ pub mod esail_slack_equations {
                     value[0]
                 },
             );
-            seen[13] = ::rncf::mesh::reduce(
-                ::rncf::mesh::Reduction::Max,
+            seen[13] = ::rncf::emitted::reduce(
+                ::rncf::emitted::Reduction::Max,
                 self.counts[0],
                 1,
                 &mut rest,
@@ -4154,8 +4157,8 @@ pub mod esail_slack_equations {
                     value[0]
                 },
             );
-            seen[14] = ::rncf::mesh::reduce(
-                ::rncf::mesh::Reduction::Min,
+            seen[14] = ::rncf::emitted::reduce(
+                ::rncf::emitted::Reduction::Min,
                 self.counts[0],
                 1,
                 &mut rest,
@@ -4165,8 +4168,8 @@ pub mod esail_slack_equations {
                     value[0]
                 },
             );
-            seen[15] = ::rncf::mesh::reduce(
-                ::rncf::mesh::Reduction::Max,
+            seen[15] = ::rncf::emitted::reduce(
+                ::rncf::emitted::Reduction::Max,
                 self.counts[0],
                 1,
                 &mut rest,
@@ -4200,10 +4203,10 @@ pub mod esail_slack_equations {
                 _ => [None, None],
             }
         }
-        fn starts(&self) -> ::std::vec::Vec<::rncf::mesh::StartSpec> {
+        fn starts(&self) -> ::std::vec::Vec<::rncf::emitted::StartSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::StartSpec {
+                ::rncf::emitted::StartSpec {
                     name: "spun",
                     frame: 1,
                     spin: Some([0.0, 0.0, model.spin]),
@@ -4212,11 +4215,16 @@ pub mod esail_slack_equations {
         }
         fn check(&self) -> ::std::result::Result<(), ::rncf::ModelError> {
             let model = &self.model;
-            ::rncf::mesh::repetitions("a", (model.tethers as f64))?;
-            ::rncf::mesh::non_negative("fixture `core`", "mass", model.core_mass, "kg")?;
+            ::rncf::emitted::repetitions("a", (model.tethers as f64))?;
+            ::rncf::emitted::non_negative(
+                "fixture `core`",
+                "mass",
+                model.core_mass,
+                "kg",
+            )?;
             for instance in 0..self.counts[0] {
                 let index = instance as f64;
-                ::rncf::mesh::non_negative(
+                ::rncf::emitted::non_negative(
                     "fixture `remote`",
                     "mass",
                     model.remote_mass * (1.0 + model.asymmetry * (index * index).cos()),
@@ -4225,86 +4233,86 @@ pub mod esail_slack_equations {
             }
             Ok(())
         }
-        fn free(&self) -> ::std::vec::Vec<::rncf::mesh::FreeSpec> {
-            let still = ::rncf::mesh::FreeSpec {
+        fn free(&self) -> ::std::vec::Vec<::rncf::emitted::FreeSpec> {
+            let still = ::rncf::emitted::FreeSpec {
                 frame: 0,
                 parent: 0,
                 is_body: false,
-                motions: ::rncf::mesh::Motions::Spatial,
+                motions: ::rncf::emitted::Motions::Spatial,
                 position: [0.0; 3],
                 axis: [0.0; 3],
                 angle: 0.0,
                 velocity: [0.0; 3],
                 spin: [0.0; 3],
-                rigid: ::rncf::mesh::RigidSpec::default(),
+                rigid: ::rncf::emitted::RigidSpec::default(),
             };
             let mut specs = ::std::vec::Vec::from([
-                ::rncf::mesh::FreeSpec {
+                ::rncf::emitted::FreeSpec {
                     frame: 1,
                     parent: 0,
                     is_body: false,
-                    motions: ::rncf::mesh::Motions::Spatial,
+                    motions: ::rncf::emitted::Motions::Spatial,
                     ..still.clone()
                 },
             ]);
             free_sail(&self.model, &mut specs[0]);
             specs
         }
-        fn markers(&self) -> ::std::vec::Vec<::rncf::mesh::MarkerSpec> {
+        fn markers(&self) -> ::std::vec::Vec<::rncf::emitted::MarkerSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::MarkerSpec::Direction {
+                ::rncf::emitted::MarkerSpec::Direction {
                     frame: 1,
                     along: [1.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 1,
                     at: [0.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Direction {
+                ::rncf::emitted::MarkerSpec::Direction {
                     frame: 1,
                     along: [0.0, 1.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 0,
                     at: [0.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Direction {
+                ::rncf::emitted::MarkerSpec::Direction {
                     frame: 1,
                     along: [0.0, 0.0, 1.0],
                 },
-                ::rncf::mesh::MarkerSpec::Turn {
+                ::rncf::emitted::MarkerSpec::Turn {
                     frame: 1,
                 },
             ])
         }
-        fn constraints(&self) -> ::std::vec::Vec<::rncf::mesh::ConstraintSpec> {
+        fn constraints(&self) -> ::std::vec::Vec<::rncf::emitted::ConstraintSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "sun_x",
                     kind: "constraint",
                     rows: &["value"],
                     markers: &[0, 1],
                     coupled: &[[0, 1]],
                     first_party: 2,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "sun_y",
                     kind: "constraint",
                     rows: &["value"],
                     markers: &[2, 1],
                     coupled: &[[0, 1]],
                     first_party: 2,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
             ])
         }
         fn marker_constraint(
             &self,
             constraint: usize,
-            level: ::rncf::system::ConstraintLevel,
+            level: ::rncf::emitted::ConstraintLevel,
             t: f64,
             z: &[[[f64; 3]; 4]],
             rows: &mut [f64],
@@ -4312,16 +4320,16 @@ pub mod esail_slack_equations {
             match constraint {
                 0 | 1 => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             constraint_position_sun_x(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
+                        ::rncf::emitted::ConstraintLevel::Velocity => {
                             constraint_velocity_sun_x(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
+                        ::rncf::emitted::ConstraintLevel::Acceleration => {
                             constraint_acceleration_sun_x(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Jerk => {
+                        ::rncf::emitted::ConstraintLevel::Jerk => {
                             constraint_jerk_sun_x(&self.model, t, z, rows)
                         }
                     }
@@ -4372,13 +4380,13 @@ pub mod esail_slack_equations {
                 _ => {}
             }
         }
-        fn densities(&self) -> ::std::vec::Vec<::rncf::mesh::DensitySpec> {
+        fn densities(&self) -> ::std::vec::Vec<::rncf::emitted::DensitySpec> {
             let model = &self.model;
             let mut specs = ::std::vec::Vec::new();
             for instance in 0..self.counts[0] {
                 let index = instance as f64;
                 specs
-                    .push(::rncf::mesh::DensitySpec {
+                    .push(::rncf::emitted::DensitySpec {
                         name: "thrust",
                         kind: 0,
                         body: self.first(0) + instance,
@@ -4396,7 +4404,10 @@ pub mod esail_slack_equations {
             velocity: &[[f64; 3]],
             out: &mut [f64],
         ) {
-            let (density, instance) = ::rncf::mesh::declared(&[self.counts[0]], density);
+            let (density, instance) = ::rncf::emitted::declared(
+                &[self.counts[0]],
+                density,
+            );
             match density {
                 0 => {
                     density_values_thrust(
@@ -4420,7 +4431,10 @@ pub mod esail_slack_equations {
             gradient: &mut [f64],
         ) {
             gradient.fill(0.0);
-            let (density, instance) = ::rncf::mesh::declared(&[self.counts[0]], density);
+            let (density, instance) = ::rncf::emitted::declared(
+                &[self.counts[0]],
+                density,
+            );
             match density {
                 0 => {
                     density_gradient_thrust(
@@ -4443,29 +4457,29 @@ pub mod esail_slack_equations {
             q: &[[f64; 4]],
             force: &mut [[f64; 4]],
         ) {
-            let (density, _) = ::rncf::mesh::declared(&[self.counts[0]], density);
+            let (density, _) = ::rncf::emitted::declared(&[self.counts[0]], density);
             match density {
                 0 => {
                     let length = elements
                         .map(|(body, _)| self.row_main[self.kind(body).1].length);
                     let four = DensityForceThrust {
                         length: &[length],
-                        values: ::rncf::mesh::array(values),
-                        q: ::rncf::mesh::array(q),
-                        force: ::rncf::mesh::array_mut(force),
+                        values: ::rncf::emitted::array(values),
+                        q: ::rncf::emitted::array(q),
+                        force: ::rncf::emitted::array_mut(force),
                     };
-                    if !::rncf::lanes::run(four) {
+                    if !::rncf::emitted::lanes::run(four) {
                         for lane in 0..4 {
                             let mut own_force = [0.0; 12];
-                            let values: [f64; 4] = ::rncf::mesh::lane(values, lane);
-                            let q: [f64; 12] = ::rncf::mesh::lane(q, lane);
+                            let values: [f64; 4] = ::rncf::emitted::lane(values, lane);
+                            let q: [f64; 12] = ::rncf::emitted::lane(q, lane);
                             density_force_thrust(
                                 &[length[lane]],
                                 &values,
                                 &q,
                                 &mut own_force,
                             );
-                            ::rncf::mesh::add_lane(force, lane, &own_force);
+                            ::rncf::emitted::add_lane(force, lane, &own_force);
                         }
                     }
                 }
@@ -4481,24 +4495,24 @@ pub mod esail_slack_equations {
             by_q: &mut [[f64; 4]],
             by_values: &mut [[f64; 4]],
         ) {
-            let (density, _) = ::rncf::mesh::declared(&[self.counts[0]], density);
+            let (density, _) = ::rncf::emitted::declared(&[self.counts[0]], density);
             match density {
                 0 => {
                     let length = elements
                         .map(|(body, _)| self.row_main[self.kind(body).1].length);
                     let four = DensityTangentThrust {
                         length: &[length],
-                        values: ::rncf::mesh::array(values),
-                        q: ::rncf::mesh::array(q),
-                        by_q: ::rncf::mesh::array_mut(by_q),
-                        by_values: ::rncf::mesh::array_mut(by_values),
+                        values: ::rncf::emitted::array(values),
+                        q: ::rncf::emitted::array(q),
+                        by_q: ::rncf::emitted::array_mut(by_q),
+                        by_values: ::rncf::emitted::array_mut(by_values),
                     };
-                    if !::rncf::lanes::run(four) {
+                    if !::rncf::emitted::lanes::run(four) {
                         for lane in 0..4 {
                             let mut own_by_q = [0.0; 144];
                             let mut own_by_values = [0.0; 48];
-                            let values: [f64; 4] = ::rncf::mesh::lane(values, lane);
-                            let q: [f64; 12] = ::rncf::mesh::lane(q, lane);
+                            let values: [f64; 4] = ::rncf::emitted::lane(values, lane);
+                            let q: [f64; 12] = ::rncf::emitted::lane(q, lane);
                             density_tangent_thrust(
                                 &[length[lane]],
                                 &values,
@@ -4506,8 +4520,8 @@ pub mod esail_slack_equations {
                                 &mut own_by_q,
                                 &mut own_by_values,
                             );
-                            ::rncf::mesh::add_lane(by_q, lane, &own_by_q);
-                            ::rncf::mesh::add_lane(by_values, lane, &own_by_values);
+                            ::rncf::emitted::add_lane(by_q, lane, &own_by_q);
+                            ::rncf::emitted::add_lane(by_values, lane, &own_by_values);
                         }
                     }
                 }
@@ -4535,20 +4549,20 @@ pub mod esail_slack_equations {
                 _ => {}
             }
         }
-        fn fixtures(&self) -> ::std::vec::Vec<::rncf::mesh::FixtureSpec> {
+        fn fixtures(&self) -> ::std::vec::Vec<::rncf::emitted::FixtureSpec> {
             let model = &self.model;
             let mut specs = ::std::vec::Vec::new();
             for instance in 0..self.counts[0] {
                 let index = instance as f64;
                 specs
-                    .push(::rncf::mesh::FixtureSpec {
+                    .push(::rncf::emitted::FixtureSpec {
                         name: "remote",
-                        body: ::rncf::mesh::instance(
+                        body: ::rncf::emitted::instance(
                             self.first(0),
                             self.counts[0],
                             index,
                         ),
-                        at: ::rncf::mesh::Place::End,
+                        at: ::rncf::emitted::Place::End,
                         constants: [
                             model.remote_mass
                                 * (1.0 + model.asymmetry * (index * index).cos()),

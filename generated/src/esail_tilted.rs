@@ -335,14 +335,14 @@ impl ::rncf::Model for EsailTilted {
         &self,
         formulation: ::rncf::Formulation,
         joints: ::rncf::Joints,
-        fidelity: &[(::std::string::String, ::rncf::mesh::Fidelity)],
+        fidelity: &[(::std::string::String, ::rncf::emitted::Fidelity)],
     ) -> ::std::result::Result<
         ::std::boxed::Box<dyn ::rncf::Scene>,
         ::rncf::ModelError,
     > {
-        ::rncf::mesh::check_params(self)?;
+        ::rncf::model::check_params(self)?;
         let equations = esail_tilted_equations::Equations::new(self);
-        ::rncf::mesh::build_as(equations, formulation, joints, fidelity)
+        ::rncf::build_as(equations, formulation, joints, fidelity)
     }
 }
 /// Equations of [`EsailTilted`]: derived, checked and written by the generator.
@@ -424,7 +424,7 @@ pub mod esail_tilted_equations {
     impl CableSpatial {
         /// The constants of four elements side by side.
         #[inline(always)]
-        pub fn side_by_side<L: ::rncf::lanes::Lanes>(
+        pub fn side_by_side<L: ::rncf::emitted::lanes::Lanes>(
             rows: [&Self; 4],
             lanes: L,
         ) -> CableSpatial<L::Real> {
@@ -444,7 +444,7 @@ pub mod esail_tilted_equations {
     ///
     /// Operations: 98 additions, 118 multiplications, 1 divisions.
     #[inline(always)]
-    pub fn cable_spatial_elastic_force<T: ::rncf::lanes::Real>(
+    pub fn cable_spatial_elastic_force<T: ::rncf::emitted::lanes::Real>(
         row: &CableSpatial<T>,
         q: &[T; 12],
         force: &mut [T::Cell; 12],
@@ -552,9 +552,9 @@ pub mod esail_tilted_equations {
         pub q: &'a [[f64; 4]; 12],
         pub force: &'a mut [[f64; 4]; 12],
     }
-    impl ::rncf::lanes::Kernel for CableSpatialElasticForce<'_> {
+    impl ::rncf::emitted::lanes::Kernel for CableSpatialElasticForce<'_> {
         #[inline(always)]
-        fn run<L: ::rncf::lanes::Lanes>(self, lanes: L) {
+        fn run<L: ::rncf::emitted::lanes::Lanes>(self, lanes: L) {
             let Self { rows, q, force } = self;
             let row = CableSpatial::side_by_side(rows, lanes);
             let q = lanes.load_all(q);
@@ -569,7 +569,7 @@ pub mod esail_tilted_equations {
     ///
     /// Operations: 410 additions, 370 multiplications, 1 divisions.
     #[inline(always)]
-    pub fn cable_spatial_elastic_tangent<T: ::rncf::lanes::Real>(
+    pub fn cable_spatial_elastic_tangent<T: ::rncf::emitted::lanes::Real>(
         row: &CableSpatial<T>,
         q: &[T; 12],
         stiffness: &mut [T::Cell; 144],
@@ -920,9 +920,9 @@ pub mod esail_tilted_equations {
         pub q: &'a [[f64; 4]; 12],
         pub stiffness: &'a mut [[f64; 4]; 144],
     }
-    impl ::rncf::lanes::Kernel for CableSpatialElasticTangent<'_> {
+    impl ::rncf::emitted::lanes::Kernel for CableSpatialElasticTangent<'_> {
         #[inline(always)]
-        fn run<L: ::rncf::lanes::Lanes>(self, lanes: L) {
+        fn run<L: ::rncf::emitted::lanes::Lanes>(self, lanes: L) {
             let Self { rows, q, stiffness } = self;
             let row = CableSpatial::side_by_side(rows, lanes);
             let q = lanes.load_all(q);
@@ -1132,9 +1132,9 @@ pub mod esail_tilted_equations {
     pub fn frame_tilted(
         model: &EsailTilted,
         t: f64,
-        motion: &mut ::rncf::mesh::FrameMotion,
+        motion: &mut ::rncf::emitted::FrameMotion,
     ) {
-        *motion = ::rncf::mesh::FrameMotion::INERTIAL;
+        *motion = ::rncf::emitted::FrameMotion::INERTIAL;
         let t13 = model.tilt.cos();
         let t14 = model.tilt.sin();
         motion.rotation[0][0] = t13;
@@ -1149,7 +1149,7 @@ pub mod esail_tilted_equations {
     /// Spins about its z axis.
     ///
     /// Operations: 0 additions, 4 multiplications, 2 function calls.
-    pub fn free_sail(model: &EsailTilted, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_sail(model: &EsailTilted, spec: &mut ::rncf::emitted::FreeSpec) {
         let t15 = model.tilt.cos();
         let t16 = model.tilt.sin();
         spec.position[0] = 150000000000.0 * t15;
@@ -1187,7 +1187,7 @@ pub mod esail_tilted_equations {
     pub fn joint_hub_referenced_position(
         model: &EsailTilted,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -1207,7 +1207,7 @@ pub mod esail_tilted_equations {
     pub fn joint_hub_referenced_jacobian(
         model: &EsailTilted,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         jacobian: &mut [f64],
     ) {
         jacobian[0] = 1.0;
@@ -1226,8 +1226,8 @@ pub mod esail_tilted_equations {
     pub fn joint_hub_referenced_prescribed(
         model: &EsailTilted,
         t: f64,
-        data: &::rncf::mesh::JointData,
-        prescribed: &mut ::rncf::mesh::Prescribed,
+        data: &::rncf::emitted::JointData,
+        prescribed: &mut ::rncf::emitted::Prescribed,
     ) {
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = data.point[1];
@@ -1432,7 +1432,7 @@ pub mod esail_tilted_equations {
     ///
     /// Operations: 106 additions, 157 multiplications, 3 divisions.
     #[inline(always)]
-    pub fn density_force_thrust<T: ::rncf::lanes::Real>(
+    pub fn density_force_thrust<T: ::rncf::emitted::lanes::Real>(
         length: &[T; 1],
         values: &[T; 4],
         q: &[T; 12],
@@ -1526,9 +1526,9 @@ pub mod esail_tilted_equations {
         pub q: &'a [[f64; 4]; 12],
         pub force: &'a mut [[f64; 4]; 12],
     }
-    impl ::rncf::lanes::Kernel for DensityForceThrust<'_> {
+    impl ::rncf::emitted::lanes::Kernel for DensityForceThrust<'_> {
         #[inline(always)]
-        fn run<L: ::rncf::lanes::Lanes>(self, lanes: L) {
+        fn run<L: ::rncf::emitted::lanes::Lanes>(self, lanes: L) {
             let Self { length, values, q, force } = self;
             let length = lanes.load_all(length);
             let values = lanes.load_all(values);
@@ -1542,7 +1542,7 @@ pub mod esail_tilted_equations {
     ///
     /// Operations: 784 additions, 967 multiplications, 3 divisions.
     #[inline(always)]
-    pub fn density_tangent_thrust<T: ::rncf::lanes::Real>(
+    pub fn density_tangent_thrust<T: ::rncf::emitted::lanes::Real>(
         length: &[T; 1],
         values: &[T; 4],
         q: &[T; 12],
@@ -2283,9 +2283,9 @@ pub mod esail_tilted_equations {
         pub by_q: &'a mut [[f64; 4]; 144],
         pub by_values: &'a mut [[f64; 4]; 48],
     }
-    impl ::rncf::lanes::Kernel for DensityTangentThrust<'_> {
+    impl ::rncf::emitted::lanes::Kernel for DensityTangentThrust<'_> {
         #[inline(always)]
-        fn run<L: ::rncf::lanes::Lanes>(self, lanes: L) {
+        fn run<L: ::rncf::emitted::lanes::Lanes>(self, lanes: L) {
             let Self { length, values, q, by_q, by_values } = self;
             let length = lanes.load_all(length);
             let values = lanes.load_all(values);
@@ -2432,7 +2432,7 @@ pub mod esail_tilted_equations {
     ///
     /// Operations: 106 additions, 157 multiplications, 3 divisions.
     #[inline(always)]
-    pub fn density_force_ring_thrust<T: ::rncf::lanes::Real>(
+    pub fn density_force_ring_thrust<T: ::rncf::emitted::lanes::Real>(
         length: &[T; 1],
         values: &[T; 4],
         q: &[T; 12],
@@ -2526,9 +2526,9 @@ pub mod esail_tilted_equations {
         pub q: &'a [[f64; 4]; 12],
         pub force: &'a mut [[f64; 4]; 12],
     }
-    impl ::rncf::lanes::Kernel for DensityForceRingThrust<'_> {
+    impl ::rncf::emitted::lanes::Kernel for DensityForceRingThrust<'_> {
         #[inline(always)]
-        fn run<L: ::rncf::lanes::Lanes>(self, lanes: L) {
+        fn run<L: ::rncf::emitted::lanes::Lanes>(self, lanes: L) {
             let Self { length, values, q, force } = self;
             let length = lanes.load_all(length);
             let values = lanes.load_all(values);
@@ -2542,7 +2542,7 @@ pub mod esail_tilted_equations {
     ///
     /// Operations: 784 additions, 967 multiplications, 3 divisions.
     #[inline(always)]
-    pub fn density_tangent_ring_thrust<T: ::rncf::lanes::Real>(
+    pub fn density_tangent_ring_thrust<T: ::rncf::emitted::lanes::Real>(
         length: &[T; 1],
         values: &[T; 4],
         q: &[T; 12],
@@ -3283,9 +3283,9 @@ pub mod esail_tilted_equations {
         pub by_q: &'a mut [[f64; 4]; 144],
         pub by_values: &'a mut [[f64; 4]; 48],
     }
-    impl ::rncf::lanes::Kernel for DensityTangentRingThrust<'_> {
+    impl ::rncf::emitted::lanes::Kernel for DensityTangentRingThrust<'_> {
         #[inline(always)]
-        fn run<L: ::rncf::lanes::Lanes>(self, lanes: L) {
+        fn run<L: ::rncf::emitted::lanes::Lanes>(self, lanes: L) {
             let Self { length, values, q, by_q, by_values } = self;
             let length = lanes.load_all(length);
             let values = lanes.load_all(values);
@@ -3360,8 +3360,8 @@ pub mod esail_tilted_equations {
             Self {
                 model: model.clone(),
                 counts,
-                firsts: ::rncf::mesh::firsts([counts[0], counts[0]]),
-                first_joints: ::rncf::mesh::firsts([counts[0]]),
+                firsts: ::rncf::emitted::firsts([counts[0], counts[0]]),
+                first_joints: ::rncf::emitted::firsts([counts[0]]),
                 row_main: Default::default(),
                 row_aux: Default::default(),
             }
@@ -3380,20 +3380,20 @@ pub mod esail_tilted_equations {
             self.first_joints.partition_point(|&first| first <= joint) - 1
         }
     }
-    impl ::rncf::mesh::Parts for Equations {
-        fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {
+    impl ::rncf::emitted::Parts for Equations {
+        fn bodies(&self) -> ::std::vec::Vec<::rncf::emitted::BodySpec> {
             let model = &self.model;
             let mut specs = ::std::vec::Vec::new();
             for instance in 0..self.counts[0] {
                 let index = instance as f64;
                 specs
-                    .push(::rncf::mesh::BodySpec {
+                    .push(::rncf::emitted::BodySpec {
                         name: "main",
                         kind: 0,
                         instance: Some(instance),
                         frame: 2,
                         axes: &[0, 1, 2],
-                        line: ::rncf::mesh::Line::Straight {
+                        line: ::rncf::emitted::Line::Straight {
                             from: [
                                 5.0
                                     * (index * 6.283185307179586 / (model.tethers as f64))
@@ -3416,27 +3416,27 @@ pub mod esail_tilted_equations {
                         count: (model.elements as f64) as usize,
                         stations: ::std::vec::Vec::new(),
                         nodal: &[
-                            ::rncf::mesh::NodalSpec {
+                            ::rncf::emitted::NodalSpec {
                                 meaning: "position",
-                                of: ::rncf::mesh::Interpolant::Position,
+                                of: ::rncf::emitted::Interpolant::Position,
                                 order: 0,
                                 xi: 0.0,
                             },
-                            ::rncf::mesh::NodalSpec {
+                            ::rncf::emitted::NodalSpec {
                                 meaning: "slope",
-                                of: ::rncf::mesh::Interpolant::Position,
+                                of: ::rncf::emitted::Interpolant::Position,
                                 order: 1,
                                 xi: 0.0,
                             },
-                            ::rncf::mesh::NodalSpec {
+                            ::rncf::emitted::NodalSpec {
                                 meaning: "position",
-                                of: ::rncf::mesh::Interpolant::Position,
+                                of: ::rncf::emitted::Interpolant::Position,
                                 order: 0,
                                 xi: 1.0,
                             },
-                            ::rncf::mesh::NodalSpec {
+                            ::rncf::emitted::NodalSpec {
                                 meaning: "slope",
-                                of: ::rncf::mesh::Interpolant::Position,
+                                of: ::rncf::emitted::Interpolant::Position,
                                 order: 1,
                                 xi: 1.0,
                             },
@@ -3445,22 +3445,22 @@ pub mod esail_tilted_equations {
                         vectors_per_node: 2,
                         stride: 2,
                         section_y: None,
-                        twist: ::rncf::mesh::Twist::even(0.0),
-                        fidelity: ::rncf::mesh::Fidelity::Full,
-                        tie: ::rncf::mesh::FrameTie::Joints,
+                        twist: ::rncf::emitted::Twist::even(0.0),
+                        fidelity: ::rncf::emitted::Fidelity::Full,
+                        tie: ::rncf::emitted::FrameTie::Joints,
                         normals: ::std::vec::Vec::new(),
                     });
             }
             for instance in 0..self.counts[0] {
                 let index = instance as f64;
                 specs
-                    .push(::rncf::mesh::BodySpec {
+                    .push(::rncf::emitted::BodySpec {
                         name: "aux",
                         kind: 1,
                         instance: Some(instance),
                         frame: 2,
                         axes: &[0, 1, 2],
-                        line: ::rncf::mesh::Line::Straight {
+                        line: ::rncf::emitted::Line::Straight {
                             from: [0.0, 0.0, 0.0],
                             to: [
                                 6.283185307179586 * (model.length + 5.0)
@@ -3472,27 +3472,27 @@ pub mod esail_tilted_equations {
                         count: 1,
                         stations: ::std::vec::Vec::new(),
                         nodal: &[
-                            ::rncf::mesh::NodalSpec {
+                            ::rncf::emitted::NodalSpec {
                                 meaning: "position",
-                                of: ::rncf::mesh::Interpolant::Position,
+                                of: ::rncf::emitted::Interpolant::Position,
                                 order: 0,
                                 xi: 0.0,
                             },
-                            ::rncf::mesh::NodalSpec {
+                            ::rncf::emitted::NodalSpec {
                                 meaning: "slope",
-                                of: ::rncf::mesh::Interpolant::Position,
+                                of: ::rncf::emitted::Interpolant::Position,
                                 order: 1,
                                 xi: 0.0,
                             },
-                            ::rncf::mesh::NodalSpec {
+                            ::rncf::emitted::NodalSpec {
                                 meaning: "position",
-                                of: ::rncf::mesh::Interpolant::Position,
+                                of: ::rncf::emitted::Interpolant::Position,
                                 order: 0,
                                 xi: 1.0,
                             },
-                            ::rncf::mesh::NodalSpec {
+                            ::rncf::emitted::NodalSpec {
                                 meaning: "slope",
-                                of: ::rncf::mesh::Interpolant::Position,
+                                of: ::rncf::emitted::Interpolant::Position,
                                 order: 1,
                                 xi: 1.0,
                             },
@@ -3501,9 +3501,9 @@ pub mod esail_tilted_equations {
                         vectors_per_node: 2,
                         stride: 2,
                         section_y: None,
-                        twist: ::rncf::mesh::Twist::even(0.0),
-                        fidelity: ::rncf::mesh::Fidelity::Full,
-                        tie: ::rncf::mesh::FrameTie::Joints,
+                        twist: ::rncf::emitted::Twist::even(0.0),
+                        fidelity: ::rncf::emitted::Fidelity::Full,
+                        tie: ::rncf::emitted::FrameTie::Joints,
                         normals: ::std::vec::Vec::new(),
                     });
             }
@@ -3520,25 +3520,25 @@ pub mod esail_tilted_equations {
             match body {
                 0 => {
                     let length = nodes[1] - nodes[0];
-                    let density = ::rncf::mesh::positive(
+                    let density = ::rncf::emitted::positive(
                         "material `aluminium`",
                         "density",
                         2700.0,
                         "kg/m^3",
                     )?;
-                    let young = ::rncf::mesh::positive(
+                    let young = ::rncf::emitted::positive(
                         "material `aluminium`",
                         "young",
                         70000000000.0,
                         "Pa",
                     )?;
-                    let area = ::rncf::mesh::positive(
+                    let area = ::rncf::emitted::positive(
                         "section `wire`",
                         "area",
                         4.571428571428571e-9,
                         "m^2",
                     )?;
-                    let second_moment = ::rncf::mesh::positive(
+                    let second_moment = ::rncf::emitted::positive(
                         "section `wire`",
                         "second_moment",
                         1.663e-18,
@@ -3555,25 +3555,25 @@ pub mod esail_tilted_equations {
                 }
                 _ => {
                     let length = nodes[1] - nodes[0];
-                    let density = ::rncf::mesh::positive(
+                    let density = ::rncf::emitted::positive(
                         "material `aluminium`",
                         "density",
                         2700.0,
                         "kg/m^3",
                     )?;
-                    let young = ::rncf::mesh::positive(
+                    let young = ::rncf::emitted::positive(
                         "material `aluminium`",
                         "young",
                         70000000000.0,
                         "Pa",
                     )?;
-                    let area = ::rncf::mesh::positive(
+                    let area = ::rncf::emitted::positive(
                         "section `wire`",
                         "area",
                         4.571428571428571e-9,
                         "m^2",
                     )?;
-                    let second_moment = ::rncf::mesh::positive(
+                    let second_moment = ::rncf::emitted::positive(
                         "section `wire`",
                         "second_moment",
                         1.663e-18,
@@ -3597,13 +3597,13 @@ pub mod esail_tilted_equations {
                 0 => {
                     cable_spatial_mass(
                         &self.row_main[instance],
-                        ::rncf::mesh::array_mut(mass),
+                        ::rncf::emitted::array_mut(mass),
                     );
                 }
                 _ => {
                     cable_spatial_mass(
                         &self.row_aux[instance],
-                        ::rncf::mesh::array_mut(mass),
+                        ::rncf::emitted::array_mut(mass),
                     );
                 }
             }
@@ -3621,15 +3621,15 @@ pub mod esail_tilted_equations {
                 0 => {
                     cable_spatial_elastic_force(
                         &self.row_main[instance],
-                        ::rncf::mesh::array(q),
-                        ::rncf::mesh::array_mut(force),
+                        ::rncf::emitted::array(q),
+                        ::rncf::emitted::array_mut(force),
                     );
                 }
                 _ => {
                     cable_spatial_elastic_force(
                         &self.row_aux[instance],
-                        ::rncf::mesh::array(q),
-                        ::rncf::mesh::array_mut(force),
+                        ::rncf::emitted::array(q),
+                        ::rncf::emitted::array_mut(force),
                     );
                 }
             }
@@ -3648,15 +3648,15 @@ pub mod esail_tilted_equations {
                 0 => {
                     cable_spatial_elastic_tangent(
                         &self.row_main[instance],
-                        ::rncf::mesh::array(q),
-                        ::rncf::mesh::array_mut(stiffness),
+                        ::rncf::emitted::array(q),
+                        ::rncf::emitted::array_mut(stiffness),
                     );
                 }
                 _ => {
                     cable_spatial_elastic_tangent(
                         &self.row_aux[instance],
-                        ::rncf::mesh::array(q),
-                        ::rncf::mesh::array_mut(stiffness),
+                        ::rncf::emitted::array(q),
+                        ::rncf::emitted::array_mut(stiffness),
                     );
                 }
             }
@@ -3674,11 +3674,11 @@ pub mod esail_tilted_equations {
                     let four = CableSpatialElasticForce {
                         rows: elements
                             .map(|(body, _)| &self.row_main[self.kind(body).1]),
-                        q: ::rncf::mesh::array(q),
-                        force: ::rncf::mesh::array_mut(force),
+                        q: ::rncf::emitted::array(q),
+                        force: ::rncf::emitted::array_mut(force),
                     };
-                    if !::rncf::lanes::run(four) {
-                        ::rncf::mesh::elastic_force_one_by_one(
+                    if !::rncf::emitted::lanes::run(four) {
+                        ::rncf::emitted::elastic_force_one_by_one(
                             self,
                             elements,
                             q,
@@ -3690,11 +3690,11 @@ pub mod esail_tilted_equations {
                 _ => {
                     let four = CableSpatialElasticForce {
                         rows: elements.map(|(body, _)| &self.row_aux[self.kind(body).1]),
-                        q: ::rncf::mesh::array(q),
-                        force: ::rncf::mesh::array_mut(force),
+                        q: ::rncf::emitted::array(q),
+                        force: ::rncf::emitted::array_mut(force),
                     };
-                    if !::rncf::lanes::run(four) {
-                        ::rncf::mesh::elastic_force_one_by_one(
+                    if !::rncf::emitted::lanes::run(four) {
+                        ::rncf::emitted::elastic_force_one_by_one(
                             self,
                             elements,
                             q,
@@ -3719,11 +3719,11 @@ pub mod esail_tilted_equations {
                     let four = CableSpatialElasticTangent {
                         rows: elements
                             .map(|(body, _)| &self.row_main[self.kind(body).1]),
-                        q: ::rncf::mesh::array(q),
-                        stiffness: ::rncf::mesh::array_mut(stiffness),
+                        q: ::rncf::emitted::array(q),
+                        stiffness: ::rncf::emitted::array_mut(stiffness),
                     };
-                    if !::rncf::lanes::run(four) {
-                        ::rncf::mesh::elastic_tangent_one_by_one(
+                    if !::rncf::emitted::lanes::run(four) {
+                        ::rncf::emitted::elastic_tangent_one_by_one(
                             self,
                             elements,
                             q,
@@ -3736,11 +3736,11 @@ pub mod esail_tilted_equations {
                 _ => {
                     let four = CableSpatialElasticTangent {
                         rows: elements.map(|(body, _)| &self.row_aux[self.kind(body).1]),
-                        q: ::rncf::mesh::array(q),
-                        stiffness: ::rncf::mesh::array_mut(stiffness),
+                        q: ::rncf::emitted::array(q),
+                        stiffness: ::rncf::emitted::array_mut(stiffness),
                     };
-                    if !::rncf::lanes::run(four) {
-                        ::rncf::mesh::elastic_tangent_one_by_one(
+                    if !::rncf::emitted::lanes::run(four) {
+                        ::rncf::emitted::elastic_tangent_one_by_one(
                             self,
                             elements,
                             q,
@@ -3759,14 +3759,14 @@ pub mod esail_tilted_equations {
                 0 => {
                     cable_spatial_strain_energy(
                         &self.row_main[instance],
-                        ::rncf::mesh::array(q),
+                        ::rncf::emitted::array(q),
                         &mut energy,
                     );
                 }
                 _ => {
                     cable_spatial_strain_energy(
                         &self.row_aux[instance],
-                        ::rncf::mesh::array(q),
+                        ::rncf::emitted::array(q),
                         &mut energy,
                     );
                 }
@@ -3777,7 +3777,7 @@ pub mod esail_tilted_equations {
             &self,
             body: usize,
             element: usize,
-            of: ::rncf::mesh::Interpolant,
+            of: ::rncf::emitted::Interpolant,
             order: usize,
             xi: f64,
             weights: &mut [f64],
@@ -3787,25 +3787,25 @@ pub mod esail_tilted_equations {
             match body {
                 0 => {
                     match (of, order) {
-                        (::rncf::mesh::Interpolant::Position, 0) => {
+                        (::rncf::emitted::Interpolant::Position, 0) => {
                             cable_spatial_shapes_position_0(
                                 self.row_main[instance].length,
                                 xi,
-                                ::rncf::mesh::array_mut(weights),
+                                ::rncf::emitted::array_mut(weights),
                             )
                         }
-                        (::rncf::mesh::Interpolant::Position, 1) => {
+                        (::rncf::emitted::Interpolant::Position, 1) => {
                             cable_spatial_shapes_position_1(
                                 self.row_main[instance].length,
                                 xi,
-                                ::rncf::mesh::array_mut(weights),
+                                ::rncf::emitted::array_mut(weights),
                             )
                         }
-                        (::rncf::mesh::Interpolant::Position, 2) => {
+                        (::rncf::emitted::Interpolant::Position, 2) => {
                             cable_spatial_shapes_position_2(
                                 self.row_main[instance].length,
                                 xi,
-                                ::rncf::mesh::array_mut(weights),
+                                ::rncf::emitted::array_mut(weights),
                             )
                         }
                         _ => {}
@@ -3813,25 +3813,25 @@ pub mod esail_tilted_equations {
                 }
                 _ => {
                     match (of, order) {
-                        (::rncf::mesh::Interpolant::Position, 0) => {
+                        (::rncf::emitted::Interpolant::Position, 0) => {
                             cable_spatial_shapes_position_0(
                                 self.row_aux[instance].length,
                                 xi,
-                                ::rncf::mesh::array_mut(weights),
+                                ::rncf::emitted::array_mut(weights),
                             )
                         }
-                        (::rncf::mesh::Interpolant::Position, 1) => {
+                        (::rncf::emitted::Interpolant::Position, 1) => {
                             cable_spatial_shapes_position_1(
                                 self.row_aux[instance].length,
                                 xi,
-                                ::rncf::mesh::array_mut(weights),
+                                ::rncf::emitted::array_mut(weights),
                             )
                         }
-                        (::rncf::mesh::Interpolant::Position, 2) => {
+                        (::rncf::emitted::Interpolant::Position, 2) => {
                             cable_spatial_shapes_position_2(
                                 self.row_aux[instance].length,
                                 xi,
-                                ::rncf::mesh::array_mut(weights),
+                                ::rncf::emitted::array_mut(weights),
                             )
                         }
                         _ => {}
@@ -3844,13 +3844,13 @@ pub mod esail_tilted_equations {
             body: usize,
             x: f64,
             length: f64,
-        ) -> ::rncf::mesh::SectionSpec {
+        ) -> ::rncf::emitted::SectionSpec {
             let (body, instance) = self.kind(body);
             let model = &self.model;
             match body {
                 0 => {
-                    ::rncf::mesh::SectionSpec {
-                        shape: ::rncf::mesh::SectionShape::General {
+                    ::rncf::emitted::SectionSpec {
+                        shape: ::rncf::emitted::SectionShape::General {
                             extent: [None, None],
                         },
                         area: 4.571428571428571e-9,
@@ -3861,8 +3861,8 @@ pub mod esail_tilted_equations {
                     }
                 }
                 _ => {
-                    ::rncf::mesh::SectionSpec {
-                        shape: ::rncf::mesh::SectionShape::General {
+                    ::rncf::emitted::SectionSpec {
+                        shape: ::rncf::emitted::SectionShape::General {
                             extent: [None, None],
                         },
                         area: 4.571428571428571e-9,
@@ -3874,19 +3874,22 @@ pub mod esail_tilted_equations {
                 }
             }
         }
-        fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {
+        fn fields(
+            &self,
+            body: usize,
+        ) -> &'static [(::rncf::emitted::Interpolant, usize)] {
             let (body, instance) = self.kind(body);
             match body {
                 0 => {
                     &[
-                        (::rncf::mesh::Interpolant::Position, 1),
-                        (::rncf::mesh::Interpolant::Position, 2),
+                        (::rncf::emitted::Interpolant::Position, 1),
+                        (::rncf::emitted::Interpolant::Position, 2),
                     ]
                 }
                 _ => {
                     &[
-                        (::rncf::mesh::Interpolant::Position, 1),
-                        (::rncf::mesh::Interpolant::Position, 2),
+                        (::rncf::emitted::Interpolant::Position, 1),
+                        (::rncf::emitted::Interpolant::Position, 2),
                     ]
                 }
             }
@@ -3905,17 +3908,17 @@ pub mod esail_tilted_equations {
                 0 => {
                     cable_spatial_field_forces(
                         &self.row_main[instance],
-                        ::rncf::mesh::array(stress_free),
-                        ::rncf::mesh::array(fields),
-                        ::rncf::mesh::array_mut(forces),
+                        ::rncf::emitted::array(stress_free),
+                        ::rncf::emitted::array(fields),
+                        ::rncf::emitted::array_mut(forces),
                     );
                 }
                 _ => {
                     cable_spatial_field_forces(
                         &self.row_aux[instance],
-                        ::rncf::mesh::array(stress_free),
-                        ::rncf::mesh::array(fields),
-                        ::rncf::mesh::array_mut(forces),
+                        ::rncf::emitted::array(stress_free),
+                        ::rncf::emitted::array(fields),
+                        ::rncf::emitted::array_mut(forces),
                     );
                 }
             }
@@ -3923,16 +3926,16 @@ pub mod esail_tilted_equations {
         fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
             Some("the load per length `thrust` has no potential")
         }
-        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+        fn joints(&self) -> ::std::vec::Vec<::rncf::emitted::JointSpec> {
             let model = &self.model;
             let mut specs = ::std::vec::Vec::new();
             for instance in 0..self.counts[0] {
                 let index = instance as f64;
                 specs
-                    .push(::rncf::mesh::JointSpec {
+                    .push(::rncf::emitted::JointSpec {
                         name: "hub",
-                        kind: ::rncf::mesh::JointKind::Clamp,
-                        body: ::rncf::mesh::instance(
+                        kind: ::rncf::emitted::JointKind::Clamp,
+                        body: ::rncf::emitted::instance(
                             self.first(0),
                             self.counts[0],
                             index,
@@ -3948,9 +3951,9 @@ pub mod esail_tilted_equations {
             &self,
             joint: usize,
             absolute: bool,
-            level: ::rncf::system::ConstraintLevel,
+            level: ::rncf::emitted::ConstraintLevel,
             t: f64,
-            data: &::rncf::mesh::JointData,
+            data: &::rncf::emitted::JointData,
             q: &[f64],
             v: &[f64],
             a: &[f64],
@@ -3960,7 +3963,7 @@ pub mod esail_tilted_equations {
             match (joint, absolute) {
                 (0, false) => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             joint_hub_referenced_position(
                                 &self.model,
                                 t,
@@ -3982,7 +3985,7 @@ pub mod esail_tilted_equations {
             joint: usize,
             absolute: bool,
             t: f64,
-            data: &::rncf::mesh::JointData,
+            data: &::rncf::emitted::JointData,
             jacobian: &mut [f64],
         ) {
             let joint = self.joint_kind(joint);
@@ -3998,8 +4001,8 @@ pub mod esail_tilted_equations {
             joint: usize,
             absolute: bool,
             t: f64,
-            data: &::rncf::mesh::JointData,
-            prescribed: &mut ::rncf::mesh::Prescribed,
+            data: &::rncf::emitted::JointData,
+            prescribed: &mut ::rncf::emitted::Prescribed,
         ) {
             let joint = self.joint_kind(joint);
             match (joint, absolute) {
@@ -4009,17 +4012,17 @@ pub mod esail_tilted_equations {
                 _ => {}
             }
         }
-        fn shares(&self) -> ::std::vec::Vec<::rncf::mesh::ShareSpec> {
+        fn shares(&self) -> ::std::vec::Vec<::rncf::emitted::ShareSpec> {
             let model = &self.model;
             let mut specs = ::std::vec::Vec::new();
             for instance in 0..self.counts[0] {
                 let index = instance as f64;
                 specs
-                    .push(::rncf::mesh::ShareSpec {
+                    .push(::rncf::emitted::ShareSpec {
                         name: "near",
                         ends: [
                             (
-                                ::rncf::mesh::instance(
+                                ::rncf::emitted::instance(
                                     self.first(1),
                                     self.counts[0],
                                     index,
@@ -4027,7 +4030,7 @@ pub mod esail_tilted_equations {
                                 false,
                             ),
                             (
-                                ::rncf::mesh::instance(
+                                ::rncf::emitted::instance(
                                     self.first(0),
                                     self.counts[0],
                                     index,
@@ -4041,11 +4044,11 @@ pub mod esail_tilted_equations {
             for instance in 0..self.counts[0] {
                 let index = instance as f64;
                 specs
-                    .push(::rncf::mesh::ShareSpec {
+                    .push(::rncf::emitted::ShareSpec {
                         name: "far",
                         ends: [
                             (
-                                ::rncf::mesh::instance(
+                                ::rncf::emitted::instance(
                                     self.first(1),
                                     self.counts[0],
                                     index,
@@ -4053,7 +4056,7 @@ pub mod esail_tilted_equations {
                                 true,
                             ),
                             (
-                                ::rncf::mesh::instance(
+                                ::rncf::emitted::instance(
                                     self.first(0),
                                     self.counts[0],
                                     (index + 1.0).rem_euclid((model.tethers as f64)),
@@ -4067,11 +4070,11 @@ pub mod esail_tilted_equations {
             for instance in 0..self.counts[0] {
                 let index = instance as f64;
                 specs
-                    .push(::rncf::mesh::ShareSpec {
+                    .push(::rncf::emitted::ShareSpec {
                         name: "ring",
                         ends: [
                             (
-                                ::rncf::mesh::instance(
+                                ::rncf::emitted::instance(
                                     self.first(1),
                                     self.counts[0],
                                     index,
@@ -4079,7 +4082,7 @@ pub mod esail_tilted_equations {
                                 true,
                             ),
                             (
-                                ::rncf::mesh::instance(
+                                ::rncf::emitted::instance(
                                     self.first(1),
                                     self.counts[0],
                                     (index + 1.0).rem_euclid((model.tethers as f64)),
@@ -4092,12 +4095,12 @@ pub mod esail_tilted_equations {
             }
             specs
         }
-        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
+        fn loads(&self) -> ::std::vec::Vec<::rncf::emitted::LoadSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::LoadSpec {
+                ::rncf::emitted::LoadSpec {
                     name: "sun",
-                    kind: ::rncf::mesh::LoadKind::Field {
+                    kind: ::rncf::emitted::LoadKind::Field {
                         markers: &[0],
                     },
                     frame: 2,
@@ -4108,59 +4111,59 @@ pub mod esail_tilted_equations {
             const VARIES: [bool; 1] = [false];
             VARIES[load]
         }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
             let model = &self.model;
             let mut specs = ::std::vec::Vec::new();
             specs
-                .push(::rncf::mesh::ObservedSpec::Marker {
+                .push(::rncf::emitted::ObservedSpec::Marker {
                     marker: 3,
                     derivative: 0,
                     component: 0,
                 });
             specs
-                .push(::rncf::mesh::ObservedSpec::Marker {
+                .push(::rncf::emitted::ObservedSpec::Marker {
                     marker: 5,
                     derivative: 1,
                     component: 0,
                 });
             specs
-                .push(::rncf::mesh::ObservedSpec::Marker {
+                .push(::rncf::emitted::ObservedSpec::Marker {
                     marker: 3,
                     derivative: 0,
                     component: 1,
                 });
             specs
-                .push(::rncf::mesh::ObservedSpec::Marker {
+                .push(::rncf::emitted::ObservedSpec::Marker {
                     marker: 5,
                     derivative: 1,
                     component: 1,
                 });
             specs
-                .push(::rncf::mesh::ObservedSpec::Marker {
+                .push(::rncf::emitted::ObservedSpec::Marker {
                     marker: 3,
                     derivative: 0,
                     component: 2,
                 });
             specs
-                .push(::rncf::mesh::ObservedSpec::Marker {
+                .push(::rncf::emitted::ObservedSpec::Marker {
                     marker: 5,
                     derivative: 1,
                     component: 2,
                 });
             specs
-                .push(::rncf::mesh::ObservedSpec::Marker {
+                .push(::rncf::emitted::ObservedSpec::Marker {
                     marker: 0,
                     derivative: 0,
                     component: 1,
                 });
             specs
-                .push(::rncf::mesh::ObservedSpec::Marker {
+                .push(::rncf::emitted::ObservedSpec::Marker {
                     marker: 0,
                     derivative: 0,
                     component: 2,
                 });
             specs
-                .push(::rncf::mesh::ObservedSpec::Marker {
+                .push(::rncf::emitted::ObservedSpec::Marker {
                     marker: 0,
                     derivative: 0,
                     component: 0,
@@ -4168,28 +4171,28 @@ pub mod esail_tilted_equations {
             for instance in 0..self.counts[0] {
                 let index = instance as f64;
                 specs
-                    .push(::rncf::mesh::ObservedSpec::Point {
-                        body: ::rncf::mesh::instance(
+                    .push(::rncf::emitted::ObservedSpec::Point {
+                        body: ::rncf::emitted::instance(
                             self.first(0),
                             self.counts[0],
                             index,
                         ),
-                        at: ::rncf::mesh::Place::End,
-                        what: ::rncf::mesh::PointQuantity::Position,
+                        at: ::rncf::emitted::Place::End,
+                        what: ::rncf::emitted::PointQuantity::Position,
                         component: 2,
                     });
             }
             for instance in 0..self.counts[0] {
                 let index = instance as f64;
                 specs
-                    .push(::rncf::mesh::ObservedSpec::Point {
-                        body: ::rncf::mesh::instance(
+                    .push(::rncf::emitted::ObservedSpec::Point {
+                        body: ::rncf::emitted::instance(
                             self.first(0),
                             self.counts[0],
                             index,
                         ),
-                        at: ::rncf::mesh::Place::End,
-                        what: ::rncf::mesh::PointQuantity::Position,
+                        at: ::rncf::emitted::Place::End,
+                        what: ::rncf::emitted::PointQuantity::Position,
                         component: 2,
                     });
             }
@@ -4207,8 +4210,8 @@ pub mod esail_tilted_equations {
         fn conservative(&self) -> bool {
             false
         }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
+            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
             frame_tilted(&self.model, t, &mut motions[1]);
         }
         fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
@@ -4216,8 +4219,8 @@ pub mod esail_tilted_equations {
             let (plain, mut rest) = observed.split_at(9);
             let mut seen = [0.0; 11];
             seen[..9].copy_from_slice(plain);
-            seen[9] = ::rncf::mesh::reduce(
-                ::rncf::mesh::Reduction::Max,
+            seen[9] = ::rncf::emitted::reduce(
+                ::rncf::emitted::Reduction::Max,
                 self.counts[0],
                 1,
                 &mut rest,
@@ -4227,8 +4230,8 @@ pub mod esail_tilted_equations {
                     value[0]
                 },
             );
-            seen[10] = ::rncf::mesh::reduce(
-                ::rncf::mesh::Reduction::Min,
+            seen[10] = ::rncf::emitted::reduce(
+                ::rncf::emitted::Reduction::Min,
                 self.counts[0],
                 1,
                 &mut rest,
@@ -4262,10 +4265,10 @@ pub mod esail_tilted_equations {
                 _ => [None, None],
             }
         }
-        fn starts(&self) -> ::std::vec::Vec<::rncf::mesh::StartSpec> {
+        fn starts(&self) -> ::std::vec::Vec<::rncf::emitted::StartSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::StartSpec {
+                ::rncf::emitted::StartSpec {
                     name: "spun",
                     frame: 2,
                     spin: Some([0.0, 0.0, model.spin]),
@@ -4274,11 +4277,16 @@ pub mod esail_tilted_equations {
         }
         fn check(&self) -> ::std::result::Result<(), ::rncf::ModelError> {
             let model = &self.model;
-            ::rncf::mesh::repetitions("a", (model.tethers as f64))?;
-            ::rncf::mesh::non_negative("fixture `core`", "mass", model.core_mass, "kg")?;
+            ::rncf::emitted::repetitions("a", (model.tethers as f64))?;
+            ::rncf::emitted::non_negative(
+                "fixture `core`",
+                "mass",
+                model.core_mass,
+                "kg",
+            )?;
             for instance in 0..self.counts[0] {
                 let index = instance as f64;
-                ::rncf::mesh::non_negative(
+                ::rncf::emitted::non_negative(
                     "fixture `remote`",
                     "mass",
                     model.remote_mass,
@@ -4287,66 +4295,66 @@ pub mod esail_tilted_equations {
             }
             Ok(())
         }
-        fn free(&self) -> ::std::vec::Vec<::rncf::mesh::FreeSpec> {
-            let still = ::rncf::mesh::FreeSpec {
+        fn free(&self) -> ::std::vec::Vec<::rncf::emitted::FreeSpec> {
+            let still = ::rncf::emitted::FreeSpec {
                 frame: 0,
                 parent: 0,
                 is_body: false,
-                motions: ::rncf::mesh::Motions::Spatial,
+                motions: ::rncf::emitted::Motions::Spatial,
                 position: [0.0; 3],
                 axis: [0.0; 3],
                 angle: 0.0,
                 velocity: [0.0; 3],
                 spin: [0.0; 3],
-                rigid: ::rncf::mesh::RigidSpec::default(),
+                rigid: ::rncf::emitted::RigidSpec::default(),
             };
             let mut specs = ::std::vec::Vec::from([
-                ::rncf::mesh::FreeSpec {
+                ::rncf::emitted::FreeSpec {
                     frame: 2,
                     parent: 1,
                     is_body: false,
-                    motions: ::rncf::mesh::Motions::Spatial,
+                    motions: ::rncf::emitted::Motions::Spatial,
                     ..still.clone()
                 },
             ]);
             free_sail(&self.model, &mut specs[0]);
             specs
         }
-        fn markers(&self) -> ::std::vec::Vec<::rncf::mesh::MarkerSpec> {
+        fn markers(&self) -> ::std::vec::Vec<::rncf::emitted::MarkerSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 2,
                     at: [0.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Direction {
+                ::rncf::emitted::MarkerSpec::Direction {
                     frame: 2,
                     along: [1.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Direction {
+                ::rncf::emitted::MarkerSpec::Direction {
                     frame: 2,
                     along: [0.0, 1.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Direction {
+                ::rncf::emitted::MarkerSpec::Direction {
                     frame: 2,
                     along: [0.0, 0.0, 1.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 0,
                     at: [0.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Turn {
+                ::rncf::emitted::MarkerSpec::Turn {
                     frame: 2,
                 },
             ])
         }
-        fn densities(&self) -> ::std::vec::Vec<::rncf::mesh::DensitySpec> {
+        fn densities(&self) -> ::std::vec::Vec<::rncf::emitted::DensitySpec> {
             let model = &self.model;
             let mut specs = ::std::vec::Vec::new();
             for instance in 0..self.counts[0] {
                 let index = instance as f64;
                 specs
-                    .push(::rncf::mesh::DensitySpec {
+                    .push(::rncf::emitted::DensitySpec {
                         name: "thrust",
                         kind: 0,
                         body: self.first(0) + instance,
@@ -4357,7 +4365,7 @@ pub mod esail_tilted_equations {
             for instance in 0..self.counts[0] {
                 let index = instance as f64;
                 specs
-                    .push(::rncf::mesh::DensitySpec {
+                    .push(::rncf::emitted::DensitySpec {
                         name: "ring_thrust",
                         kind: 1,
                         body: self.first(1) + instance,
@@ -4375,7 +4383,7 @@ pub mod esail_tilted_equations {
             velocity: &[[f64; 3]],
             out: &mut [f64],
         ) {
-            let (density, instance) = ::rncf::mesh::declared(
+            let (density, instance) = ::rncf::emitted::declared(
                 &[self.counts[0], self.counts[0]],
                 density,
             );
@@ -4412,7 +4420,7 @@ pub mod esail_tilted_equations {
             gradient: &mut [f64],
         ) {
             gradient.fill(0.0);
-            let (density, instance) = ::rncf::mesh::declared(
+            let (density, instance) = ::rncf::emitted::declared(
                 &[self.counts[0], self.counts[0]],
                 density,
             );
@@ -4448,7 +4456,7 @@ pub mod esail_tilted_equations {
             q: &[[f64; 4]],
             force: &mut [[f64; 4]],
         ) {
-            let (density, _) = ::rncf::mesh::declared(
+            let (density, _) = ::rncf::emitted::declared(
                 &[self.counts[0], self.counts[0]],
                 density,
             );
@@ -4458,22 +4466,22 @@ pub mod esail_tilted_equations {
                         .map(|(body, _)| self.row_main[self.kind(body).1].length);
                     let four = DensityForceThrust {
                         length: &[length],
-                        values: ::rncf::mesh::array(values),
-                        q: ::rncf::mesh::array(q),
-                        force: ::rncf::mesh::array_mut(force),
+                        values: ::rncf::emitted::array(values),
+                        q: ::rncf::emitted::array(q),
+                        force: ::rncf::emitted::array_mut(force),
                     };
-                    if !::rncf::lanes::run(four) {
+                    if !::rncf::emitted::lanes::run(four) {
                         for lane in 0..4 {
                             let mut own_force = [0.0; 12];
-                            let values: [f64; 4] = ::rncf::mesh::lane(values, lane);
-                            let q: [f64; 12] = ::rncf::mesh::lane(q, lane);
+                            let values: [f64; 4] = ::rncf::emitted::lane(values, lane);
+                            let q: [f64; 12] = ::rncf::emitted::lane(q, lane);
                             density_force_thrust(
                                 &[length[lane]],
                                 &values,
                                 &q,
                                 &mut own_force,
                             );
-                            ::rncf::mesh::add_lane(force, lane, &own_force);
+                            ::rncf::emitted::add_lane(force, lane, &own_force);
                         }
                     }
                 }
@@ -4482,22 +4490,22 @@ pub mod esail_tilted_equations {
                         .map(|(body, _)| self.row_aux[self.kind(body).1].length);
                     let four = DensityForceRingThrust {
                         length: &[length],
-                        values: ::rncf::mesh::array(values),
-                        q: ::rncf::mesh::array(q),
-                        force: ::rncf::mesh::array_mut(force),
+                        values: ::rncf::emitted::array(values),
+                        q: ::rncf::emitted::array(q),
+                        force: ::rncf::emitted::array_mut(force),
                     };
-                    if !::rncf::lanes::run(four) {
+                    if !::rncf::emitted::lanes::run(four) {
                         for lane in 0..4 {
                             let mut own_force = [0.0; 12];
-                            let values: [f64; 4] = ::rncf::mesh::lane(values, lane);
-                            let q: [f64; 12] = ::rncf::mesh::lane(q, lane);
+                            let values: [f64; 4] = ::rncf::emitted::lane(values, lane);
+                            let q: [f64; 12] = ::rncf::emitted::lane(q, lane);
                             density_force_ring_thrust(
                                 &[length[lane]],
                                 &values,
                                 &q,
                                 &mut own_force,
                             );
-                            ::rncf::mesh::add_lane(force, lane, &own_force);
+                            ::rncf::emitted::add_lane(force, lane, &own_force);
                         }
                     }
                 }
@@ -4513,7 +4521,7 @@ pub mod esail_tilted_equations {
             by_q: &mut [[f64; 4]],
             by_values: &mut [[f64; 4]],
         ) {
-            let (density, _) = ::rncf::mesh::declared(
+            let (density, _) = ::rncf::emitted::declared(
                 &[self.counts[0], self.counts[0]],
                 density,
             );
@@ -4523,17 +4531,17 @@ pub mod esail_tilted_equations {
                         .map(|(body, _)| self.row_main[self.kind(body).1].length);
                     let four = DensityTangentThrust {
                         length: &[length],
-                        values: ::rncf::mesh::array(values),
-                        q: ::rncf::mesh::array(q),
-                        by_q: ::rncf::mesh::array_mut(by_q),
-                        by_values: ::rncf::mesh::array_mut(by_values),
+                        values: ::rncf::emitted::array(values),
+                        q: ::rncf::emitted::array(q),
+                        by_q: ::rncf::emitted::array_mut(by_q),
+                        by_values: ::rncf::emitted::array_mut(by_values),
                     };
-                    if !::rncf::lanes::run(four) {
+                    if !::rncf::emitted::lanes::run(four) {
                         for lane in 0..4 {
                             let mut own_by_q = [0.0; 144];
                             let mut own_by_values = [0.0; 48];
-                            let values: [f64; 4] = ::rncf::mesh::lane(values, lane);
-                            let q: [f64; 12] = ::rncf::mesh::lane(q, lane);
+                            let values: [f64; 4] = ::rncf::emitted::lane(values, lane);
+                            let q: [f64; 12] = ::rncf::emitted::lane(q, lane);
                             density_tangent_thrust(
                                 &[length[lane]],
                                 &values,
@@ -4541,8 +4549,8 @@ pub mod esail_tilted_equations {
                                 &mut own_by_q,
                                 &mut own_by_values,
                             );
-                            ::rncf::mesh::add_lane(by_q, lane, &own_by_q);
-                            ::rncf::mesh::add_lane(by_values, lane, &own_by_values);
+                            ::rncf::emitted::add_lane(by_q, lane, &own_by_q);
+                            ::rncf::emitted::add_lane(by_values, lane, &own_by_values);
                         }
                     }
                 }
@@ -4551,17 +4559,17 @@ pub mod esail_tilted_equations {
                         .map(|(body, _)| self.row_aux[self.kind(body).1].length);
                     let four = DensityTangentRingThrust {
                         length: &[length],
-                        values: ::rncf::mesh::array(values),
-                        q: ::rncf::mesh::array(q),
-                        by_q: ::rncf::mesh::array_mut(by_q),
-                        by_values: ::rncf::mesh::array_mut(by_values),
+                        values: ::rncf::emitted::array(values),
+                        q: ::rncf::emitted::array(q),
+                        by_q: ::rncf::emitted::array_mut(by_q),
+                        by_values: ::rncf::emitted::array_mut(by_values),
                     };
-                    if !::rncf::lanes::run(four) {
+                    if !::rncf::emitted::lanes::run(four) {
                         for lane in 0..4 {
                             let mut own_by_q = [0.0; 144];
                             let mut own_by_values = [0.0; 48];
-                            let values: [f64; 4] = ::rncf::mesh::lane(values, lane);
-                            let q: [f64; 12] = ::rncf::mesh::lane(q, lane);
+                            let values: [f64; 4] = ::rncf::emitted::lane(values, lane);
+                            let q: [f64; 12] = ::rncf::emitted::lane(q, lane);
                             density_tangent_ring_thrust(
                                 &[length[lane]],
                                 &values,
@@ -4569,8 +4577,8 @@ pub mod esail_tilted_equations {
                                 &mut own_by_q,
                                 &mut own_by_values,
                             );
-                            ::rncf::mesh::add_lane(by_q, lane, &own_by_q);
-                            ::rncf::mesh::add_lane(by_values, lane, &own_by_values);
+                            ::rncf::emitted::add_lane(by_q, lane, &own_by_q);
+                            ::rncf::emitted::add_lane(by_values, lane, &own_by_values);
                         }
                     }
                 }
@@ -4598,20 +4606,20 @@ pub mod esail_tilted_equations {
                 _ => {}
             }
         }
-        fn fixtures(&self) -> ::std::vec::Vec<::rncf::mesh::FixtureSpec> {
+        fn fixtures(&self) -> ::std::vec::Vec<::rncf::emitted::FixtureSpec> {
             let model = &self.model;
             let mut specs = ::std::vec::Vec::new();
             for instance in 0..self.counts[0] {
                 let index = instance as f64;
                 specs
-                    .push(::rncf::mesh::FixtureSpec {
+                    .push(::rncf::emitted::FixtureSpec {
                         name: "remote",
-                        body: ::rncf::mesh::instance(
+                        body: ::rncf::emitted::instance(
                             self.first(0),
                             self.counts[0],
                             index,
                         ),
-                        at: ::rncf::mesh::Place::End,
+                        at: ::rncf::emitted::Place::End,
                         constants: [
                             model.remote_mass,
                             0.0,

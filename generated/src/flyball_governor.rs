@@ -157,14 +157,14 @@ impl ::rncf::Model for FlyballGovernor {
         &self,
         formulation: ::rncf::Formulation,
         joints: ::rncf::Joints,
-        fidelity: &[(::std::string::String, ::rncf::mesh::Fidelity)],
+        fidelity: &[(::std::string::String, ::rncf::emitted::Fidelity)],
     ) -> ::std::result::Result<
         ::std::boxed::Box<dyn ::rncf::Scene>,
         ::rncf::ModelError,
     > {
-        ::rncf::mesh::check_params(self)?;
+        ::rncf::model::check_params(self)?;
         let equations = flyball_governor_equations::Equations::new(self);
-        ::rncf::mesh::build_as(equations, formulation, joints, fidelity)
+        ::rncf::build_as(equations, formulation, joints, fidelity)
     }
 }
 /// Equations of [`FlyballGovernor`]: derived, checked and written by the generator.
@@ -203,7 +203,7 @@ pub mod flyball_governor_equations {
     /// Shaft, from the ground to the arms' pins.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_shaft(model: &FlyballGovernor, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_shaft(model: &FlyballGovernor, spec: &mut ::rncf::emitted::FreeSpec) {
         spec.spin[2] = model.omega_0;
         spec.axis[2] = 1.0;
         spec.rigid.mass = 0.3;
@@ -219,7 +219,7 @@ pub mod flyball_governor_equations {
     /// Slider; the springs stand on it beside the shaft.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_slider(model: &FlyballGovernor, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_slider(model: &FlyballGovernor, spec: &mut ::rncf::emitted::FreeSpec) {
         spec.position[2] = 0.5;
         spec.spin[2] = model.omega_0;
         spec.axis[2] = 1.0;
@@ -233,7 +233,7 @@ pub mod flyball_governor_equations {
     /// Parts `right`, `right_ball`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
     ///
     /// Operations: 0 additions, 3 multiplications.
-    pub fn free_right(model: &FlyballGovernor, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_right(model: &FlyballGovernor, spec: &mut ::rncf::emitted::FreeSpec) {
         spec.position[0] = 0.05;
         spec.position[2] = 1.0;
         spec.velocity[1] = model.omega_0 * 0.05;
@@ -252,7 +252,7 @@ pub mod flyball_governor_equations {
     /// Parts `left`, `left_ball`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
     ///
     /// Operations: 0 additions, 3 multiplications.
-    pub fn free_left(model: &FlyballGovernor, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_left(model: &FlyballGovernor, spec: &mut ::rncf::emitted::FreeSpec) {
         spec.position[0] = -0.05;
         spec.position[2] = 1.0;
         spec.velocity[1] = model.omega_0 * (-0.05);
@@ -1067,16 +1067,16 @@ pub mod flyball_governor_equations {
             Self { model: model.clone() }
         }
     }
-    impl ::rncf::mesh::Parts for Equations {
+    impl ::rncf::emitted::Parts for Equations {
         fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
             Some("force `right_strut` has no potential")
         }
-        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
+        fn loads(&self) -> ::std::vec::Vec<::rncf::emitted::LoadSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::LoadSpec {
+                ::rncf::emitted::LoadSpec {
                     name: "weight",
-                    kind: ::rncf::mesh::LoadKind::Gravity,
+                    kind: ::rncf::emitted::LoadKind::Gravity,
                     frame: 0,
                 },
             ])
@@ -1093,45 +1093,45 @@ pub mod flyball_governor_equations {
             }
             value
         }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::ObservedSpec::Marker {
+                ::rncf::emitted::ObservedSpec::Marker {
                     marker: 23,
                     derivative: 0,
                     component: 2,
                 },
-                ::rncf::mesh::ObservedSpec::Marker {
+                ::rncf::emitted::ObservedSpec::Marker {
                     marker: 24,
                     derivative: 0,
                     component: 2,
                 },
-                ::rncf::mesh::ObservedSpec::Marker {
+                ::rncf::emitted::ObservedSpec::Marker {
                     marker: 2,
                     derivative: 0,
                     component: 0,
                 },
-                ::rncf::mesh::ObservedSpec::Marker {
+                ::rncf::emitted::ObservedSpec::Marker {
                     marker: 25,
                     derivative: 1,
                     component: 0,
                 },
-                ::rncf::mesh::ObservedSpec::Marker {
+                ::rncf::emitted::ObservedSpec::Marker {
                     marker: 2,
                     derivative: 0,
                     component: 1,
                 },
-                ::rncf::mesh::ObservedSpec::Marker {
+                ::rncf::emitted::ObservedSpec::Marker {
                     marker: 25,
                     derivative: 1,
                     component: 1,
                 },
-                ::rncf::mesh::ObservedSpec::Marker {
+                ::rncf::emitted::ObservedSpec::Marker {
                     marker: 2,
                     derivative: 0,
                     component: 2,
                 },
-                ::rncf::mesh::ObservedSpec::Marker {
+                ::rncf::emitted::ObservedSpec::Marker {
                     marker: 25,
                     derivative: 1,
                     component: 2,
@@ -1150,52 +1150,52 @@ pub mod flyball_governor_equations {
         fn conservative(&self) -> bool {
             false
         }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
+            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
         }
         fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
             outputs(&self.model, t, observed, out);
         }
-        fn free(&self) -> ::std::vec::Vec<::rncf::mesh::FreeSpec> {
-            let still = ::rncf::mesh::FreeSpec {
+        fn free(&self) -> ::std::vec::Vec<::rncf::emitted::FreeSpec> {
+            let still = ::rncf::emitted::FreeSpec {
                 frame: 0,
                 parent: 0,
                 is_body: false,
-                motions: ::rncf::mesh::Motions::Spatial,
+                motions: ::rncf::emitted::Motions::Spatial,
                 position: [0.0; 3],
                 axis: [0.0; 3],
                 angle: 0.0,
                 velocity: [0.0; 3],
                 spin: [0.0; 3],
-                rigid: ::rncf::mesh::RigidSpec::default(),
+                rigid: ::rncf::emitted::RigidSpec::default(),
             };
             let mut specs = ::std::vec::Vec::from([
-                ::rncf::mesh::FreeSpec {
+                ::rncf::emitted::FreeSpec {
                     frame: 1,
                     parent: 0,
                     is_body: true,
-                    motions: ::rncf::mesh::Motions::Spatial,
+                    motions: ::rncf::emitted::Motions::Spatial,
                     ..still.clone()
                 },
-                ::rncf::mesh::FreeSpec {
+                ::rncf::emitted::FreeSpec {
                     frame: 2,
                     parent: 0,
                     is_body: true,
-                    motions: ::rncf::mesh::Motions::Spatial,
+                    motions: ::rncf::emitted::Motions::Spatial,
                     ..still.clone()
                 },
-                ::rncf::mesh::FreeSpec {
+                ::rncf::emitted::FreeSpec {
                     frame: 3,
                     parent: 0,
                     is_body: true,
-                    motions: ::rncf::mesh::Motions::Spatial,
+                    motions: ::rncf::emitted::Motions::Spatial,
                     ..still.clone()
                 },
-                ::rncf::mesh::FreeSpec {
+                ::rncf::emitted::FreeSpec {
                     frame: 4,
                     parent: 0,
                     is_body: true,
-                    motions: ::rncf::mesh::Motions::Spatial,
+                    motions: ::rncf::emitted::Motions::Spatial,
                     ..still.clone()
                 },
             ]);
@@ -1205,131 +1205,131 @@ pub mod flyball_governor_equations {
             free_left(&self.model, &mut specs[3]);
             specs
         }
-        fn markers(&self) -> ::std::vec::Vec<::rncf::mesh::MarkerSpec> {
+        fn markers(&self) -> ::std::vec::Vec<::rncf::emitted::MarkerSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 0,
                     at: [0.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Matching {
+                ::rncf::emitted::MarkerSpec::Matching {
                     frame: 1,
                     marker: 0,
                 },
-                ::rncf::mesh::MarkerSpec::Direction {
+                ::rncf::emitted::MarkerSpec::Direction {
                     frame: 1,
                     along: [0.0, 0.0, 1.0],
                 },
-                ::rncf::mesh::MarkerSpec::Normal {
+                ::rncf::emitted::MarkerSpec::Normal {
                     frame: 0,
                     marker: 2,
                     which: 0,
                 },
-                ::rncf::mesh::MarkerSpec::Normal {
+                ::rncf::emitted::MarkerSpec::Normal {
                     frame: 0,
                     marker: 2,
                     which: 1,
                 },
-                ::rncf::mesh::MarkerSpec::Normal {
+                ::rncf::emitted::MarkerSpec::Normal {
                     frame: 2,
                     marker: 2,
                     which: 0,
                 },
-                ::rncf::mesh::MarkerSpec::Normal {
+                ::rncf::emitted::MarkerSpec::Normal {
                     frame: 2,
                     marker: 2,
                     which: 1,
                 },
-                ::rncf::mesh::MarkerSpec::Normal {
+                ::rncf::emitted::MarkerSpec::Normal {
                     frame: 1,
                     marker: 2,
                     which: 0,
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 1,
                     at: [0.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Matching {
+                ::rncf::emitted::MarkerSpec::Matching {
                     frame: 2,
                     marker: 8,
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 1,
                     at: [0.05, 0.0, 1.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 3,
                     at: [0.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Direction {
+                ::rncf::emitted::MarkerSpec::Direction {
                     frame: 1,
                     along: [0.0, 1.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Normal {
+                ::rncf::emitted::MarkerSpec::Normal {
                     frame: 3,
                     marker: 12,
                     which: 0,
                 },
-                ::rncf::mesh::MarkerSpec::Normal {
+                ::rncf::emitted::MarkerSpec::Normal {
                     frame: 3,
                     marker: 12,
                     which: 1,
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 1,
                     at: [-0.05, 0.0, 1.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 4,
                     at: [0.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Normal {
+                ::rncf::emitted::MarkerSpec::Normal {
                     frame: 4,
                     marker: 12,
                     which: 0,
                 },
-                ::rncf::mesh::MarkerSpec::Normal {
+                ::rncf::emitted::MarkerSpec::Normal {
                     frame: 4,
                     marker: 12,
                     which: 1,
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 2,
                     at: [0.05, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 3,
                     at: [0.5, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 2,
                     at: [-0.05, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 4,
                     at: [-0.5, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Direction {
+                ::rncf::emitted::MarkerSpec::Direction {
                     frame: 3,
                     along: [1.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 2,
                     at: [0.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Turn {
+                ::rncf::emitted::MarkerSpec::Turn {
                     frame: 1,
                 },
-                ::rncf::mesh::MarkerSpec::Direction {
+                ::rncf::emitted::MarkerSpec::Direction {
                     frame: 1,
                     along: [1.0, 0.0, 0.0],
                 },
             ])
         }
-        fn constraints(&self) -> ::std::vec::Vec<::rncf::mesh::ConstraintSpec> {
+        fn constraints(&self) -> ::std::vec::Vec<::rncf::emitted::ConstraintSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "foot",
                     kind: "revolute",
                     rows: &[
@@ -1342,9 +1342,9 @@ pub mod flyball_governor_equations {
                     markers: &[1, 2, 0, 3, 4],
                     coupled: &[[1, 3], [1, 4]],
                     first_party: 2,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "guide",
                     kind: "prismatic",
                     rows: &[
@@ -1357,9 +1357,9 @@ pub mod flyball_governor_equations {
                     markers: &[2, 7, 8, 5, 6, 9],
                     coupled: &[[0, 3], [0, 4], [1, 4], [2, 3], [2, 4], [3, 5], [4, 5]],
                     first_party: 3,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "right_pin",
                     kind: "revolute",
                     rows: &[
@@ -1372,9 +1372,9 @@ pub mod flyball_governor_equations {
                     markers: &[10, 12, 11, 13, 14],
                     coupled: &[[1, 3], [1, 4]],
                     first_party: 2,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "left_pin",
                     kind: "revolute",
                     rows: &[
@@ -1387,14 +1387,14 @@ pub mod flyball_governor_equations {
                     markers: &[15, 12, 16, 17, 18],
                     coupled: &[[1, 3], [1, 4]],
                     first_party: 2,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
             ])
         }
         fn marker_constraint(
             &self,
             constraint: usize,
-            level: ::rncf::system::ConstraintLevel,
+            level: ::rncf::emitted::ConstraintLevel,
             t: f64,
             z: &[[[f64; 3]; 4]],
             rows: &mut [f64],
@@ -1402,32 +1402,32 @@ pub mod flyball_governor_equations {
             match constraint {
                 0 | 2 | 3 => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             constraint_position_foot(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
+                        ::rncf::emitted::ConstraintLevel::Velocity => {
                             constraint_velocity_foot(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
+                        ::rncf::emitted::ConstraintLevel::Acceleration => {
                             constraint_acceleration_foot(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Jerk => {
+                        ::rncf::emitted::ConstraintLevel::Jerk => {
                             constraint_jerk_foot(&self.model, t, z, rows)
                         }
                     }
                 }
                 1 => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             constraint_position_guide(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
+                        ::rncf::emitted::ConstraintLevel::Velocity => {
                             constraint_velocity_guide(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
+                        ::rncf::emitted::ConstraintLevel::Acceleration => {
                             constraint_acceleration_guide(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Jerk => {
+                        ::rncf::emitted::ConstraintLevel::Jerk => {
                             constraint_jerk_guide(&self.model, t, z, rows)
                         }
                     }
@@ -1483,15 +1483,15 @@ pub mod flyball_governor_equations {
                 _ => {}
             }
         }
-        fn forces(&self) -> ::std::vec::Vec<::rncf::mesh::ForceSpec> {
+        fn forces(&self) -> ::std::vec::Vec<::rncf::emitted::ForceSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::ForceSpec {
+                ::rncf::emitted::ForceSpec {
                     name: "right_strut",
                     markers: &[19, 20],
                     conservative: false,
                 },
-                ::rncf::mesh::ForceSpec {
+                ::rncf::emitted::ForceSpec {
                     name: "left_strut",
                     markers: &[21, 22],
                     conservative: false,

@@ -121,14 +121,14 @@ impl ::rncf::Model for FourBar {
         &self,
         formulation: ::rncf::Formulation,
         joints: ::rncf::Joints,
-        fidelity: &[(::std::string::String, ::rncf::mesh::Fidelity)],
+        fidelity: &[(::std::string::String, ::rncf::emitted::Fidelity)],
     ) -> ::std::result::Result<
         ::std::boxed::Box<dyn ::rncf::Scene>,
         ::rncf::ModelError,
     > {
-        ::rncf::mesh::check_params(self)?;
+        ::rncf::model::check_params(self)?;
         let equations = four_bar_equations::Equations::new(self);
-        ::rncf::mesh::build_as(equations, formulation, joints, fidelity)
+        ::rncf::build_as(equations, formulation, joints, fidelity)
     }
 }
 /// Equations of [`FourBar`]: derived, checked and written by the generator.
@@ -165,7 +165,7 @@ pub mod four_bar_equations {
     /// Parts `link_0`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_link_0(model: &FourBar, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_link_0(model: &FourBar, spec: &mut ::rncf::emitted::FreeSpec) {
         spec.spin[2] = model.speed;
         spec.axis[2] = 1.0;
         spec.rigid.mass = 1.0;
@@ -178,7 +178,7 @@ pub mod four_bar_equations {
     /// Parts `link_1`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_link_1(model: &FourBar, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_link_1(model: &FourBar, spec: &mut ::rncf::emitted::FreeSpec) {
         spec.position[0] = 1.0;
         spec.spin[2] = model.speed;
         spec.axis[2] = 1.0;
@@ -192,7 +192,7 @@ pub mod four_bar_equations {
     /// Parts `link_2`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_link_2(model: &FourBar, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_link_2(model: &FourBar, spec: &mut ::rncf::emitted::FreeSpec) {
         spec.position[0] = 2.0;
         spec.spin[2] = model.speed;
         spec.axis[2] = 1.0;
@@ -206,7 +206,7 @@ pub mod four_bar_equations {
     /// Parts `coupler_1`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_coupler_1(model: &FourBar, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_coupler_1(model: &FourBar, spec: &mut ::rncf::emitted::FreeSpec) {
         spec.position[1] = 1.0;
         spec.velocity[0] = -model.speed;
         spec.axis[2] = 1.0;
@@ -220,7 +220,7 @@ pub mod four_bar_equations {
     /// Parts `coupler_2`: m, S = sum m c and J = sum J_c + m (c.c 1 - c c^T) about the origin, frame axes.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_coupler_2(model: &FourBar, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_coupler_2(model: &FourBar, spec: &mut ::rncf::emitted::FreeSpec) {
         spec.position[0] = 1.0;
         spec.position[1] = 1.0;
         spec.velocity[0] = -model.speed;
@@ -335,16 +335,16 @@ pub mod four_bar_equations {
             Self { model: model.clone() }
         }
     }
-    impl ::rncf::mesh::Parts for Equations {
+    impl ::rncf::emitted::Parts for Equations {
         fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
             None
         }
-        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
+        fn loads(&self) -> ::std::vec::Vec<::rncf::emitted::LoadSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::LoadSpec {
+                ::rncf::emitted::LoadSpec {
                     name: "weight",
-                    kind: ::rncf::mesh::LoadKind::Gravity,
+                    kind: ::rncf::emitted::LoadKind::Gravity,
                     frame: 0,
                 },
             ])
@@ -361,15 +361,15 @@ pub mod four_bar_equations {
             }
             value
         }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::ObservedSpec::Marker {
+                ::rncf::emitted::ObservedSpec::Marker {
                     marker: 6,
                     derivative: 0,
                     component: 0,
                 },
-                ::rncf::mesh::ObservedSpec::Marker {
+                ::rncf::emitted::ObservedSpec::Marker {
                     marker: 6,
                     derivative: 0,
                     component: 1,
@@ -388,67 +388,67 @@ pub mod four_bar_equations {
         fn conservative(&self) -> bool {
             true
         }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
+            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
         }
         fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
             outputs(&self.model, t, observed, out);
         }
-        fn free(&self) -> ::std::vec::Vec<::rncf::mesh::FreeSpec> {
-            let still = ::rncf::mesh::FreeSpec {
+        fn free(&self) -> ::std::vec::Vec<::rncf::emitted::FreeSpec> {
+            let still = ::rncf::emitted::FreeSpec {
                 frame: 0,
                 parent: 0,
                 is_body: false,
-                motions: ::rncf::mesh::Motions::Spatial,
+                motions: ::rncf::emitted::Motions::Spatial,
                 position: [0.0; 3],
                 axis: [0.0; 3],
                 angle: 0.0,
                 velocity: [0.0; 3],
                 spin: [0.0; 3],
-                rigid: ::rncf::mesh::RigidSpec::default(),
+                rigid: ::rncf::emitted::RigidSpec::default(),
             };
             let mut specs = ::std::vec::Vec::from([
-                ::rncf::mesh::FreeSpec {
+                ::rncf::emitted::FreeSpec {
                     frame: 1,
                     parent: 0,
                     is_body: true,
-                    motions: ::rncf::mesh::Motions::Planar {
+                    motions: ::rncf::emitted::Motions::Planar {
                         normal: 2,
                     },
                     ..still.clone()
                 },
-                ::rncf::mesh::FreeSpec {
+                ::rncf::emitted::FreeSpec {
                     frame: 2,
                     parent: 0,
                     is_body: true,
-                    motions: ::rncf::mesh::Motions::Planar {
+                    motions: ::rncf::emitted::Motions::Planar {
                         normal: 2,
                     },
                     ..still.clone()
                 },
-                ::rncf::mesh::FreeSpec {
+                ::rncf::emitted::FreeSpec {
                     frame: 3,
                     parent: 0,
                     is_body: true,
-                    motions: ::rncf::mesh::Motions::Planar {
+                    motions: ::rncf::emitted::Motions::Planar {
                         normal: 2,
                     },
                     ..still.clone()
                 },
-                ::rncf::mesh::FreeSpec {
+                ::rncf::emitted::FreeSpec {
                     frame: 4,
                     parent: 0,
                     is_body: true,
-                    motions: ::rncf::mesh::Motions::Planar {
+                    motions: ::rncf::emitted::Motions::Planar {
                         normal: 2,
                     },
                     ..still.clone()
                 },
-                ::rncf::mesh::FreeSpec {
+                ::rncf::emitted::FreeSpec {
                     frame: 5,
                     parent: 0,
                     is_body: true,
-                    motions: ::rncf::mesh::Motions::Planar {
+                    motions: ::rncf::emitted::Motions::Planar {
                         normal: 2,
                     },
                     ..still.clone()
@@ -461,135 +461,135 @@ pub mod four_bar_equations {
             free_coupler_2(&self.model, &mut specs[4]);
             specs
         }
-        fn markers(&self) -> ::std::vec::Vec<::rncf::mesh::MarkerSpec> {
+        fn markers(&self) -> ::std::vec::Vec<::rncf::emitted::MarkerSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 0,
                     at: [0.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Matching {
+                ::rncf::emitted::MarkerSpec::Matching {
                     frame: 1,
                     marker: 0,
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 0,
                     at: [1.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Matching {
+                ::rncf::emitted::MarkerSpec::Matching {
                     frame: 2,
                     marker: 2,
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 0,
                     at: [2.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Matching {
+                ::rncf::emitted::MarkerSpec::Matching {
                     frame: 3,
                     marker: 4,
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 1,
                     at: [0.0, 1.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 4,
                     at: [0.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 2,
                     at: [0.0, 1.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 4,
                     at: [1.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 5,
                     at: [0.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 3,
                     at: [0.0, 1.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 5,
                     at: [1.0, 0.0, 0.0],
                 },
             ])
         }
-        fn constraints(&self) -> ::std::vec::Vec<::rncf::mesh::ConstraintSpec> {
+        fn constraints(&self) -> ::std::vec::Vec<::rncf::emitted::ConstraintSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "a0",
                     kind: "revolute",
                     rows: &["position x", "position y"],
                     markers: &[1, 0],
                     coupled: &[],
                     first_party: 1,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "a1",
                     kind: "revolute",
                     rows: &["position x", "position y"],
                     markers: &[3, 2],
                     coupled: &[],
                     first_party: 1,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "a2",
                     kind: "revolute",
                     rows: &["position x", "position y"],
                     markers: &[5, 4],
                     coupled: &[],
                     first_party: 1,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "b0",
                     kind: "revolute",
                     rows: &["position x", "position y"],
                     markers: &[6, 7],
                     coupled: &[],
                     first_party: 1,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "b1",
                     kind: "revolute",
                     rows: &["position x", "position y"],
                     markers: &[8, 9],
                     coupled: &[],
                     first_party: 1,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "b12",
                     kind: "revolute",
                     rows: &["position x", "position y"],
                     markers: &[8, 10],
                     coupled: &[],
                     first_party: 1,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "b2",
                     kind: "revolute",
                     rows: &["position x", "position y"],
                     markers: &[11, 12],
                     coupled: &[],
                     first_party: 1,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
             ])
         }
         fn marker_constraint(
             &self,
             constraint: usize,
-            level: ::rncf::system::ConstraintLevel,
+            level: ::rncf::emitted::ConstraintLevel,
             t: f64,
             z: &[[[f64; 3]; 4]],
             rows: &mut [f64],
@@ -597,16 +597,16 @@ pub mod four_bar_equations {
             match constraint {
                 0 | 1 | 2 | 3 | 4 | 5 | 6 => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             constraint_position_a0(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
+                        ::rncf::emitted::ConstraintLevel::Velocity => {
                             constraint_velocity_a0(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
+                        ::rncf::emitted::ConstraintLevel::Acceleration => {
                             constraint_acceleration_a0(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Jerk => {
+                        ::rncf::emitted::ConstraintLevel::Jerk => {
                             constraint_jerk_a0(&self.model, t, z, rows)
                         }
                     }

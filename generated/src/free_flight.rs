@@ -185,14 +185,14 @@ impl ::rncf::Model for FreeFlight {
         &self,
         formulation: ::rncf::Formulation,
         joints: ::rncf::Joints,
-        fidelity: &[(::std::string::String, ::rncf::mesh::Fidelity)],
+        fidelity: &[(::std::string::String, ::rncf::emitted::Fidelity)],
     ) -> ::std::result::Result<
         ::std::boxed::Box<dyn ::rncf::Scene>,
         ::rncf::ModelError,
     > {
-        ::rncf::mesh::check_params(self)?;
+        ::rncf::model::check_params(self)?;
         let equations = free_flight_equations::Equations::new(self);
-        ::rncf::mesh::build_as(equations, formulation, joints, fidelity)
+        ::rncf::build_as(equations, formulation, joints, fidelity)
     }
 }
 /// Equations of [`FreeFlight`]: derived, checked and written by the generator.
@@ -253,7 +253,7 @@ pub mod free_flight_equations {
     impl CableSpatial {
         /// The constants of four elements side by side.
         #[inline(always)]
-        pub fn side_by_side<L: ::rncf::lanes::Lanes>(
+        pub fn side_by_side<L: ::rncf::emitted::lanes::Lanes>(
             rows: [&Self; 4],
             lanes: L,
         ) -> CableSpatial<L::Real> {
@@ -273,7 +273,7 @@ pub mod free_flight_equations {
     ///
     /// Operations: 98 additions, 118 multiplications, 1 divisions.
     #[inline(always)]
-    pub fn cable_spatial_elastic_force<T: ::rncf::lanes::Real>(
+    pub fn cable_spatial_elastic_force<T: ::rncf::emitted::lanes::Real>(
         row: &CableSpatial<T>,
         q: &[T; 12],
         force: &mut [T::Cell; 12],
@@ -381,9 +381,9 @@ pub mod free_flight_equations {
         pub q: &'a [[f64; 4]; 12],
         pub force: &'a mut [[f64; 4]; 12],
     }
-    impl ::rncf::lanes::Kernel for CableSpatialElasticForce<'_> {
+    impl ::rncf::emitted::lanes::Kernel for CableSpatialElasticForce<'_> {
         #[inline(always)]
-        fn run<L: ::rncf::lanes::Lanes>(self, lanes: L) {
+        fn run<L: ::rncf::emitted::lanes::Lanes>(self, lanes: L) {
             let Self { rows, q, force } = self;
             let row = CableSpatial::side_by_side(rows, lanes);
             let q = lanes.load_all(q);
@@ -398,7 +398,7 @@ pub mod free_flight_equations {
     ///
     /// Operations: 410 additions, 370 multiplications, 1 divisions.
     #[inline(always)]
-    pub fn cable_spatial_elastic_tangent<T: ::rncf::lanes::Real>(
+    pub fn cable_spatial_elastic_tangent<T: ::rncf::emitted::lanes::Real>(
         row: &CableSpatial<T>,
         q: &[T; 12],
         stiffness: &mut [T::Cell; 144],
@@ -749,9 +749,9 @@ pub mod free_flight_equations {
         pub q: &'a [[f64; 4]; 12],
         pub stiffness: &'a mut [[f64; 4]; 144],
     }
-    impl ::rncf::lanes::Kernel for CableSpatialElasticTangent<'_> {
+    impl ::rncf::emitted::lanes::Kernel for CableSpatialElasticTangent<'_> {
         #[inline(always)]
-        fn run<L: ::rncf::lanes::Lanes>(self, lanes: L) {
+        fn run<L: ::rncf::emitted::lanes::Lanes>(self, lanes: L) {
             let Self { rows, q, stiffness } = self;
             let row = CableSpatial::side_by_side(rows, lanes);
             let q = lanes.load_all(q);
@@ -1527,7 +1527,7 @@ pub mod free_flight_equations {
     /// Frame of the cable: it follows the chord, which no quick bending turns.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_f(model: &FreeFlight, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_f(model: &FreeFlight, spec: &mut ::rncf::emitted::FreeSpec) {
         spec.position[0] = 0.3;
         spec.position[1] = -0.2;
         spec.position[2] = 0.5;
@@ -1598,44 +1598,44 @@ pub mod free_flight_equations {
             }
         }
     }
-    impl ::rncf::mesh::Parts for Equations {
-        fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {
+    impl ::rncf::emitted::Parts for Equations {
+        fn bodies(&self) -> ::std::vec::Vec<::rncf::emitted::BodySpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::BodySpec {
+                ::rncf::emitted::BodySpec {
                     name: "cable",
                     kind: 0,
                     instance: None,
                     frame: 1,
                     axes: &[0, 1, 2],
-                    line: ::rncf::mesh::Line::Straight {
+                    line: ::rncf::emitted::Line::Straight {
                         from: [0.0, 0.0, 0.0],
                         to: [2.0, 0.0, 0.0],
                     },
                     count: (model.elements as f64) as usize,
                     stations: ::std::vec::Vec::new(),
                     nodal: &[
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "position",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 0,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "slope",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 1,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "position",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 0,
                             xi: 1.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "slope",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 1,
                             xi: 1.0,
                         },
@@ -1644,9 +1644,9 @@ pub mod free_flight_equations {
                     vectors_per_node: 2,
                     stride: 2,
                     section_y: None,
-                    twist: ::rncf::mesh::Twist::even(0.0),
-                    fidelity: ::rncf::mesh::Fidelity::Full,
-                    tie: ::rncf::mesh::FrameTie::Chord,
+                    twist: ::rncf::emitted::Twist::even(0.0),
+                    fidelity: ::rncf::emitted::Fidelity::Full,
+                    tie: ::rncf::emitted::FrameTie::Chord,
                     normals: ::std::vec::Vec::new(),
                 },
             ])
@@ -1659,20 +1659,25 @@ pub mod free_flight_equations {
         ) -> ::std::result::Result<(), ::rncf::ModelError> {
             let model = &self.model;
             let length = nodes[1] - nodes[0];
-            let density = ::rncf::mesh::positive(
+            let density = ::rncf::emitted::positive(
                 "material `soft`",
                 "density",
                 1500.0,
                 "kg/m^3",
             )?;
-            let young = ::rncf::mesh::positive(
+            let young = ::rncf::emitted::positive(
                 "material `soft`",
                 "young",
                 400000.0,
                 "Pa",
             )?;
-            let area = ::rncf::mesh::positive("section `flat`", "area", 0.001, "m^2")?;
-            let second_moment = ::rncf::mesh::positive(
+            let area = ::rncf::emitted::positive(
+                "section `flat`",
+                "area",
+                0.001,
+                "m^2",
+            )?;
+            let second_moment = ::rncf::emitted::positive(
                 "section `flat`",
                 "second_moment",
                 5e-6,
@@ -1687,7 +1692,7 @@ pub mod free_flight_equations {
             Ok(())
         }
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
-            cable_spatial_mass(&self.row_cable, ::rncf::mesh::array_mut(mass));
+            cable_spatial_mass(&self.row_cable, ::rncf::emitted::array_mut(mass));
         }
         fn elastic_force(
             &self,
@@ -1699,8 +1704,8 @@ pub mod free_flight_equations {
         ) {
             cable_spatial_elastic_force(
                 &self.row_cable,
-                ::rncf::mesh::array(q),
-                ::rncf::mesh::array_mut(force),
+                ::rncf::emitted::array(q),
+                ::rncf::emitted::array_mut(force),
             );
         }
         fn elastic_tangent(
@@ -1714,8 +1719,8 @@ pub mod free_flight_equations {
         ) {
             cable_spatial_elastic_tangent(
                 &self.row_cable,
-                ::rncf::mesh::array(q),
-                ::rncf::mesh::array_mut(stiffness),
+                ::rncf::emitted::array(q),
+                ::rncf::emitted::array_mut(stiffness),
             );
         }
         fn elastic_force4(
@@ -1727,11 +1732,11 @@ pub mod free_flight_equations {
         ) {
             let four = CableSpatialElasticForce {
                 rows: [&self.row_cable; 4],
-                q: ::rncf::mesh::array(q),
-                force: ::rncf::mesh::array_mut(force),
+                q: ::rncf::emitted::array(q),
+                force: ::rncf::emitted::array_mut(force),
             };
-            if !::rncf::lanes::run(four) {
-                ::rncf::mesh::elastic_force_one_by_one(self, elements, q, v, force);
+            if !::rncf::emitted::lanes::run(four) {
+                ::rncf::emitted::elastic_force_one_by_one(self, elements, q, v, force);
             }
         }
         fn elastic_tangent4(
@@ -1744,11 +1749,11 @@ pub mod free_flight_equations {
         ) {
             let four = CableSpatialElasticTangent {
                 rows: [&self.row_cable; 4],
-                q: ::rncf::mesh::array(q),
-                stiffness: ::rncf::mesh::array_mut(stiffness),
+                q: ::rncf::emitted::array(q),
+                stiffness: ::rncf::emitted::array_mut(stiffness),
             };
-            if !::rncf::lanes::run(four) {
-                ::rncf::mesh::elastic_tangent_one_by_one(
+            if !::rncf::emitted::lanes::run(four) {
+                ::rncf::emitted::elastic_tangent_one_by_one(
                     self,
                     elements,
                     q,
@@ -1762,7 +1767,7 @@ pub mod free_flight_equations {
             let mut energy = 0.0;
             cable_spatial_strain_energy(
                 &self.row_cable,
-                ::rncf::mesh::array(q),
+                ::rncf::emitted::array(q),
                 &mut energy,
             );
             energy
@@ -1771,32 +1776,32 @@ pub mod free_flight_equations {
             &self,
             body: usize,
             element: usize,
-            of: ::rncf::mesh::Interpolant,
+            of: ::rncf::emitted::Interpolant,
             order: usize,
             xi: f64,
             weights: &mut [f64],
         ) {
             weights.fill(0.0);
             match (of, order) {
-                (::rncf::mesh::Interpolant::Position, 0) => {
+                (::rncf::emitted::Interpolant::Position, 0) => {
                     cable_spatial_shapes_position_0(
                         self.row_cable.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::Position, 1) => {
+                (::rncf::emitted::Interpolant::Position, 1) => {
                     cable_spatial_shapes_position_1(
                         self.row_cable.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::Position, 2) => {
+                (::rncf::emitted::Interpolant::Position, 2) => {
                     cable_spatial_shapes_position_2(
                         self.row_cable.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
                 _ => {}
@@ -1807,10 +1812,10 @@ pub mod free_flight_equations {
             body: usize,
             x: f64,
             length: f64,
-        ) -> ::rncf::mesh::SectionSpec {
+        ) -> ::rncf::emitted::SectionSpec {
             let model = &self.model;
-            ::rncf::mesh::SectionSpec {
-                shape: ::rncf::mesh::SectionShape::General {
+            ::rncf::emitted::SectionSpec {
+                shape: ::rncf::emitted::SectionShape::General {
                     extent: [None, None],
                 },
                 area: 0.001,
@@ -1820,10 +1825,13 @@ pub mod free_flight_equations {
                 material: "soft",
             }
         }
-        fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {
+        fn fields(
+            &self,
+            body: usize,
+        ) -> &'static [(::rncf::emitted::Interpolant, usize)] {
             &[
-                (::rncf::mesh::Interpolant::Position, 1),
-                (::rncf::mesh::Interpolant::Position, 2),
+                (::rncf::emitted::Interpolant::Position, 1),
+                (::rncf::emitted::Interpolant::Position, 2),
             ]
         }
         fn field_forces(
@@ -1837,9 +1845,9 @@ pub mod free_flight_equations {
         ) {
             cable_spatial_field_forces(
                 &self.row_cable,
-                ::rncf::mesh::array(stress_free),
-                ::rncf::mesh::array(fields),
-                ::rncf::mesh::array_mut(forces),
+                ::rncf::emitted::array(stress_free),
+                ::rncf::emitted::array(fields),
+                ::rncf::emitted::array_mut(forces),
             );
         }
         fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
@@ -1855,9 +1863,9 @@ pub mod free_flight_equations {
         ) {
             cable_spatial_conserving_force(
                 &self.row_cable,
-                ::rncf::mesh::array(start),
-                ::rncf::mesh::array(end),
-                ::rncf::mesh::array_mut(force),
+                ::rncf::emitted::array(start),
+                ::rncf::emitted::array(end),
+                ::rncf::emitted::array_mut(force),
             );
         }
         fn conserving_tangent(
@@ -1870,78 +1878,78 @@ pub mod free_flight_equations {
         ) {
             cable_spatial_conserving_tangent(
                 &self.row_cable,
-                ::rncf::mesh::array(start),
-                ::rncf::mesh::array(end),
-                ::rncf::mesh::array_mut(stiffness),
+                ::rncf::emitted::array(start),
+                ::rncf::emitted::array(end),
+                ::rncf::emitted::array_mut(stiffness),
             );
         }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::ObservedSpec::Marker {
+                ::rncf::emitted::ObservedSpec::Marker {
                     marker: 0,
                     derivative: 0,
                     component: 0,
                 },
-                ::rncf::mesh::ObservedSpec::Marker {
+                ::rncf::emitted::ObservedSpec::Marker {
                     marker: 0,
                     derivative: 0,
                     component: 1,
                 },
-                ::rncf::mesh::ObservedSpec::Marker {
+                ::rncf::emitted::ObservedSpec::Marker {
                     marker: 0,
                     derivative: 0,
                     component: 2,
                 },
-                ::rncf::mesh::ObservedSpec::Marker {
+                ::rncf::emitted::ObservedSpec::Marker {
                     marker: 1,
                     derivative: 0,
                     component: 0,
                 },
-                ::rncf::mesh::ObservedSpec::Marker {
+                ::rncf::emitted::ObservedSpec::Marker {
                     marker: 1,
                     derivative: 0,
                     component: 1,
                 },
-                ::rncf::mesh::ObservedSpec::Marker {
+                ::rncf::emitted::ObservedSpec::Marker {
                     marker: 1,
                     derivative: 0,
                     component: 2,
                 },
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 0,
                 },
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::Start,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::Start,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 0,
                 },
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 1,
                 },
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::Start,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::Start,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 1,
                 },
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 2,
                 },
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::Start,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::Start,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 2,
                 },
             ])
@@ -1958,8 +1966,8 @@ pub mod free_flight_equations {
         fn conservative(&self) -> bool {
             true
         }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
+            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
         }
         fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
             outputs(&self.model, t, observed, out);
@@ -1981,54 +1989,59 @@ pub mod free_flight_equations {
         }
         fn check(&self) -> ::std::result::Result<(), ::rncf::ModelError> {
             let model = &self.model;
-            ::rncf::mesh::non_negative("fixture `tip`", "mass", model.tip_mass, "kg")?;
+            ::rncf::emitted::non_negative(
+                "fixture `tip`",
+                "mass",
+                model.tip_mass,
+                "kg",
+            )?;
             Ok(())
         }
-        fn free(&self) -> ::std::vec::Vec<::rncf::mesh::FreeSpec> {
-            let still = ::rncf::mesh::FreeSpec {
+        fn free(&self) -> ::std::vec::Vec<::rncf::emitted::FreeSpec> {
+            let still = ::rncf::emitted::FreeSpec {
                 frame: 0,
                 parent: 0,
                 is_body: false,
-                motions: ::rncf::mesh::Motions::Spatial,
+                motions: ::rncf::emitted::Motions::Spatial,
                 position: [0.0; 3],
                 axis: [0.0; 3],
                 angle: 0.0,
                 velocity: [0.0; 3],
                 spin: [0.0; 3],
-                rigid: ::rncf::mesh::RigidSpec::default(),
+                rigid: ::rncf::emitted::RigidSpec::default(),
             };
             let mut specs = ::std::vec::Vec::from([
-                ::rncf::mesh::FreeSpec {
+                ::rncf::emitted::FreeSpec {
                     frame: 1,
                     parent: 0,
                     is_body: false,
-                    motions: ::rncf::mesh::Motions::Spatial,
+                    motions: ::rncf::emitted::Motions::Spatial,
                     ..still.clone()
                 },
             ]);
             free_f(&self.model, &mut specs[0]);
             specs
         }
-        fn markers(&self) -> ::std::vec::Vec<::rncf::mesh::MarkerSpec> {
+        fn markers(&self) -> ::std::vec::Vec<::rncf::emitted::MarkerSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::MarkerSpec::BodyPoint {
+                ::rncf::emitted::MarkerSpec::BodyPoint {
                     body: 0,
-                    at: ::rncf::mesh::Place::Start,
+                    at: ::rncf::emitted::Place::Start,
                 },
-                ::rncf::mesh::MarkerSpec::BodyPoint {
+                ::rncf::emitted::MarkerSpec::BodyPoint {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
+                    at: ::rncf::emitted::Place::End,
                 },
             ])
         }
-        fn fixtures(&self) -> ::std::vec::Vec<::rncf::mesh::FixtureSpec> {
+        fn fixtures(&self) -> ::std::vec::Vec<::rncf::emitted::FixtureSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::FixtureSpec {
+                ::rncf::emitted::FixtureSpec {
                     name: "tip",
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
+                    at: ::rncf::emitted::Place::End,
                     constants: [
                         model.tip_mass,
                         0.0,

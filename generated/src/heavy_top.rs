@@ -95,14 +95,14 @@ impl ::rncf::Model for HeavyTop {
         &self,
         formulation: ::rncf::Formulation,
         joints: ::rncf::Joints,
-        fidelity: &[(::std::string::String, ::rncf::mesh::Fidelity)],
+        fidelity: &[(::std::string::String, ::rncf::emitted::Fidelity)],
     ) -> ::std::result::Result<
         ::std::boxed::Box<dyn ::rncf::Scene>,
         ::rncf::ModelError,
     > {
-        ::rncf::mesh::check_params(self)?;
+        ::rncf::model::check_params(self)?;
         let equations = heavy_top_equations::Equations::new(self);
-        ::rncf::mesh::build_as(equations, formulation, joints, fidelity)
+        ::rncf::build_as(equations, formulation, joints, fidelity)
     }
 }
 /// Equations of [`HeavyTop`]: derived, checked and written by the generator.
@@ -133,7 +133,7 @@ pub mod heavy_top_equations {
     /// The disc. Its frame has the axes of inertia and begins at the centre of mass; the arm lies along its y axis.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_top(model: &HeavyTop, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_top(model: &HeavyTop, spec: &mut ::rncf::emitted::FreeSpec) {
         spec.position[1] = 1.0;
         spec.velocity[0] = 4.61538;
         spec.spin[1] = 150.0;
@@ -260,16 +260,16 @@ pub mod heavy_top_equations {
             Self { model: model.clone() }
         }
     }
-    impl ::rncf::mesh::Parts for Equations {
+    impl ::rncf::emitted::Parts for Equations {
         fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
             None
         }
-        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
+        fn loads(&self) -> ::std::vec::Vec<::rncf::emitted::LoadSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::LoadSpec {
+                ::rncf::emitted::LoadSpec {
                     name: "weight",
-                    kind: ::rncf::mesh::LoadKind::Gravity,
+                    kind: ::rncf::emitted::LoadKind::Gravity,
                     frame: 0,
                 },
             ])
@@ -286,35 +286,35 @@ pub mod heavy_top_equations {
             }
             value
         }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::ObservedSpec::Marker {
+                ::rncf::emitted::ObservedSpec::Marker {
                     marker: 2,
                     derivative: 0,
                     component: 0,
                 },
-                ::rncf::mesh::ObservedSpec::Marker {
+                ::rncf::emitted::ObservedSpec::Marker {
                     marker: 2,
                     derivative: 0,
                     component: 1,
                 },
-                ::rncf::mesh::ObservedSpec::Marker {
+                ::rncf::emitted::ObservedSpec::Marker {
                     marker: 2,
                     derivative: 0,
                     component: 2,
                 },
-                ::rncf::mesh::ObservedSpec::ConstraintReaction {
+                ::rncf::emitted::ObservedSpec::ConstraintReaction {
                     constraint: 0,
                     moment: false,
                     component: 0,
                 },
-                ::rncf::mesh::ObservedSpec::ConstraintReaction {
+                ::rncf::emitted::ObservedSpec::ConstraintReaction {
                     constraint: 0,
                     moment: false,
                     component: 1,
                 },
-                ::rncf::mesh::ObservedSpec::ConstraintReaction {
+                ::rncf::emitted::ObservedSpec::ConstraintReaction {
                     constraint: 0,
                     moment: false,
                     component: 2,
@@ -333,72 +333,72 @@ pub mod heavy_top_equations {
         fn conservative(&self) -> bool {
             true
         }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
+            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
         }
         fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
             outputs(&self.model, t, observed, out);
         }
-        fn free(&self) -> ::std::vec::Vec<::rncf::mesh::FreeSpec> {
-            let still = ::rncf::mesh::FreeSpec {
+        fn free(&self) -> ::std::vec::Vec<::rncf::emitted::FreeSpec> {
+            let still = ::rncf::emitted::FreeSpec {
                 frame: 0,
                 parent: 0,
                 is_body: false,
-                motions: ::rncf::mesh::Motions::Spatial,
+                motions: ::rncf::emitted::Motions::Spatial,
                 position: [0.0; 3],
                 axis: [0.0; 3],
                 angle: 0.0,
                 velocity: [0.0; 3],
                 spin: [0.0; 3],
-                rigid: ::rncf::mesh::RigidSpec::default(),
+                rigid: ::rncf::emitted::RigidSpec::default(),
             };
             let mut specs = ::std::vec::Vec::from([
-                ::rncf::mesh::FreeSpec {
+                ::rncf::emitted::FreeSpec {
                     frame: 1,
                     parent: 0,
                     is_body: true,
-                    motions: ::rncf::mesh::Motions::Spatial,
+                    motions: ::rncf::emitted::Motions::Spatial,
                     ..still.clone()
                 },
             ]);
             free_top(&self.model, &mut specs[0]);
             specs
         }
-        fn markers(&self) -> ::std::vec::Vec<::rncf::mesh::MarkerSpec> {
+        fn markers(&self) -> ::std::vec::Vec<::rncf::emitted::MarkerSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 1,
                     at: [0.0, -1.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 0,
                     at: [0.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 1,
                     at: [0.0, 0.0, 0.0],
                 },
             ])
         }
-        fn constraints(&self) -> ::std::vec::Vec<::rncf::mesh::ConstraintSpec> {
+        fn constraints(&self) -> ::std::vec::Vec<::rncf::emitted::ConstraintSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "pivot",
                     kind: "spherical",
                     rows: &["position x", "position y", "position z"],
                     markers: &[0, 1],
                     coupled: &[],
                     first_party: 1,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
             ])
         }
         fn marker_constraint(
             &self,
             constraint: usize,
-            level: ::rncf::system::ConstraintLevel,
+            level: ::rncf::emitted::ConstraintLevel,
             t: f64,
             z: &[[[f64; 3]; 4]],
             rows: &mut [f64],
@@ -406,16 +406,16 @@ pub mod heavy_top_equations {
             match constraint {
                 0 => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             constraint_position_pivot(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
+                        ::rncf::emitted::ConstraintLevel::Velocity => {
                             constraint_velocity_pivot(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
+                        ::rncf::emitted::ConstraintLevel::Acceleration => {
                             constraint_acceleration_pivot(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Jerk => {
+                        ::rncf::emitted::ConstraintLevel::Jerk => {
                             constraint_jerk_pivot(&self.model, t, z, rows)
                         }
                     }

@@ -138,14 +138,14 @@ impl ::rncf::Model for Iea15mwBlade {
         &self,
         formulation: ::rncf::Formulation,
         joints: ::rncf::Joints,
-        fidelity: &[(::std::string::String, ::rncf::mesh::Fidelity)],
+        fidelity: &[(::std::string::String, ::rncf::emitted::Fidelity)],
     ) -> ::std::result::Result<
         ::std::boxed::Box<dyn ::rncf::Scene>,
         ::rncf::ModelError,
     > {
-        ::rncf::mesh::check_params(self)?;
+        ::rncf::model::check_params(self)?;
         let equations = iea15mw_blade_equations::Equations::new(self);
-        ::rncf::mesh::build_as(equations, formulation, joints, fidelity)
+        ::rncf::build_as(equations, formulation, joints, fidelity)
     }
 }
 /// Equations of [`Iea15mwBlade`]: derived, checked and written by the generator.
@@ -180,7 +180,7 @@ pub mod iea15mw_blade_equations {
         pub each: usize,
     }
     /// Table `sections`: eta, K11, K12, K13, K14, K15, K16, K22, K23, K24, K25, K26, K33, K34, K35, K36, K44, K45, K46, K55, K56, K66, M11, M12, M13, M14, M15, M16, M22, M23, M24, M25, M26, M33, M34, M35, M36, M44, M45, M46, M55, M56, M66.
-    pub static TABLE_SECTIONS: ::rncf::mesh::Table = ::rncf::mesh::Table {
+    pub static TABLE_SECTIONS: ::rncf::emitted::Table = ::rncf::emitted::Table {
         name: "sections",
         places: &[
             0.0,
@@ -1420,7 +1420,7 @@ pub mod iea15mw_blade_equations {
         ],
     };
     /// Table `points`: x, y, z, twist.
-    pub static TABLE_POINTS: ::rncf::mesh::Table = ::rncf::mesh::Table {
+    pub static TABLE_POINTS: ::rncf::emitted::Table = ::rncf::emitted::Table {
         name: "points",
         places: &[
             0.0,
@@ -1700,13 +1700,13 @@ pub mod iea15mw_blade_equations {
         pub length: f64,
     }
     /// Nodal vectors by what they interpolate: Position, SectionY, SectionZ.
-    static FULL_BEAM_SPATIAL_CURVED_VECTORS: ::rncf::mesh::Vectors<10, 3, 3, 3> = ::rncf::mesh::Vectors {
+    static FULL_BEAM_SPATIAL_CURVED_VECTORS: ::rncf::emitted::Vectors<10, 3, 3, 3> = ::rncf::emitted::Vectors {
         base: 0,
         nodal: [[1, 6, 7], [2, 4, 8], [3, 5, 9]],
         positions: [[false, true, false], [false, false, false], [false, false, false]],
     };
     /// Gauss rule with 2 points, and derivatives of the shape functions there.
-    static FULL_BEAM_SPATIAL_CURVED_POINTS2: ::rncf::mesh::Rule<2, 5, 3> = ::rncf::mesh::Rule {
+    static FULL_BEAM_SPATIAL_CURVED_POINTS2: ::rncf::emitted::Rule<2, 5, 3> = ::rncf::emitted::Rule {
         groups: [0, 1, 2, 1, 2],
         weights: [0.5000000000000001, 0.5000000000000001],
         shapes: [
@@ -1727,7 +1727,11 @@ pub mod iea15mw_blade_equations {
         ],
     };
     /// Blocks that the tangent's kernel writes, by pairs of fields.
-    static FULL_BEAM_SPATIAL_CURVED_POINTS2_STIFFNESS: ::rncf::mesh::Blocks<2, 9, 17> = FULL_BEAM_SPATIAL_CURVED_POINTS2
+    static FULL_BEAM_SPATIAL_CURVED_POINTS2_STIFFNESS: ::rncf::emitted::Blocks<
+        2,
+        9,
+        17,
+    > = FULL_BEAM_SPATIAL_CURVED_POINTS2
         .blocks(
             &[
                 (0, 0),
@@ -1751,7 +1755,7 @@ pub mod iea15mw_blade_equations {
             &[(0, 0, 1), (1, 1, 3), (2, 3, 5), (3, 5, 9), (4, 9, 13), (5, 13, 17)],
         );
     /// Gauss rule with 3 points, and derivatives of the shape functions there.
-    static FULL_BEAM_SPATIAL_CURVED_POINTS3: ::rncf::mesh::Rule<3, 3, 3> = ::rncf::mesh::Rule {
+    static FULL_BEAM_SPATIAL_CURVED_POINTS3: ::rncf::emitted::Rule<3, 3, 3> = ::rncf::emitted::Rule {
         groups: [0, 1, 2],
         weights: [0.2777777777777776, 0.4444444444444444, 0.2777777777777776],
         shapes: [
@@ -1769,7 +1773,11 @@ pub mod iea15mw_blade_equations {
         ],
     };
     /// Blocks that the tangent's kernel writes, by pairs of fields.
-    static FULL_BEAM_SPATIAL_CURVED_POINTS3_STIFFNESS: ::rncf::mesh::Blocks<3, 9, 6> = FULL_BEAM_SPATIAL_CURVED_POINTS3
+    static FULL_BEAM_SPATIAL_CURVED_POINTS3_STIFFNESS: ::rncf::emitted::Blocks<
+        3,
+        9,
+        6,
+    > = FULL_BEAM_SPATIAL_CURVED_POINTS3
         .blocks(
             &[(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)],
             &[(0, 0, 1), (1, 1, 2), (2, 2, 3), (3, 3, 4), (4, 4, 5), (5, 5, 6)],
@@ -3014,7 +3022,7 @@ pub mod iea15mw_blade_equations {
                 &vectors,
                 |point, fields, rates, forces| full_beam_spatial_curved_points2_force(
                     row,
-                    ::rncf::mesh::array(&reference[0 + 31 * point..][..31]),
+                    ::rncf::emitted::array(&reference[0 + 31 * point..][..31]),
                     fields,
                     forces,
                 ),
@@ -3026,7 +3034,7 @@ pub mod iea15mw_blade_equations {
                 &vectors,
                 |point, fields, rates, forces| full_beam_spatial_curved_points3_force(
                     row,
-                    ::rncf::mesh::array(&reference[62 + 31 * point..][..31]),
+                    ::rncf::emitted::array(&reference[62 + 31 * point..][..31]),
                     fields,
                     forces,
                 ),
@@ -3055,7 +3063,7 @@ pub mod iea15mw_blade_equations {
                 (&FULL_BEAM_SPATIAL_CURVED_POINTS2_STIFFNESS, &mut tiles),
                 |point, fields, stiffness| full_beam_spatial_curved_points2_tangent(
                     row,
-                    ::rncf::mesh::array(&reference[0 + 31 * point..][..31]),
+                    ::rncf::emitted::array(&reference[0 + 31 * point..][..31]),
                     fields,
                     stiffness,
                 ),
@@ -3066,7 +3074,7 @@ pub mod iea15mw_blade_equations {
                 (&FULL_BEAM_SPATIAL_CURVED_POINTS3_STIFFNESS, &mut tiles),
                 |point, fields, stiffness| full_beam_spatial_curved_points3_tangent(
                     row,
-                    ::rncf::mesh::array(&reference[62 + 31 * point..][..31]),
+                    ::rncf::emitted::array(&reference[62 + 31 * point..][..31]),
                     fields,
                     stiffness,
                 ),
@@ -3095,7 +3103,7 @@ pub mod iea15mw_blade_equations {
                         let mut density = 0.0;
                         full_beam_spatial_curved_points2_energy(
                             row,
-                            ::rncf::mesh::array(&reference[0 + 31 * point..][..31]),
+                            ::rncf::emitted::array(&reference[0 + 31 * point..][..31]),
                             fields,
                             &mut density,
                         );
@@ -3110,7 +3118,7 @@ pub mod iea15mw_blade_equations {
                         let mut density = 0.0;
                         full_beam_spatial_curved_points3_energy(
                             row,
-                            ::rncf::mesh::array(&reference[62 + 31 * point..][..31]),
+                            ::rncf::emitted::array(&reference[62 + 31 * point..][..31]),
                             fields,
                             &mut density,
                         );
@@ -3667,7 +3675,7 @@ pub mod iea15mw_blade_equations {
     pub fn joint_hub_absolute_position(
         model: &Iea15mwBlade,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -3691,7 +3699,7 @@ pub mod iea15mw_blade_equations {
     pub fn joint_hub_absolute_jacobian(
         model: &Iea15mwBlade,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         jacobian: &mut [f64],
     ) {
         let t18 = data.tangent[1] * data.second[2] - data.tangent[2] * data.second[1];
@@ -3719,8 +3727,8 @@ pub mod iea15mw_blade_equations {
     pub fn joint_hub_absolute_prescribed(
         model: &Iea15mwBlade,
         t: f64,
-        data: &::rncf::mesh::JointData,
-        prescribed: &mut ::rncf::mesh::Prescribed,
+        data: &::rncf::emitted::JointData,
+        prescribed: &mut ::rncf::emitted::Prescribed,
     ) {
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = data.point[1];
@@ -3757,9 +3765,9 @@ pub mod iea15mw_blade_equations {
         x: f64,
         length: f64,
     ) -> ::std::result::Result<([f64; 25], [f64; 6]), ::rncf::ModelError> {
-        let law = ::rncf::mesh::SectionLaw::new(
+        let law = ::rncf::emitted::SectionLaw::new(
             "layup",
-            ::rncf::mesh::Stiffness::Matrix([
+            ::rncf::emitted::Stiffness::Matrix([
                 TABLE_SECTIONS.at(12, x, length),
                 TABLE_SECTIONS.at(3, x, length),
                 TABLE_SECTIONS.at(8, x, length),
@@ -3782,7 +3790,7 @@ pub mod iea15mw_blade_equations {
                 TABLE_SECTIONS.at(17, x, length),
                 TABLE_SECTIONS.at(19, x, length),
             ]),
-            ::rncf::mesh::Mass::Matrix([
+            ::rncf::emitted::Mass::Matrix([
                 TABLE_SECTIONS.at(33, x, length),
                 TABLE_SECTIONS.at(24, x, length),
                 TABLE_SECTIONS.at(29, x, length),
@@ -3827,18 +3835,18 @@ pub mod iea15mw_blade_equations {
             }
         }
     }
-    impl ::rncf::mesh::Parts for Equations {
-        fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {
+    impl ::rncf::emitted::Parts for Equations {
+        fn bodies(&self) -> ::std::vec::Vec<::rncf::emitted::BodySpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::BodySpec {
+                ::rncf::emitted::BodySpec {
                     name: "blade",
                     kind: 0,
                     instance: None,
                     frame: 0,
                     axes: &[0, 1, 2],
-                    line: ::rncf::mesh::Line::Curve(
-                        ::rncf::mesh::Spline::through(
+                    line: ::rncf::emitted::Line::Curve(
+                        ::rncf::emitted::Spline::through(
                                 &[
                                     [0.0, 0.0, 0.0],
                                     [0.0183726, 0.0, 2.38776],
@@ -3896,8 +3904,8 @@ pub mod iea15mw_blade_equations {
                     ),
                     count: TABLE_SECTIONS
                         .stations(
-                            ::rncf::mesh::Line::Curve(
-                                    ::rncf::mesh::Spline::through(
+                            ::rncf::emitted::Line::Curve(
+                                    ::rncf::emitted::Spline::through(
                                             &[
                                                 [0.0, 0.0, 0.0],
                                                 [0.0183726, 0.0, 2.38776],
@@ -3959,8 +3967,8 @@ pub mod iea15mw_blade_equations {
                         .len() - 1,
                     stations: TABLE_SECTIONS
                         .stations(
-                            ::rncf::mesh::Line::Curve(
-                                    ::rncf::mesh::Spline::through(
+                            ::rncf::emitted::Line::Curve(
+                                    ::rncf::emitted::Spline::through(
                                             &[
                                                 [0.0, 0.0, 0.0],
                                                 [0.0183726, 0.0, 2.38776],
@@ -4020,63 +4028,63 @@ pub mod iea15mw_blade_equations {
                             (model.each as f64) as usize,
                         ),
                     nodal: &[
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "position",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 0,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "slope",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 1,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section y axis",
-                            of: ::rncf::mesh::Interpolant::SectionY,
+                            of: ::rncf::emitted::Interpolant::SectionY,
                             order: 0,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section z axis",
-                            of: ::rncf::mesh::Interpolant::SectionZ,
+                            of: ::rncf::emitted::Interpolant::SectionZ,
                             order: 0,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section y axis",
-                            of: ::rncf::mesh::Interpolant::SectionY,
+                            of: ::rncf::emitted::Interpolant::SectionY,
                             order: 0,
                             xi: 0.5,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section z axis",
-                            of: ::rncf::mesh::Interpolant::SectionZ,
+                            of: ::rncf::emitted::Interpolant::SectionZ,
                             order: 0,
                             xi: 0.5,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "position",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 0,
                             xi: 1.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "slope",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 1,
                             xi: 1.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section y axis",
-                            of: ::rncf::mesh::Interpolant::SectionY,
+                            of: ::rncf::emitted::Interpolant::SectionY,
                             order: 0,
                             xi: 1.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section z axis",
-                            of: ::rncf::mesh::Interpolant::SectionZ,
+                            of: ::rncf::emitted::Interpolant::SectionZ,
                             order: 0,
                             xi: 1.0,
                         },
@@ -4088,8 +4096,8 @@ pub mod iea15mw_blade_equations {
                     twist: {
                         let (model, length) = (
                             model.clone(),
-                            ::rncf::mesh::Line::Curve(
-                                    ::rncf::mesh::Spline::through(
+                            ::rncf::emitted::Line::Curve(
+                                    ::rncf::emitted::Spline::through(
                                             &[
                                                 [0.0, 0.0, 0.0],
                                                 [0.0183726, 0.0, 2.38776],
@@ -4147,13 +4155,13 @@ pub mod iea15mw_blade_equations {
                                 )
                                 .length(),
                         );
-                        ::rncf::mesh::Twist::along(move |u| {
+                        ::rncf::emitted::Twist::along(move |u| {
                             let x = u * length;
                             -TABLE_POINTS.at(3, x, length)
                         })
                     },
-                    fidelity: ::rncf::mesh::Fidelity::Full,
-                    tie: ::rncf::mesh::FrameTie::Joints,
+                    fidelity: ::rncf::emitted::Fidelity::Full,
+                    tie: ::rncf::emitted::FrameTie::Joints,
                     normals: ::std::vec::Vec::new(),
                 },
             ])
@@ -4196,35 +4204,35 @@ pub mod iea15mw_blade_equations {
                 }
                 full_beam_spatial_curved_reference(
                     &row,
-                    ::rncf::mesh::array(shape),
+                    ::rncf::emitted::array(shape),
                     &mut reference,
                 );
                 masses
                     .push(
-                        ::rncf::mesh::mass_along(
+                        ::rncf::emitted::mass_along(
                             10,
                             row.length,
                             |xi| Ok(at(nodes[0] + xi * row.length)?.1),
                             |of, xi, weights| match of {
-                                ::rncf::mesh::Interpolant::Position => {
+                                ::rncf::emitted::Interpolant::Position => {
                                     full_beam_spatial_curved_shapes_position_0(
                                         row.length,
                                         xi,
-                                        ::rncf::mesh::array_mut(weights),
+                                        ::rncf::emitted::array_mut(weights),
                                     )
                                 }
-                                ::rncf::mesh::Interpolant::SectionY => {
+                                ::rncf::emitted::Interpolant::SectionY => {
                                     full_beam_spatial_curved_shapes_section_y_0(
                                         row.length,
                                         xi,
-                                        ::rncf::mesh::array_mut(weights),
+                                        ::rncf::emitted::array_mut(weights),
                                     )
                                 }
-                                ::rncf::mesh::Interpolant::SectionZ => {
+                                ::rncf::emitted::Interpolant::SectionZ => {
                                     full_beam_spatial_curved_shapes_section_z_0(
                                         row.length,
                                         xi,
-                                        ::rncf::mesh::array_mut(weights),
+                                        ::rncf::emitted::array_mut(weights),
                                     )
                                 }
                                 #[allow(unreachable_patterns)]
@@ -4243,7 +4251,10 @@ pub mod iea15mw_blade_equations {
         fn varies(&self, body: usize) -> bool {
             true
         }
-        fn tables(&self, body: usize) -> ::std::vec::Vec<&'static ::rncf::mesh::Table> {
+        fn tables(
+            &self,
+            body: usize,
+        ) -> ::std::vec::Vec<&'static ::rncf::emitted::Table> {
             ::std::vec::Vec::from([&TABLE_SECTIONS, &TABLE_POINTS])
         }
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
@@ -4260,8 +4271,8 @@ pub mod iea15mw_blade_equations {
             full_beam_spatial_curved_elastic_force(
                 &self.row_blade[element],
                 &self.reference_blade[element],
-                ::rncf::mesh::array(q),
-                ::rncf::mesh::array_mut(force),
+                ::rncf::emitted::array(q),
+                ::rncf::emitted::array_mut(force),
             );
         }
         fn elastic_tangent(
@@ -4276,8 +4287,8 @@ pub mod iea15mw_blade_equations {
             full_beam_spatial_curved_elastic_tangent(
                 &self.row_blade[element],
                 &self.reference_blade[element],
-                ::rncf::mesh::array(q),
-                ::rncf::mesh::array_mut(stiffness),
+                ::rncf::emitted::array(q),
+                ::rncf::emitted::array_mut(stiffness),
             );
         }
         fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {
@@ -4285,7 +4296,7 @@ pub mod iea15mw_blade_equations {
             full_beam_spatial_curved_strain_energy(
                 &self.row_blade[element],
                 &self.reference_blade[element],
-                ::rncf::mesh::array(q),
+                ::rncf::emitted::array(q),
                 &mut energy,
             );
             energy
@@ -4294,53 +4305,53 @@ pub mod iea15mw_blade_equations {
             &self,
             body: usize,
             element: usize,
-            of: ::rncf::mesh::Interpolant,
+            of: ::rncf::emitted::Interpolant,
             order: usize,
             xi: f64,
             weights: &mut [f64],
         ) {
             weights.fill(0.0);
             match (of, order) {
-                (::rncf::mesh::Interpolant::Position, 0) => {
+                (::rncf::emitted::Interpolant::Position, 0) => {
                     full_beam_spatial_curved_shapes_position_0(
                         self.row_blade[element].length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::Position, 1) => {
+                (::rncf::emitted::Interpolant::Position, 1) => {
                     full_beam_spatial_curved_shapes_position_1(
                         self.row_blade[element].length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::SectionY, 0) => {
+                (::rncf::emitted::Interpolant::SectionY, 0) => {
                     full_beam_spatial_curved_shapes_section_y_0(
                         self.row_blade[element].length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::SectionY, 1) => {
+                (::rncf::emitted::Interpolant::SectionY, 1) => {
                     full_beam_spatial_curved_shapes_section_y_1(
                         self.row_blade[element].length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::SectionZ, 0) => {
+                (::rncf::emitted::Interpolant::SectionZ, 0) => {
                     full_beam_spatial_curved_shapes_section_z_0(
                         self.row_blade[element].length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::SectionZ, 1) => {
+                (::rncf::emitted::Interpolant::SectionZ, 1) => {
                     full_beam_spatial_curved_shapes_section_z_1(
                         self.row_blade[element].length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
                 _ => {}
@@ -4351,10 +4362,10 @@ pub mod iea15mw_blade_equations {
             body: usize,
             x: f64,
             length: f64,
-        ) -> ::rncf::mesh::SectionSpec {
+        ) -> ::rncf::emitted::SectionSpec {
             let model = &self.model;
-            ::rncf::mesh::SectionSpec {
-                shape: ::rncf::mesh::SectionShape::General {
+            ::rncf::emitted::SectionSpec {
+                shape: ::rncf::emitted::SectionShape::General {
                     extent: [None, None],
                 },
                 area: 0.0,
@@ -4364,13 +4375,16 @@ pub mod iea15mw_blade_equations {
                 material: "",
             }
         }
-        fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {
+        fn fields(
+            &self,
+            body: usize,
+        ) -> &'static [(::rncf::emitted::Interpolant, usize)] {
             &[
-                (::rncf::mesh::Interpolant::Position, 1),
-                (::rncf::mesh::Interpolant::SectionY, 0),
-                (::rncf::mesh::Interpolant::SectionZ, 0),
-                (::rncf::mesh::Interpolant::SectionY, 1),
-                (::rncf::mesh::Interpolant::SectionZ, 1),
+                (::rncf::emitted::Interpolant::Position, 1),
+                (::rncf::emitted::Interpolant::SectionY, 0),
+                (::rncf::emitted::Interpolant::SectionZ, 0),
+                (::rncf::emitted::Interpolant::SectionY, 1),
+                (::rncf::emitted::Interpolant::SectionZ, 1),
             ]
         }
         fn field_forces(
@@ -4387,9 +4401,9 @@ pub mod iea15mw_blade_equations {
                 full_beam_spatial_curved_field_forces(
                     &self.row_blade[0],
                     &coefficients,
-                    ::rncf::mesh::array(stress_free),
-                    ::rncf::mesh::array(fields),
-                    ::rncf::mesh::array_mut(forces),
+                    ::rncf::emitted::array(stress_free),
+                    ::rncf::emitted::array(fields),
+                    ::rncf::emitted::array_mut(forces),
                 );
             }
         }
@@ -4398,12 +4412,12 @@ pub mod iea15mw_blade_equations {
                 "body `blade` has an energy that is not quadratic in the inner products of its vectors",
             )
         }
-        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+        fn joints(&self) -> ::std::vec::Vec<::rncf::emitted::JointSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::JointSpec {
+                ::rncf::emitted::JointSpec {
                     name: "hub",
-                    kind: ::rncf::mesh::JointKind::Clamp,
+                    kind: ::rncf::emitted::JointKind::Clamp,
                     body: 0,
                     at_end: false,
                     frame: 0,
@@ -4415,9 +4429,9 @@ pub mod iea15mw_blade_equations {
             &self,
             joint: usize,
             absolute: bool,
-            level: ::rncf::system::ConstraintLevel,
+            level: ::rncf::emitted::ConstraintLevel,
             t: f64,
-            data: &::rncf::mesh::JointData,
+            data: &::rncf::emitted::JointData,
             q: &[f64],
             v: &[f64],
             a: &[f64],
@@ -4426,7 +4440,7 @@ pub mod iea15mw_blade_equations {
             match (joint, absolute) {
                 (0, _) => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             joint_hub_absolute_position(
                                 &self.model,
                                 t,
@@ -4448,7 +4462,7 @@ pub mod iea15mw_blade_equations {
             joint: usize,
             absolute: bool,
             t: f64,
-            data: &::rncf::mesh::JointData,
+            data: &::rncf::emitted::JointData,
             jacobian: &mut [f64],
         ) {
             match (joint, absolute) {
@@ -4463,8 +4477,8 @@ pub mod iea15mw_blade_equations {
             joint: usize,
             absolute: bool,
             t: f64,
-            data: &::rncf::mesh::JointData,
-            prescribed: &mut ::rncf::mesh::Prescribed,
+            data: &::rncf::emitted::JointData,
+            prescribed: &mut ::rncf::emitted::Prescribed,
         ) {
             match (joint, absolute) {
                 (0, _) => {
@@ -4473,14 +4487,14 @@ pub mod iea15mw_blade_equations {
                 _ => {}
             }
         }
-        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
+        fn loads(&self) -> ::std::vec::Vec<::rncf::emitted::LoadSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::LoadSpec {
+                ::rncf::emitted::LoadSpec {
                     name: "pull",
-                    kind: ::rncf::mesh::LoadKind::Force {
+                    kind: ::rncf::emitted::LoadKind::Force {
                         body: 0,
-                        at: ::rncf::mesh::Place::End,
+                        at: ::rncf::emitted::Place::End,
                     },
                     frame: 0,
                 },
@@ -4498,43 +4512,43 @@ pub mod iea15mw_blade_equations {
             }
             value
         }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 0,
                 },
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 1,
                 },
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 2,
                 },
-                ::rncf::mesh::ObservedSpec::Balance {
-                    of: ::rncf::mesh::Owner::Body(0),
-                    what: ::rncf::mesh::BalanceQuantity::Mass,
+                ::rncf::emitted::ObservedSpec::Balance {
+                    of: ::rncf::emitted::Owner::Body(0),
+                    what: ::rncf::emitted::BalanceQuantity::Mass,
                     component: 0,
                 },
-                ::rncf::mesh::ObservedSpec::Reaction {
+                ::rncf::emitted::ObservedSpec::Reaction {
                     joint: 0,
                     moment: true,
                     component: 0,
                 },
-                ::rncf::mesh::ObservedSpec::Reaction {
+                ::rncf::emitted::ObservedSpec::Reaction {
                     joint: 0,
                     moment: true,
                     component: 1,
                 },
-                ::rncf::mesh::ObservedSpec::Reaction {
+                ::rncf::emitted::ObservedSpec::Reaction {
                     joint: 0,
                     moment: true,
                     component: 2,
@@ -4553,8 +4567,8 @@ pub mod iea15mw_blade_equations {
         fn conservative(&self) -> bool {
             true
         }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
+            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
         }
         fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
             outputs(&self.model, t, observed, out);

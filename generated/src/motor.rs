@@ -196,14 +196,14 @@ impl ::rncf::Model for Motor {
         &self,
         formulation: ::rncf::Formulation,
         joints: ::rncf::Joints,
-        fidelity: &[(::std::string::String, ::rncf::mesh::Fidelity)],
+        fidelity: &[(::std::string::String, ::rncf::emitted::Fidelity)],
     ) -> ::std::result::Result<
         ::std::boxed::Box<dyn ::rncf::Scene>,
         ::rncf::ModelError,
     > {
-        ::rncf::mesh::check_params(self)?;
+        ::rncf::model::check_params(self)?;
         let equations = motor_equations::Equations::new(self);
-        ::rncf::mesh::build_as(equations, formulation, joints, fidelity)
+        ::rncf::build_as(equations, formulation, joints, fidelity)
     }
 }
 /// Equations of [`Motor`]: derived, checked and written by the generator.
@@ -286,13 +286,13 @@ pub mod motor_equations {
         pub damping: f64,
     }
     /// Nodal vectors by what they interpolate: Position, SectionY, SectionZ.
-    static BEAM_SPATIAL_DAMPED_VECTORS: ::rncf::mesh::Vectors<10, 3, 3, 3> = ::rncf::mesh::Vectors {
+    static BEAM_SPATIAL_DAMPED_VECTORS: ::rncf::emitted::Vectors<10, 3, 3, 3> = ::rncf::emitted::Vectors {
         base: 0,
         nodal: [[1, 6, 7], [2, 4, 8], [3, 5, 9]],
         positions: [[false, true, false], [false, false, false], [false, false, false]],
     };
     /// Gauss rule with 3 points, and derivatives of the shape functions there.
-    static BEAM_SPATIAL_DAMPED_POINTS3: ::rncf::mesh::Rule<3, 3, 3> = ::rncf::mesh::Rule {
+    static BEAM_SPATIAL_DAMPED_POINTS3: ::rncf::emitted::Rule<3, 3, 3> = ::rncf::emitted::Rule {
         groups: [0, 1, 2],
         weights: [0.2777777777777776, 0.4444444444444444, 0.2777777777777776],
         shapes: [
@@ -310,7 +310,7 @@ pub mod motor_equations {
         ],
     };
     /// Blocks that the tangent's kernel writes, by pairs of fields.
-    static BEAM_SPATIAL_DAMPED_POINTS3_STIFFNESS: ::rncf::mesh::Blocks<3, 9, 9> = BEAM_SPATIAL_DAMPED_POINTS3
+    static BEAM_SPATIAL_DAMPED_POINTS3_STIFFNESS: ::rncf::emitted::Blocks<3, 9, 9> = BEAM_SPATIAL_DAMPED_POINTS3
         .blocks(
             &[(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2), (2, 0), (2, 1), (2, 2)],
             &[
@@ -326,13 +326,13 @@ pub mod motor_equations {
             ],
         );
     /// Blocks that the tangent's kernel writes, by pairs of fields.
-    static BEAM_SPATIAL_DAMPED_POINTS3_DAMPING: ::rncf::mesh::Blocks<3, 9, 6> = BEAM_SPATIAL_DAMPED_POINTS3
+    static BEAM_SPATIAL_DAMPED_POINTS3_DAMPING: ::rncf::emitted::Blocks<3, 9, 6> = BEAM_SPATIAL_DAMPED_POINTS3
         .blocks(
             &[(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)],
             &[(0, 0, 1), (1, 1, 2), (2, 2, 3), (3, 3, 4), (4, 4, 5), (5, 5, 6)],
         );
     /// Gauss rule with 2 points, and derivatives of the shape functions there.
-    static BEAM_SPATIAL_DAMPED_POINTS2: ::rncf::mesh::Rule<2, 5, 3> = ::rncf::mesh::Rule {
+    static BEAM_SPATIAL_DAMPED_POINTS2: ::rncf::emitted::Rule<2, 5, 3> = ::rncf::emitted::Rule {
         groups: [0, 1, 2, 1, 2],
         weights: [0.5000000000000001, 0.5000000000000001],
         shapes: [
@@ -353,7 +353,7 @@ pub mod motor_equations {
         ],
     };
     /// Blocks that the tangent's kernel writes, by pairs of fields.
-    static BEAM_SPATIAL_DAMPED_POINTS2_STIFFNESS: ::rncf::mesh::Blocks<2, 9, 21> = BEAM_SPATIAL_DAMPED_POINTS2
+    static BEAM_SPATIAL_DAMPED_POINTS2_STIFFNESS: ::rncf::emitted::Blocks<2, 9, 21> = BEAM_SPATIAL_DAMPED_POINTS2
         .blocks(
             &[
                 (0, 0),
@@ -391,7 +391,7 @@ pub mod motor_equations {
             ],
         );
     /// Blocks that the tangent's kernel writes, by pairs of fields.
-    static BEAM_SPATIAL_DAMPED_POINTS2_DAMPING: ::rncf::mesh::Blocks<2, 9, 15> = BEAM_SPATIAL_DAMPED_POINTS2
+    static BEAM_SPATIAL_DAMPED_POINTS2_DAMPING: ::rncf::emitted::Blocks<2, 9, 15> = BEAM_SPATIAL_DAMPED_POINTS2
         .blocks(
             &[
                 (0, 0),
@@ -1913,8 +1913,12 @@ pub mod motor_equations {
     /// Motion of frame `rotor` and its first two derivatives.
     ///
     /// Operations: 8 additions, 13 multiplications, 6 divisions, 4 function calls.
-    pub fn frame_rotor(model: &Motor, t: f64, motion: &mut ::rncf::mesh::FrameMotion) {
-        *motion = ::rncf::mesh::FrameMotion::INERTIAL;
+    pub fn frame_rotor(
+        model: &Motor,
+        t: f64,
+        motion: &mut ::rncf::emitted::FrameMotion,
+    ) {
+        *motion = ::rncf::emitted::FrameMotion::INERTIAL;
         let t15 = model.speed / model.T_s;
         let t16 = (model.T_s / 6.283185307179586).powi(2);
         let t17 = t * 6.283185307179586 / model.T_s;
@@ -1950,7 +1954,7 @@ pub mod motor_equations {
     pub fn joint_drive_end_referenced_position(
         model: &Motor,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -1974,7 +1978,7 @@ pub mod motor_equations {
     pub fn joint_drive_end_referenced_jacobian(
         model: &Motor,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         jacobian: &mut [f64],
     ) {
         let t18 = data.tangent[1] * data.second[2] - data.tangent[2] * data.second[1];
@@ -2002,8 +2006,8 @@ pub mod motor_equations {
     pub fn joint_drive_end_referenced_prescribed(
         model: &Motor,
         t: f64,
-        data: &::rncf::mesh::JointData,
-        prescribed: &mut ::rncf::mesh::Prescribed,
+        data: &::rncf::emitted::JointData,
+        prescribed: &mut ::rncf::emitted::Prescribed,
     ) {
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = data.point[1];
@@ -2021,7 +2025,7 @@ pub mod motor_equations {
     pub fn joint_drive_end_absolute_position(
         model: &Motor,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -2059,7 +2063,7 @@ pub mod motor_equations {
     pub fn joint_drive_end_absolute_velocity(
         model: &Motor,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -2105,7 +2109,7 @@ pub mod motor_equations {
     pub fn joint_drive_end_absolute_acceleration(
         model: &Motor,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -2186,7 +2190,7 @@ pub mod motor_equations {
     pub fn joint_drive_end_absolute_jerk(
         model: &Motor,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -2305,7 +2309,7 @@ pub mod motor_equations {
     pub fn joint_drive_end_absolute_jacobian(
         model: &Motor,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         jacobian: &mut [f64],
     ) {
         let t21 = t * t / 2.0
@@ -2349,8 +2353,8 @@ pub mod motor_equations {
     pub fn joint_drive_end_absolute_prescribed(
         model: &Motor,
         t: f64,
-        data: &::rncf::mesh::JointData,
-        prescribed: &mut ::rncf::mesh::Prescribed,
+        data: &::rncf::emitted::JointData,
+        prescribed: &mut ::rncf::emitted::Prescribed,
     ) {
         let t24 = model.speed / model.T_s;
         let t25 = (model.T_s / 6.283185307179586).powi(2);
@@ -2406,7 +2410,7 @@ pub mod motor_equations {
     pub fn joint_far_end_referenced_position(
         model: &Motor,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -2422,7 +2426,7 @@ pub mod motor_equations {
     pub fn joint_far_end_referenced_jacobian(
         model: &Motor,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         jacobian: &mut [f64],
     ) {
         jacobian[0] = 1.0;
@@ -2435,8 +2439,8 @@ pub mod motor_equations {
     pub fn joint_far_end_referenced_prescribed(
         model: &Motor,
         t: f64,
-        data: &::rncf::mesh::JointData,
-        prescribed: &mut ::rncf::mesh::Prescribed,
+        data: &::rncf::emitted::JointData,
+        prescribed: &mut ::rncf::emitted::Prescribed,
     ) {
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = data.point[1];
@@ -2454,7 +2458,7 @@ pub mod motor_equations {
     pub fn joint_far_end_absolute_position(
         model: &Motor,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -2480,7 +2484,7 @@ pub mod motor_equations {
     pub fn joint_far_end_absolute_velocity(
         model: &Motor,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -2510,7 +2514,7 @@ pub mod motor_equations {
     pub fn joint_far_end_absolute_acceleration(
         model: &Motor,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -2549,7 +2553,7 @@ pub mod motor_equations {
     pub fn joint_far_end_absolute_jerk(
         model: &Motor,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -2590,7 +2594,7 @@ pub mod motor_equations {
     pub fn joint_far_end_absolute_jacobian(
         model: &Motor,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         jacobian: &mut [f64],
     ) {
         jacobian[0] = 1.0;
@@ -2603,8 +2607,8 @@ pub mod motor_equations {
     pub fn joint_far_end_absolute_prescribed(
         model: &Motor,
         t: f64,
-        data: &::rncf::mesh::JointData,
-        prescribed: &mut ::rncf::mesh::Prescribed,
+        data: &::rncf::emitted::JointData,
+        prescribed: &mut ::rncf::emitted::Prescribed,
     ) {
         let t24 = model.speed / model.T_s;
         let t25 = (model.T_s / 6.283185307179586).powi(2);
@@ -2691,80 +2695,80 @@ pub mod motor_equations {
             }
         }
     }
-    impl ::rncf::mesh::Parts for Equations {
-        fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {
+    impl ::rncf::emitted::Parts for Equations {
+        fn bodies(&self) -> ::std::vec::Vec<::rncf::emitted::BodySpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::BodySpec {
+                ::rncf::emitted::BodySpec {
                     name: "shaft",
                     kind: 0,
                     instance: None,
                     frame: 1,
                     axes: &[0, 1, 2],
-                    line: ::rncf::mesh::Line::Straight {
+                    line: ::rncf::emitted::Line::Straight {
                         from: [0.0, 0.0, 0.0],
                         to: [1.02, 0.0, 0.0],
                     },
                     count: (model.elements as f64) as usize,
                     stations: ::std::vec::Vec::new(),
                     nodal: &[
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "position",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 0,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "slope",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 1,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section y axis",
-                            of: ::rncf::mesh::Interpolant::SectionY,
+                            of: ::rncf::emitted::Interpolant::SectionY,
                             order: 0,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section z axis",
-                            of: ::rncf::mesh::Interpolant::SectionZ,
+                            of: ::rncf::emitted::Interpolant::SectionZ,
                             order: 0,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section y axis",
-                            of: ::rncf::mesh::Interpolant::SectionY,
+                            of: ::rncf::emitted::Interpolant::SectionY,
                             order: 0,
                             xi: 0.5,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section z axis",
-                            of: ::rncf::mesh::Interpolant::SectionZ,
+                            of: ::rncf::emitted::Interpolant::SectionZ,
                             order: 0,
                             xi: 0.5,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "position",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 0,
                             xi: 1.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "slope",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 1,
                             xi: 1.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section y axis",
-                            of: ::rncf::mesh::Interpolant::SectionY,
+                            of: ::rncf::emitted::Interpolant::SectionY,
                             order: 0,
                             xi: 1.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section z axis",
-                            of: ::rncf::mesh::Interpolant::SectionZ,
+                            of: ::rncf::emitted::Interpolant::SectionZ,
                             order: 0,
                             xi: 1.0,
                         },
@@ -2773,9 +2777,9 @@ pub mod motor_equations {
                     vectors_per_node: 4,
                     stride: 6,
                     section_y: None,
-                    twist: ::rncf::mesh::Twist::even(0.0),
-                    fidelity: ::rncf::mesh::Fidelity::Full,
-                    tie: ::rncf::mesh::FrameTie::Joints,
+                    twist: ::rncf::emitted::Twist::even(0.0),
+                    fidelity: ::rncf::emitted::Fidelity::Full,
+                    tie: ::rncf::emitted::FrameTie::Joints,
                     normals: ::std::vec::Vec::new(),
                 },
             ])
@@ -2788,73 +2792,78 @@ pub mod motor_equations {
         ) -> ::std::result::Result<(), ::rncf::ModelError> {
             let model = &self.model;
             let length = nodes[1] - nodes[0];
-            let density = ::rncf::mesh::positive(
+            let density = ::rncf::emitted::positive(
                 "material `steel`",
                 "density",
                 7800.0,
                 "kg/m^3",
             )?;
-            let young = ::rncf::mesh::positive(
+            let young = ::rncf::emitted::positive(
                 "material `steel`",
                 "young",
                 210000000000.0,
                 "Pa",
             )?;
-            let poisson = ::rncf::mesh::poisson(
+            let poisson = ::rncf::emitted::poisson(
                 "material `steel`",
                 "poisson",
                 0.3,
                 "1",
             )?;
-            let damping = ::rncf::mesh::non_negative(
+            let damping = ::rncf::emitted::non_negative(
                 "material `steel`",
                 "damping",
                 model.damping,
                 "s",
             )?;
-            let yield_stress = ::rncf::mesh::positive(
+            let yield_stress = ::rncf::emitted::positive(
                 "material `steel`",
                 "yield",
                 355000000.0,
                 "Pa",
             )?;
-            let area = ::rncf::mesh::positive(
+            let area = ::rncf::emitted::positive(
                 "section `round`",
                 "area",
                 0.007853981633974483,
                 "m^2",
             )?;
-            let second_moment_y = ::rncf::mesh::positive(
+            let second_moment_y = ::rncf::emitted::positive(
                 "section `round`",
                 "second_moment_y",
                 4.908738521234054e-6,
                 "m^4",
             )?;
-            let second_moment_z = ::rncf::mesh::positive(
+            let second_moment_z = ::rncf::emitted::positive(
                 "section `round`",
                 "second_moment_z",
                 4.908738521234054e-6,
                 "m^4",
             )?;
-            let torsion_constant = ::rncf::mesh::positive(
+            let torsion_constant = ::rncf::emitted::positive(
                 "section `round`",
                 "torsion_constant",
                 9.817477042468108e-6,
                 "m^4",
             )?;
-            let shear_factor_y = ::rncf::mesh::part(
+            let shear_factor_y = ::rncf::emitted::part(
                 "section `round`",
                 "shear_factor_y",
                 0.8863636363636362,
                 "1",
             )?;
-            let shear_factor_z = ::rncf::mesh::part(
+            let shear_factor_z = ::rncf::emitted::part(
                 "section `round`",
                 "shear_factor_z",
                 0.8863636363636362,
                 "1",
             )?;
-            let radius = ::rncf::mesh::positive("section `round`", "radius", 0.05, "m")?;
+            let radius = ::rncf::emitted::positive(
+                "section `round`",
+                "radius",
+                0.05,
+                "m",
+            )?;
             let shear_modulus = young / (2.0 * (1.0 + poisson));
             let half_young = 0.5 * young;
             let quarter_polar_moment = 0.25 * (second_moment_y + second_moment_z);
@@ -2878,7 +2887,7 @@ pub mod motor_equations {
             Ok(())
         }
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
-            beam_spatial_damped_mass(&self.row_shaft, ::rncf::mesh::array_mut(mass));
+            beam_spatial_damped_mass(&self.row_shaft, ::rncf::emitted::array_mut(mass));
         }
         fn elastic_force(
             &self,
@@ -2890,9 +2899,9 @@ pub mod motor_equations {
         ) {
             beam_spatial_damped_elastic_force(
                 &self.row_shaft,
-                ::rncf::mesh::array(q),
-                ::rncf::mesh::array(v),
-                ::rncf::mesh::array_mut(force),
+                ::rncf::emitted::array(q),
+                ::rncf::emitted::array(v),
+                ::rncf::emitted::array_mut(force),
             );
         }
         fn elastic_tangent(
@@ -2906,17 +2915,17 @@ pub mod motor_equations {
         ) {
             beam_spatial_damped_elastic_tangent(
                 &self.row_shaft,
-                ::rncf::mesh::array(q),
-                ::rncf::mesh::array(v),
-                ::rncf::mesh::array_mut(stiffness),
-                ::rncf::mesh::array_mut(damping),
+                ::rncf::emitted::array(q),
+                ::rncf::emitted::array(v),
+                ::rncf::emitted::array_mut(stiffness),
+                ::rncf::emitted::array_mut(damping),
             );
         }
         fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {
             let mut energy = 0.0;
             beam_spatial_damped_strain_energy(
                 &self.row_shaft,
-                ::rncf::mesh::array(q),
+                ::rncf::emitted::array(q),
                 &mut energy,
             );
             energy
@@ -2925,53 +2934,53 @@ pub mod motor_equations {
             &self,
             body: usize,
             element: usize,
-            of: ::rncf::mesh::Interpolant,
+            of: ::rncf::emitted::Interpolant,
             order: usize,
             xi: f64,
             weights: &mut [f64],
         ) {
             weights.fill(0.0);
             match (of, order) {
-                (::rncf::mesh::Interpolant::Position, 0) => {
+                (::rncf::emitted::Interpolant::Position, 0) => {
                     beam_spatial_damped_shapes_position_0(
                         self.row_shaft.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::Position, 1) => {
+                (::rncf::emitted::Interpolant::Position, 1) => {
                     beam_spatial_damped_shapes_position_1(
                         self.row_shaft.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::SectionY, 0) => {
+                (::rncf::emitted::Interpolant::SectionY, 0) => {
                     beam_spatial_damped_shapes_section_y_0(
                         self.row_shaft.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::SectionY, 1) => {
+                (::rncf::emitted::Interpolant::SectionY, 1) => {
                     beam_spatial_damped_shapes_section_y_1(
                         self.row_shaft.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::SectionZ, 0) => {
+                (::rncf::emitted::Interpolant::SectionZ, 0) => {
                     beam_spatial_damped_shapes_section_z_0(
                         self.row_shaft.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::SectionZ, 1) => {
+                (::rncf::emitted::Interpolant::SectionZ, 1) => {
                     beam_spatial_damped_shapes_section_z_1(
                         self.row_shaft.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
                 _ => {}
@@ -2982,10 +2991,10 @@ pub mod motor_equations {
             body: usize,
             x: f64,
             length: f64,
-        ) -> ::rncf::mesh::SectionSpec {
+        ) -> ::rncf::emitted::SectionSpec {
             let model = &self.model;
-            ::rncf::mesh::SectionSpec {
-                shape: ::rncf::mesh::SectionShape::Circle {
+            ::rncf::emitted::SectionSpec {
+                shape: ::rncf::emitted::SectionShape::Circle {
                     radius: 0.05,
                 },
                 area: 0.007853981633974483,
@@ -2995,13 +3004,16 @@ pub mod motor_equations {
                 material: "steel",
             }
         }
-        fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {
+        fn fields(
+            &self,
+            body: usize,
+        ) -> &'static [(::rncf::emitted::Interpolant, usize)] {
             &[
-                (::rncf::mesh::Interpolant::Position, 1),
-                (::rncf::mesh::Interpolant::SectionY, 0),
-                (::rncf::mesh::Interpolant::SectionZ, 0),
-                (::rncf::mesh::Interpolant::SectionY, 1),
-                (::rncf::mesh::Interpolant::SectionZ, 1),
+                (::rncf::emitted::Interpolant::Position, 1),
+                (::rncf::emitted::Interpolant::SectionY, 0),
+                (::rncf::emitted::Interpolant::SectionZ, 0),
+                (::rncf::emitted::Interpolant::SectionY, 1),
+                (::rncf::emitted::Interpolant::SectionZ, 1),
             ]
         }
         fn field_forces(
@@ -3015,29 +3027,29 @@ pub mod motor_equations {
         ) {
             beam_spatial_damped_field_forces(
                 &self.row_shaft,
-                ::rncf::mesh::array(stress_free),
-                ::rncf::mesh::array(fields),
-                ::rncf::mesh::array(rates),
-                ::rncf::mesh::array_mut(forces),
+                ::rncf::emitted::array(stress_free),
+                ::rncf::emitted::array(fields),
+                ::rncf::emitted::array(rates),
+                ::rncf::emitted::array_mut(forces),
             );
         }
         fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
             Some("body `shaft` is damped")
         }
-        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+        fn joints(&self) -> ::std::vec::Vec<::rncf::emitted::JointSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::JointSpec {
+                ::rncf::emitted::JointSpec {
                     name: "drive_end",
-                    kind: ::rncf::mesh::JointKind::Clamp,
+                    kind: ::rncf::emitted::JointKind::Clamp,
                     body: 0,
                     at_end: false,
                     frame: 1,
                     point: None,
                 },
-                ::rncf::mesh::JointSpec {
+                ::rncf::emitted::JointSpec {
                     name: "far_end",
-                    kind: ::rncf::mesh::JointKind::Pin,
+                    kind: ::rncf::emitted::JointKind::Pin,
                     body: 0,
                     at_end: true,
                     frame: 1,
@@ -3049,9 +3061,9 @@ pub mod motor_equations {
             &self,
             joint: usize,
             absolute: bool,
-            level: ::rncf::system::ConstraintLevel,
+            level: ::rncf::emitted::ConstraintLevel,
             t: f64,
-            data: &::rncf::mesh::JointData,
+            data: &::rncf::emitted::JointData,
             q: &[f64],
             v: &[f64],
             a: &[f64],
@@ -3060,7 +3072,7 @@ pub mod motor_equations {
             match (joint, absolute) {
                 (0, false) => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             joint_drive_end_referenced_position(
                                 &self.model,
                                 t,
@@ -3076,7 +3088,7 @@ pub mod motor_equations {
                 }
                 (0, _) => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             joint_drive_end_absolute_position(
                                 &self.model,
                                 t,
@@ -3087,7 +3099,7 @@ pub mod motor_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
+                        ::rncf::emitted::ConstraintLevel::Velocity => {
                             joint_drive_end_absolute_velocity(
                                 &self.model,
                                 t,
@@ -3098,7 +3110,7 @@ pub mod motor_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
+                        ::rncf::emitted::ConstraintLevel::Acceleration => {
                             joint_drive_end_absolute_acceleration(
                                 &self.model,
                                 t,
@@ -3109,7 +3121,7 @@ pub mod motor_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Jerk => {
+                        ::rncf::emitted::ConstraintLevel::Jerk => {
                             joint_drive_end_absolute_jerk(
                                 &self.model,
                                 t,
@@ -3124,7 +3136,7 @@ pub mod motor_equations {
                 }
                 (1, false) => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             joint_far_end_referenced_position(
                                 &self.model,
                                 t,
@@ -3140,7 +3152,7 @@ pub mod motor_equations {
                 }
                 (1, _) => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             joint_far_end_absolute_position(
                                 &self.model,
                                 t,
@@ -3151,7 +3163,7 @@ pub mod motor_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
+                        ::rncf::emitted::ConstraintLevel::Velocity => {
                             joint_far_end_absolute_velocity(
                                 &self.model,
                                 t,
@@ -3162,7 +3174,7 @@ pub mod motor_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
+                        ::rncf::emitted::ConstraintLevel::Acceleration => {
                             joint_far_end_absolute_acceleration(
                                 &self.model,
                                 t,
@@ -3173,7 +3185,7 @@ pub mod motor_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Jerk => {
+                        ::rncf::emitted::ConstraintLevel::Jerk => {
                             joint_far_end_absolute_jerk(
                                 &self.model,
                                 t,
@@ -3194,7 +3206,7 @@ pub mod motor_equations {
             joint: usize,
             absolute: bool,
             t: f64,
-            data: &::rncf::mesh::JointData,
+            data: &::rncf::emitted::JointData,
             jacobian: &mut [f64],
         ) {
             match (joint, absolute) {
@@ -3218,8 +3230,8 @@ pub mod motor_equations {
             joint: usize,
             absolute: bool,
             t: f64,
-            data: &::rncf::mesh::JointData,
-            prescribed: &mut ::rncf::mesh::Prescribed,
+            data: &::rncf::emitted::JointData,
+            prescribed: &mut ::rncf::emitted::Prescribed,
         ) {
             match (joint, absolute) {
                 (0, false) => {
@@ -3252,30 +3264,30 @@ pub mod motor_equations {
                 _ => {}
             }
         }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::At(0.51),
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::At(0.51),
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 1,
                 },
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::At(0.51),
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::At(0.51),
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 2,
                 },
-                ::rncf::mesh::ObservedSpec::Section {
+                ::rncf::emitted::ObservedSpec::Section {
                     body: 0,
-                    at: ::rncf::mesh::Place::Start,
-                    what: ::rncf::mesh::SectionQuantity::MomentZ,
+                    at: ::rncf::emitted::Place::Start,
+                    what: ::rncf::emitted::SectionQuantity::MomentZ,
                 },
-                ::rncf::mesh::ObservedSpec::Section {
+                ::rncf::emitted::ObservedSpec::Section {
                     body: 0,
-                    at: ::rncf::mesh::Place::Start,
-                    what: ::rncf::mesh::SectionQuantity::Stress,
+                    at: ::rncf::emitted::Place::Start,
+                    what: ::rncf::emitted::SectionQuantity::Stress,
                 },
             ])
         }
@@ -3296,20 +3308,20 @@ pub mod motor_equations {
             kinks(&self.model, &mut times);
             times.to_vec()
         }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
+            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
             frame_rotor(&self.model, t, &mut motions[1]);
         }
         fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
             outputs(&self.model, t, observed, out);
         }
-        fn fixtures(&self) -> ::std::vec::Vec<::rncf::mesh::FixtureSpec> {
+        fn fixtures(&self) -> ::std::vec::Vec<::rncf::emitted::FixtureSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::FixtureSpec {
+                ::rncf::emitted::FixtureSpec {
                     name: "disc",
                     body: 0,
-                    at: ::rncf::mesh::Place::At(0.51),
+                    at: ::rncf::emitted::Place::At(0.51),
                     constants: [
                         2.450442269800039,
                         0.0,

@@ -140,14 +140,14 @@ impl ::rncf::Model for Nrel5mwBlade {
         &self,
         formulation: ::rncf::Formulation,
         joints: ::rncf::Joints,
-        fidelity: &[(::std::string::String, ::rncf::mesh::Fidelity)],
+        fidelity: &[(::std::string::String, ::rncf::emitted::Fidelity)],
     ) -> ::std::result::Result<
         ::std::boxed::Box<dyn ::rncf::Scene>,
         ::rncf::ModelError,
     > {
-        ::rncf::mesh::check_params(self)?;
+        ::rncf::model::check_params(self)?;
         let equations = nrel5mw_blade_equations::Equations::new(self);
-        ::rncf::mesh::build_as(equations, formulation, joints, fidelity)
+        ::rncf::build_as(equations, formulation, joints, fidelity)
     }
 }
 /// Equations of [`Nrel5mwBlade`]: derived, checked and written by the generator.
@@ -182,7 +182,7 @@ pub mod nrel5mw_blade_equations {
         pub each: usize,
     }
     /// Table `sections`: eta, K11, K12, K13, K14, K15, K16, K22, K23, K24, K25, K26, K33, K34, K35, K36, K44, K45, K46, K55, K56, K66, M11, M12, M13, M14, M15, M16, M22, M23, M24, M25, M26, M33, M34, M35, M36, M44, M45, M46, M55, M56, M66.
-    pub static TABLE_SECTIONS: ::rncf::mesh::Table = ::rncf::mesh::Table {
+    pub static TABLE_SECTIONS: ::rncf::emitted::Table = ::rncf::emitted::Table {
         name: "sections",
         places: &[
             0.0,
@@ -2434,7 +2434,7 @@ pub mod nrel5mw_blade_equations {
         ],
     };
     /// Table `points`: x, y, z, twist, twist_fit.
-    pub static TABLE_POINTS: ::rncf::mesh::Table = ::rncf::mesh::Table {
+    pub static TABLE_POINTS: ::rncf::emitted::Table = ::rncf::emitted::Table {
         name: "points",
         places: &[
             0.0,
@@ -2762,13 +2762,18 @@ pub mod nrel5mw_blade_equations {
         pub damping: f64,
     }
     /// Nodal vectors by what they interpolate: Position, SectionY, SectionZ.
-    static FULL_BEAM_SPATIAL_CURVED_DAMPED_VECTORS: ::rncf::mesh::Vectors<10, 3, 3, 3> = ::rncf::mesh::Vectors {
+    static FULL_BEAM_SPATIAL_CURVED_DAMPED_VECTORS: ::rncf::emitted::Vectors<
+        10,
+        3,
+        3,
+        3,
+    > = ::rncf::emitted::Vectors {
         base: 0,
         nodal: [[1, 6, 7], [2, 4, 8], [3, 5, 9]],
         positions: [[false, true, false], [false, false, false], [false, false, false]],
     };
     /// Gauss rule with 2 points, and derivatives of the shape functions there.
-    static FULL_BEAM_SPATIAL_CURVED_DAMPED_POINTS2: ::rncf::mesh::Rule<2, 5, 3> = ::rncf::mesh::Rule {
+    static FULL_BEAM_SPATIAL_CURVED_DAMPED_POINTS2: ::rncf::emitted::Rule<2, 5, 3> = ::rncf::emitted::Rule {
         groups: [0, 1, 2, 1, 2],
         weights: [0.5000000000000001, 0.5000000000000001],
         shapes: [
@@ -2789,7 +2794,7 @@ pub mod nrel5mw_blade_equations {
         ],
     };
     /// Blocks that the tangent's kernel writes, by pairs of fields.
-    static FULL_BEAM_SPATIAL_CURVED_DAMPED_POINTS2_STIFFNESS: ::rncf::mesh::Blocks<
+    static FULL_BEAM_SPATIAL_CURVED_DAMPED_POINTS2_STIFFNESS: ::rncf::emitted::Blocks<
         2,
         9,
         25,
@@ -2835,7 +2840,7 @@ pub mod nrel5mw_blade_equations {
             ],
         );
     /// Blocks that the tangent's kernel writes, by pairs of fields.
-    static FULL_BEAM_SPATIAL_CURVED_DAMPED_POINTS2_DAMPING: ::rncf::mesh::Blocks<
+    static FULL_BEAM_SPATIAL_CURVED_DAMPED_POINTS2_DAMPING: ::rncf::emitted::Blocks<
         2,
         9,
         17,
@@ -2863,7 +2868,7 @@ pub mod nrel5mw_blade_equations {
             &[(0, 0, 1), (1, 1, 3), (2, 3, 5), (3, 5, 9), (4, 9, 13), (5, 13, 17)],
         );
     /// Gauss rule with 3 points, and derivatives of the shape functions there.
-    static FULL_BEAM_SPATIAL_CURVED_DAMPED_POINTS3: ::rncf::mesh::Rule<3, 3, 3> = ::rncf::mesh::Rule {
+    static FULL_BEAM_SPATIAL_CURVED_DAMPED_POINTS3: ::rncf::emitted::Rule<3, 3, 3> = ::rncf::emitted::Rule {
         groups: [0, 1, 2],
         weights: [0.2777777777777776, 0.4444444444444444, 0.2777777777777776],
         shapes: [
@@ -2881,7 +2886,7 @@ pub mod nrel5mw_blade_equations {
         ],
     };
     /// Blocks that the tangent's kernel writes, by pairs of fields.
-    static FULL_BEAM_SPATIAL_CURVED_DAMPED_POINTS3_STIFFNESS: ::rncf::mesh::Blocks<
+    static FULL_BEAM_SPATIAL_CURVED_DAMPED_POINTS3_STIFFNESS: ::rncf::emitted::Blocks<
         3,
         9,
         9,
@@ -2901,7 +2906,7 @@ pub mod nrel5mw_blade_equations {
             ],
         );
     /// Blocks that the tangent's kernel writes, by pairs of fields.
-    static FULL_BEAM_SPATIAL_CURVED_DAMPED_POINTS3_DAMPING: ::rncf::mesh::Blocks<
+    static FULL_BEAM_SPATIAL_CURVED_DAMPED_POINTS3_DAMPING: ::rncf::emitted::Blocks<
         3,
         9,
         6,
@@ -5303,7 +5308,7 @@ pub mod nrel5mw_blade_equations {
                 &rates,
                 |point, fields, rates, forces| full_beam_spatial_curved_damped_points2_force(
                     row,
-                    ::rncf::mesh::array(&reference[0 + 31 * point..][..31]),
+                    ::rncf::emitted::array(&reference[0 + 31 * point..][..31]),
                     fields,
                     rates,
                     forces,
@@ -5316,7 +5321,7 @@ pub mod nrel5mw_blade_equations {
                 &rates,
                 |point, fields, rates, forces| full_beam_spatial_curved_damped_points3_force(
                     row,
-                    ::rncf::mesh::array(&reference[62 + 31 * point..][..31]),
+                    ::rncf::emitted::array(&reference[62 + 31 * point..][..31]),
                     fields,
                     rates,
                     forces,
@@ -5351,7 +5356,7 @@ pub mod nrel5mw_blade_equations {
                 (&FULL_BEAM_SPATIAL_CURVED_DAMPED_POINTS2_DAMPING, &mut viscous),
                 |point, fields, rates, stiffness, damping_matrix| full_beam_spatial_curved_damped_points2_tangent(
                     row,
-                    ::rncf::mesh::array(&reference[0 + 31 * point..][..31]),
+                    ::rncf::emitted::array(&reference[0 + 31 * point..][..31]),
                     fields,
                     rates,
                     stiffness,
@@ -5365,7 +5370,7 @@ pub mod nrel5mw_blade_equations {
                 (&FULL_BEAM_SPATIAL_CURVED_DAMPED_POINTS3_DAMPING, &mut viscous),
                 |point, fields, rates, stiffness, damping_matrix| full_beam_spatial_curved_damped_points3_tangent(
                     row,
-                    ::rncf::mesh::array(&reference[62 + 31 * point..][..31]),
+                    ::rncf::emitted::array(&reference[62 + 31 * point..][..31]),
                     fields,
                     rates,
                     stiffness,
@@ -5399,7 +5404,7 @@ pub mod nrel5mw_blade_equations {
                         let mut density = 0.0;
                         full_beam_spatial_curved_damped_points2_energy(
                             row,
-                            ::rncf::mesh::array(&reference[0 + 31 * point..][..31]),
+                            ::rncf::emitted::array(&reference[0 + 31 * point..][..31]),
                             fields,
                             &mut density,
                         );
@@ -5414,7 +5419,7 @@ pub mod nrel5mw_blade_equations {
                         let mut density = 0.0;
                         full_beam_spatial_curved_damped_points3_energy(
                             row,
-                            ::rncf::mesh::array(&reference[62 + 31 * point..][..31]),
+                            ::rncf::emitted::array(&reference[62 + 31 * point..][..31]),
                             fields,
                             &mut density,
                         );
@@ -6017,9 +6022,9 @@ pub mod nrel5mw_blade_equations {
     pub fn frame_rotor(
         model: &Nrel5mwBlade,
         t: f64,
-        motion: &mut ::rncf::mesh::FrameMotion,
+        motion: &mut ::rncf::emitted::FrameMotion,
     ) {
-        *motion = ::rncf::mesh::FrameMotion::INERTIAL;
+        *motion = ::rncf::emitted::FrameMotion::INERTIAL;
         let t14 = t * model.speed;
         let t15 = t14.cos();
         let t16 = t14.sin();
@@ -6043,7 +6048,7 @@ pub mod nrel5mw_blade_equations {
     pub fn joint_hub_referenced_position(
         model: &Nrel5mwBlade,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -6067,7 +6072,7 @@ pub mod nrel5mw_blade_equations {
     pub fn joint_hub_referenced_jacobian(
         model: &Nrel5mwBlade,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         jacobian: &mut [f64],
     ) {
         let t18 = data.tangent[1] * data.second[2] - data.tangent[2] * data.second[1];
@@ -6095,8 +6100,8 @@ pub mod nrel5mw_blade_equations {
     pub fn joint_hub_referenced_prescribed(
         model: &Nrel5mwBlade,
         t: f64,
-        data: &::rncf::mesh::JointData,
-        prescribed: &mut ::rncf::mesh::Prescribed,
+        data: &::rncf::emitted::JointData,
+        prescribed: &mut ::rncf::emitted::Prescribed,
     ) {
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = data.point[1];
@@ -6114,7 +6119,7 @@ pub mod nrel5mw_blade_equations {
     pub fn joint_hub_absolute_position(
         model: &Nrel5mwBlade,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -6145,7 +6150,7 @@ pub mod nrel5mw_blade_equations {
     pub fn joint_hub_absolute_velocity(
         model: &Nrel5mwBlade,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -6179,7 +6184,7 @@ pub mod nrel5mw_blade_equations {
     pub fn joint_hub_absolute_acceleration(
         model: &Nrel5mwBlade,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -6241,7 +6246,7 @@ pub mod nrel5mw_blade_equations {
     pub fn joint_hub_absolute_jerk(
         model: &Nrel5mwBlade,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -6341,7 +6346,7 @@ pub mod nrel5mw_blade_equations {
     pub fn joint_hub_absolute_jacobian(
         model: &Nrel5mwBlade,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         jacobian: &mut [f64],
     ) {
         let t20 = t * model.speed;
@@ -6378,8 +6383,8 @@ pub mod nrel5mw_blade_equations {
     pub fn joint_hub_absolute_prescribed(
         model: &Nrel5mwBlade,
         t: f64,
-        data: &::rncf::mesh::JointData,
-        prescribed: &mut ::rncf::mesh::Prescribed,
+        data: &::rncf::emitted::JointData,
+        prescribed: &mut ::rncf::emitted::Prescribed,
     ) {
         let t23 = t * model.speed;
         let t24 = t23.cos();
@@ -6431,9 +6436,9 @@ pub mod nrel5mw_blade_equations {
         x: f64,
         length: f64,
     ) -> ::std::result::Result<([f64; 25], [f64; 6]), ::rncf::ModelError> {
-        let law = ::rncf::mesh::SectionLaw::new(
+        let law = ::rncf::emitted::SectionLaw::new(
             "layup",
-            ::rncf::mesh::Stiffness::Matrix([
+            ::rncf::emitted::Stiffness::Matrix([
                 TABLE_SECTIONS.at(12, x, length),
                 TABLE_SECTIONS.at(3, x, length),
                 TABLE_SECTIONS.at(8, x, length),
@@ -6456,7 +6461,7 @@ pub mod nrel5mw_blade_equations {
                 TABLE_SECTIONS.at(17, x, length),
                 TABLE_SECTIONS.at(19, x, length),
             ]),
-            ::rncf::mesh::Mass::Matrix([
+            ::rncf::emitted::Mass::Matrix([
                 TABLE_SECTIONS.at(33, x, length),
                 TABLE_SECTIONS.at(24, x, length),
                 TABLE_SECTIONS.at(29, x, length),
@@ -6501,23 +6506,23 @@ pub mod nrel5mw_blade_equations {
             }
         }
     }
-    impl ::rncf::mesh::Parts for Equations {
-        fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {
+    impl ::rncf::emitted::Parts for Equations {
+        fn bodies(&self) -> ::std::vec::Vec<::rncf::emitted::BodySpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::BodySpec {
+                ::rncf::emitted::BodySpec {
                     name: "blade",
                     kind: 0,
                     instance: None,
                     frame: 1,
                     axes: &[0, 1, 2],
-                    line: ::rncf::mesh::Line::Straight {
+                    line: ::rncf::emitted::Line::Straight {
                         from: [0.0, 0.0, 1.5],
                         to: [0.0, 0.0, 63.0],
                     },
                     count: TABLE_SECTIONS
                         .stations(
-                            ::rncf::mesh::Line::Straight {
+                            ::rncf::emitted::Line::Straight {
                                 from: [0.0, 0.0, 1.5],
                                 to: [0.0, 0.0, 63.0],
                             }
@@ -6527,7 +6532,7 @@ pub mod nrel5mw_blade_equations {
                         .len() - 1,
                     stations: TABLE_SECTIONS
                         .stations(
-                            ::rncf::mesh::Line::Straight {
+                            ::rncf::emitted::Line::Straight {
                                 from: [0.0, 0.0, 1.5],
                                 to: [0.0, 0.0, 63.0],
                             }
@@ -6535,63 +6540,63 @@ pub mod nrel5mw_blade_equations {
                             (model.each as f64) as usize,
                         ),
                     nodal: &[
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "position",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 0,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "slope",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 1,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section y axis",
-                            of: ::rncf::mesh::Interpolant::SectionY,
+                            of: ::rncf::emitted::Interpolant::SectionY,
                             order: 0,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section z axis",
-                            of: ::rncf::mesh::Interpolant::SectionZ,
+                            of: ::rncf::emitted::Interpolant::SectionZ,
                             order: 0,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section y axis",
-                            of: ::rncf::mesh::Interpolant::SectionY,
+                            of: ::rncf::emitted::Interpolant::SectionY,
                             order: 0,
                             xi: 0.5,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section z axis",
-                            of: ::rncf::mesh::Interpolant::SectionZ,
+                            of: ::rncf::emitted::Interpolant::SectionZ,
                             order: 0,
                             xi: 0.5,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "position",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 0,
                             xi: 1.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "slope",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 1,
                             xi: 1.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section y axis",
-                            of: ::rncf::mesh::Interpolant::SectionY,
+                            of: ::rncf::emitted::Interpolant::SectionY,
                             order: 0,
                             xi: 1.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section z axis",
-                            of: ::rncf::mesh::Interpolant::SectionZ,
+                            of: ::rncf::emitted::Interpolant::SectionZ,
                             order: 0,
                             xi: 1.0,
                         },
@@ -6603,19 +6608,19 @@ pub mod nrel5mw_blade_equations {
                     twist: {
                         let (model, length) = (
                             model.clone(),
-                            ::rncf::mesh::Line::Straight {
+                            ::rncf::emitted::Line::Straight {
                                 from: [0.0, 0.0, 1.5],
                                 to: [0.0, 0.0, 63.0],
                             }
                                 .length(),
                         );
-                        ::rncf::mesh::Twist::along(move |u| {
+                        ::rncf::emitted::Twist::along(move |u| {
                             let x = u * length;
                             -TABLE_POINTS.at(3, x, length)
                         })
                     },
-                    fidelity: ::rncf::mesh::Fidelity::Full,
-                    tie: ::rncf::mesh::FrameTie::Joints,
+                    fidelity: ::rncf::emitted::Fidelity::Full,
+                    tie: ::rncf::emitted::FrameTie::Joints,
                     normals: ::std::vec::Vec::new(),
                 },
             ])
@@ -6659,35 +6664,35 @@ pub mod nrel5mw_blade_equations {
                 }
                 full_beam_spatial_curved_damped_reference(
                     &row,
-                    ::rncf::mesh::array(shape),
+                    ::rncf::emitted::array(shape),
                     &mut reference,
                 );
                 masses
                     .push(
-                        ::rncf::mesh::mass_along(
+                        ::rncf::emitted::mass_along(
                             10,
                             row.length,
                             |xi| Ok(at(nodes[0] + xi * row.length)?.1),
                             |of, xi, weights| match of {
-                                ::rncf::mesh::Interpolant::Position => {
+                                ::rncf::emitted::Interpolant::Position => {
                                     full_beam_spatial_curved_damped_shapes_position_0(
                                         row.length,
                                         xi,
-                                        ::rncf::mesh::array_mut(weights),
+                                        ::rncf::emitted::array_mut(weights),
                                     )
                                 }
-                                ::rncf::mesh::Interpolant::SectionY => {
+                                ::rncf::emitted::Interpolant::SectionY => {
                                     full_beam_spatial_curved_damped_shapes_section_y_0(
                                         row.length,
                                         xi,
-                                        ::rncf::mesh::array_mut(weights),
+                                        ::rncf::emitted::array_mut(weights),
                                     )
                                 }
-                                ::rncf::mesh::Interpolant::SectionZ => {
+                                ::rncf::emitted::Interpolant::SectionZ => {
                                     full_beam_spatial_curved_damped_shapes_section_z_0(
                                         row.length,
                                         xi,
-                                        ::rncf::mesh::array_mut(weights),
+                                        ::rncf::emitted::array_mut(weights),
                                     )
                                 }
                                 #[allow(unreachable_patterns)]
@@ -6706,7 +6711,10 @@ pub mod nrel5mw_blade_equations {
         fn varies(&self, body: usize) -> bool {
             true
         }
-        fn tables(&self, body: usize) -> ::std::vec::Vec<&'static ::rncf::mesh::Table> {
+        fn tables(
+            &self,
+            body: usize,
+        ) -> ::std::vec::Vec<&'static ::rncf::emitted::Table> {
             ::std::vec::Vec::from([&TABLE_SECTIONS, &TABLE_POINTS])
         }
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
@@ -6723,9 +6731,9 @@ pub mod nrel5mw_blade_equations {
             full_beam_spatial_curved_damped_elastic_force(
                 &self.row_blade[element],
                 &self.reference_blade[element],
-                ::rncf::mesh::array(q),
-                ::rncf::mesh::array(v),
-                ::rncf::mesh::array_mut(force),
+                ::rncf::emitted::array(q),
+                ::rncf::emitted::array(v),
+                ::rncf::emitted::array_mut(force),
             );
         }
         fn elastic_tangent(
@@ -6740,10 +6748,10 @@ pub mod nrel5mw_blade_equations {
             full_beam_spatial_curved_damped_elastic_tangent(
                 &self.row_blade[element],
                 &self.reference_blade[element],
-                ::rncf::mesh::array(q),
-                ::rncf::mesh::array(v),
-                ::rncf::mesh::array_mut(stiffness),
-                ::rncf::mesh::array_mut(damping),
+                ::rncf::emitted::array(q),
+                ::rncf::emitted::array(v),
+                ::rncf::emitted::array_mut(stiffness),
+                ::rncf::emitted::array_mut(damping),
             );
         }
         fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {
@@ -6751,7 +6759,7 @@ pub mod nrel5mw_blade_equations {
             full_beam_spatial_curved_damped_strain_energy(
                 &self.row_blade[element],
                 &self.reference_blade[element],
-                ::rncf::mesh::array(q),
+                ::rncf::emitted::array(q),
                 &mut energy,
             );
             energy
@@ -6760,53 +6768,53 @@ pub mod nrel5mw_blade_equations {
             &self,
             body: usize,
             element: usize,
-            of: ::rncf::mesh::Interpolant,
+            of: ::rncf::emitted::Interpolant,
             order: usize,
             xi: f64,
             weights: &mut [f64],
         ) {
             weights.fill(0.0);
             match (of, order) {
-                (::rncf::mesh::Interpolant::Position, 0) => {
+                (::rncf::emitted::Interpolant::Position, 0) => {
                     full_beam_spatial_curved_damped_shapes_position_0(
                         self.row_blade[element].length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::Position, 1) => {
+                (::rncf::emitted::Interpolant::Position, 1) => {
                     full_beam_spatial_curved_damped_shapes_position_1(
                         self.row_blade[element].length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::SectionY, 0) => {
+                (::rncf::emitted::Interpolant::SectionY, 0) => {
                     full_beam_spatial_curved_damped_shapes_section_y_0(
                         self.row_blade[element].length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::SectionY, 1) => {
+                (::rncf::emitted::Interpolant::SectionY, 1) => {
                     full_beam_spatial_curved_damped_shapes_section_y_1(
                         self.row_blade[element].length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::SectionZ, 0) => {
+                (::rncf::emitted::Interpolant::SectionZ, 0) => {
                     full_beam_spatial_curved_damped_shapes_section_z_0(
                         self.row_blade[element].length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::SectionZ, 1) => {
+                (::rncf::emitted::Interpolant::SectionZ, 1) => {
                     full_beam_spatial_curved_damped_shapes_section_z_1(
                         self.row_blade[element].length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
                 _ => {}
@@ -6817,10 +6825,10 @@ pub mod nrel5mw_blade_equations {
             body: usize,
             x: f64,
             length: f64,
-        ) -> ::rncf::mesh::SectionSpec {
+        ) -> ::rncf::emitted::SectionSpec {
             let model = &self.model;
-            ::rncf::mesh::SectionSpec {
-                shape: ::rncf::mesh::SectionShape::General {
+            ::rncf::emitted::SectionSpec {
+                shape: ::rncf::emitted::SectionShape::General {
                     extent: [None, None],
                 },
                 area: 0.0,
@@ -6830,13 +6838,16 @@ pub mod nrel5mw_blade_equations {
                 material: "",
             }
         }
-        fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {
+        fn fields(
+            &self,
+            body: usize,
+        ) -> &'static [(::rncf::emitted::Interpolant, usize)] {
             &[
-                (::rncf::mesh::Interpolant::Position, 1),
-                (::rncf::mesh::Interpolant::SectionY, 0),
-                (::rncf::mesh::Interpolant::SectionZ, 0),
-                (::rncf::mesh::Interpolant::SectionY, 1),
-                (::rncf::mesh::Interpolant::SectionZ, 1),
+                (::rncf::emitted::Interpolant::Position, 1),
+                (::rncf::emitted::Interpolant::SectionY, 0),
+                (::rncf::emitted::Interpolant::SectionZ, 0),
+                (::rncf::emitted::Interpolant::SectionY, 1),
+                (::rncf::emitted::Interpolant::SectionZ, 1),
             ]
         }
         fn field_forces(
@@ -6853,22 +6864,22 @@ pub mod nrel5mw_blade_equations {
                 full_beam_spatial_curved_damped_field_forces(
                     &self.row_blade[0],
                     &coefficients,
-                    ::rncf::mesh::array(stress_free),
-                    ::rncf::mesh::array(fields),
-                    ::rncf::mesh::array(rates),
-                    ::rncf::mesh::array_mut(forces),
+                    ::rncf::emitted::array(stress_free),
+                    ::rncf::emitted::array(fields),
+                    ::rncf::emitted::array(rates),
+                    ::rncf::emitted::array_mut(forces),
                 );
             }
         }
         fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
             Some("body `blade` is damped")
         }
-        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+        fn joints(&self) -> ::std::vec::Vec<::rncf::emitted::JointSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::JointSpec {
+                ::rncf::emitted::JointSpec {
                     name: "hub",
-                    kind: ::rncf::mesh::JointKind::Clamp,
+                    kind: ::rncf::emitted::JointKind::Clamp,
                     body: 0,
                     at_end: false,
                     frame: 1,
@@ -6880,9 +6891,9 @@ pub mod nrel5mw_blade_equations {
             &self,
             joint: usize,
             absolute: bool,
-            level: ::rncf::system::ConstraintLevel,
+            level: ::rncf::emitted::ConstraintLevel,
             t: f64,
-            data: &::rncf::mesh::JointData,
+            data: &::rncf::emitted::JointData,
             q: &[f64],
             v: &[f64],
             a: &[f64],
@@ -6891,7 +6902,7 @@ pub mod nrel5mw_blade_equations {
             match (joint, absolute) {
                 (0, false) => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             joint_hub_referenced_position(
                                 &self.model,
                                 t,
@@ -6907,7 +6918,7 @@ pub mod nrel5mw_blade_equations {
                 }
                 (0, _) => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             joint_hub_absolute_position(
                                 &self.model,
                                 t,
@@ -6918,7 +6929,7 @@ pub mod nrel5mw_blade_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
+                        ::rncf::emitted::ConstraintLevel::Velocity => {
                             joint_hub_absolute_velocity(
                                 &self.model,
                                 t,
@@ -6929,7 +6940,7 @@ pub mod nrel5mw_blade_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
+                        ::rncf::emitted::ConstraintLevel::Acceleration => {
                             joint_hub_absolute_acceleration(
                                 &self.model,
                                 t,
@@ -6940,7 +6951,7 @@ pub mod nrel5mw_blade_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Jerk => {
+                        ::rncf::emitted::ConstraintLevel::Jerk => {
                             joint_hub_absolute_jerk(&self.model, t, data, q, v, a, rows)
                         }
                     }
@@ -6953,7 +6964,7 @@ pub mod nrel5mw_blade_equations {
             joint: usize,
             absolute: bool,
             t: f64,
-            data: &::rncf::mesh::JointData,
+            data: &::rncf::emitted::JointData,
             jacobian: &mut [f64],
         ) {
             match (joint, absolute) {
@@ -6971,8 +6982,8 @@ pub mod nrel5mw_blade_equations {
             joint: usize,
             absolute: bool,
             t: f64,
-            data: &::rncf::mesh::JointData,
-            prescribed: &mut ::rncf::mesh::Prescribed,
+            data: &::rncf::emitted::JointData,
+            prescribed: &mut ::rncf::emitted::Prescribed,
         ) {
             match (joint, absolute) {
                 (0, false) => {
@@ -6984,12 +6995,12 @@ pub mod nrel5mw_blade_equations {
                 _ => {}
             }
         }
-        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
+        fn loads(&self) -> ::std::vec::Vec<::rncf::emitted::LoadSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::LoadSpec {
+                ::rncf::emitted::LoadSpec {
                     name: "weight",
-                    kind: ::rncf::mesh::LoadKind::Gravity,
+                    kind: ::rncf::emitted::LoadKind::Gravity,
                     frame: 0,
                 },
             ])
@@ -7006,24 +7017,24 @@ pub mod nrel5mw_blade_equations {
             }
             value
         }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 0,
                 },
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 1,
                 },
-                ::rncf::mesh::ObservedSpec::Balance {
-                    of: ::rncf::mesh::Owner::Body(0),
-                    what: ::rncf::mesh::BalanceQuantity::Mass,
+                ::rncf::emitted::ObservedSpec::Balance {
+                    of: ::rncf::emitted::Owner::Body(0),
+                    what: ::rncf::emitted::BalanceQuantity::Mass,
                     component: 0,
                 },
             ])
@@ -7040,8 +7051,8 @@ pub mod nrel5mw_blade_equations {
         fn conservative(&self) -> bool {
             false
         }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
+            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
             frame_rotor(&self.model, t, &mut motions[1]);
         }
         fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {

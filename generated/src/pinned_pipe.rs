@@ -159,14 +159,14 @@ impl ::rncf::Model for PinnedPipe {
         &self,
         formulation: ::rncf::Formulation,
         joints: ::rncf::Joints,
-        fidelity: &[(::std::string::String, ::rncf::mesh::Fidelity)],
+        fidelity: &[(::std::string::String, ::rncf::emitted::Fidelity)],
     ) -> ::std::result::Result<
         ::std::boxed::Box<dyn ::rncf::Scene>,
         ::rncf::ModelError,
     > {
-        ::rncf::mesh::check_params(self)?;
+        ::rncf::model::check_params(self)?;
         let equations = pinned_pipe_equations::Equations::new(self);
-        ::rncf::mesh::build_as(equations, formulation, joints, fidelity)
+        ::rncf::build_as(equations, formulation, joints, fidelity)
     }
 }
 /// Equations of [`PinnedPipe`]: derived, checked and written by the generator.
@@ -225,7 +225,7 @@ pub mod pinned_pipe_equations {
     impl CablePlanar {
         /// The constants of four elements side by side.
         #[inline(always)]
-        pub fn side_by_side<L: ::rncf::lanes::Lanes>(
+        pub fn side_by_side<L: ::rncf::emitted::lanes::Lanes>(
             rows: [&Self; 4],
             lanes: L,
         ) -> CablePlanar<L::Real> {
@@ -245,7 +245,7 @@ pub mod pinned_pipe_equations {
     ///
     /// Operations: 81 additions, 103 multiplications, 1 divisions.
     #[inline(always)]
-    pub fn cable_planar_elastic_force<T: ::rncf::lanes::Real>(
+    pub fn cable_planar_elastic_force<T: ::rncf::emitted::lanes::Real>(
         row: &CablePlanar<T>,
         q: &[T; 8],
         force: &mut [T::Cell; 8],
@@ -347,9 +347,9 @@ pub mod pinned_pipe_equations {
         pub q: &'a [[f64; 4]; 8],
         pub force: &'a mut [[f64; 4]; 8],
     }
-    impl ::rncf::lanes::Kernel for CablePlanarElasticForce<'_> {
+    impl ::rncf::emitted::lanes::Kernel for CablePlanarElasticForce<'_> {
         #[inline(always)]
-        fn run<L: ::rncf::lanes::Lanes>(self, lanes: L) {
+        fn run<L: ::rncf::emitted::lanes::Lanes>(self, lanes: L) {
             let Self { rows, q, force } = self;
             let row = CablePlanar::side_by_side(rows, lanes);
             let q = lanes.load_all(q);
@@ -364,7 +364,7 @@ pub mod pinned_pipe_equations {
     ///
     /// Operations: 277 additions, 276 multiplications, 1 divisions.
     #[inline(always)]
-    pub fn cable_planar_elastic_tangent<T: ::rncf::lanes::Real>(
+    pub fn cable_planar_elastic_tangent<T: ::rncf::emitted::lanes::Real>(
         row: &CablePlanar<T>,
         q: &[T; 8],
         stiffness: &mut [T::Cell; 64],
@@ -629,9 +629,9 @@ pub mod pinned_pipe_equations {
         pub q: &'a [[f64; 4]; 8],
         pub stiffness: &'a mut [[f64; 4]; 64],
     }
-    impl ::rncf::lanes::Kernel for CablePlanarElasticTangent<'_> {
+    impl ::rncf::emitted::lanes::Kernel for CablePlanarElasticTangent<'_> {
         #[inline(always)]
-        fn run<L: ::rncf::lanes::Lanes>(self, lanes: L) {
+        fn run<L: ::rncf::emitted::lanes::Lanes>(self, lanes: L) {
             let Self { rows, q, stiffness } = self;
             let row = CablePlanar::side_by_side(rows, lanes);
             let q = lanes.load_all(q);
@@ -814,7 +814,7 @@ pub mod pinned_pipe_equations {
     /// Follows the pipe's chord.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_own(model: &PinnedPipe, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_own(model: &PinnedPipe, spec: &mut ::rncf::emitted::FreeSpec) {
         spec.axis[2] = 1.0;
     }
     /// Force `support_0`, `support_1`, `support_2`, `support_3`, `support_4`, `support_5`, `support_6`, `support_7`, `support_8`: writes f(z, z', t) on its markers, inertial axes; entries that are always zero are left alone.
@@ -912,44 +912,44 @@ pub mod pinned_pipe_equations {
             }
         }
     }
-    impl ::rncf::mesh::Parts for Equations {
-        fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {
+    impl ::rncf::emitted::Parts for Equations {
+        fn bodies(&self) -> ::std::vec::Vec<::rncf::emitted::BodySpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::BodySpec {
+                ::rncf::emitted::BodySpec {
                     name: "pipe",
                     kind: 0,
                     instance: None,
                     frame: 1,
                     axes: &[0, 1],
-                    line: ::rncf::mesh::Line::Straight {
+                    line: ::rncf::emitted::Line::Straight {
                         from: [0.0, 0.0, 0.0],
                         to: [8.0, 0.0, 0.0],
                     },
                     count: (model.elements as f64) as usize,
                     stations: ::std::vec::Vec::new(),
                     nodal: &[
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "position",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 0,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "slope",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 1,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "position",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 0,
                             xi: 1.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "slope",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 1,
                             xi: 1.0,
                         },
@@ -958,9 +958,9 @@ pub mod pinned_pipe_equations {
                     vectors_per_node: 2,
                     stride: 2,
                     section_y: None,
-                    twist: ::rncf::mesh::Twist::even(0.0),
-                    fidelity: ::rncf::mesh::Fidelity::Full,
-                    tie: ::rncf::mesh::FrameTie::Chord,
+                    twist: ::rncf::emitted::Twist::even(0.0),
+                    fidelity: ::rncf::emitted::Fidelity::Full,
+                    tie: ::rncf::emitted::FrameTie::Chord,
                     normals: ::std::vec::Vec::new(),
                 },
             ])
@@ -973,25 +973,25 @@ pub mod pinned_pipe_equations {
         ) -> ::std::result::Result<(), ::rncf::ModelError> {
             let model = &self.model;
             let length = nodes[1] - nodes[0];
-            let density = ::rncf::mesh::positive(
+            let density = ::rncf::emitted::positive(
                 "material `aluminium`",
                 "density",
                 2766.67,
                 "kg/m^3",
             )?;
-            let young = ::rncf::mesh::positive(
+            let young = ::rncf::emitted::positive(
                 "material `aluminium`",
                 "young",
                 68950000000.0,
                 "Pa",
             )?;
-            let area = ::rncf::mesh::positive(
+            let area = ::rncf::emitted::positive(
                 "section `tube`",
                 "area",
                 7.299e-5,
                 "m^2",
             )?;
-            let second_moment = ::rncf::mesh::positive(
+            let second_moment = ::rncf::emitted::positive(
                 "section `tube`",
                 "second_moment",
                 8.215e-9,
@@ -1006,7 +1006,7 @@ pub mod pinned_pipe_equations {
             Ok(())
         }
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
-            cable_planar_mass(&self.row_pipe, ::rncf::mesh::array_mut(mass));
+            cable_planar_mass(&self.row_pipe, ::rncf::emitted::array_mut(mass));
         }
         fn elastic_force(
             &self,
@@ -1018,8 +1018,8 @@ pub mod pinned_pipe_equations {
         ) {
             cable_planar_elastic_force(
                 &self.row_pipe,
-                ::rncf::mesh::array(q),
-                ::rncf::mesh::array_mut(force),
+                ::rncf::emitted::array(q),
+                ::rncf::emitted::array_mut(force),
             );
         }
         fn elastic_tangent(
@@ -1033,8 +1033,8 @@ pub mod pinned_pipe_equations {
         ) {
             cable_planar_elastic_tangent(
                 &self.row_pipe,
-                ::rncf::mesh::array(q),
-                ::rncf::mesh::array_mut(stiffness),
+                ::rncf::emitted::array(q),
+                ::rncf::emitted::array_mut(stiffness),
             );
         }
         fn elastic_force4(
@@ -1046,11 +1046,11 @@ pub mod pinned_pipe_equations {
         ) {
             let four = CablePlanarElasticForce {
                 rows: [&self.row_pipe; 4],
-                q: ::rncf::mesh::array(q),
-                force: ::rncf::mesh::array_mut(force),
+                q: ::rncf::emitted::array(q),
+                force: ::rncf::emitted::array_mut(force),
             };
-            if !::rncf::lanes::run(four) {
-                ::rncf::mesh::elastic_force_one_by_one(self, elements, q, v, force);
+            if !::rncf::emitted::lanes::run(four) {
+                ::rncf::emitted::elastic_force_one_by_one(self, elements, q, v, force);
             }
         }
         fn elastic_tangent4(
@@ -1063,11 +1063,11 @@ pub mod pinned_pipe_equations {
         ) {
             let four = CablePlanarElasticTangent {
                 rows: [&self.row_pipe; 4],
-                q: ::rncf::mesh::array(q),
-                stiffness: ::rncf::mesh::array_mut(stiffness),
+                q: ::rncf::emitted::array(q),
+                stiffness: ::rncf::emitted::array_mut(stiffness),
             };
-            if !::rncf::lanes::run(four) {
-                ::rncf::mesh::elastic_tangent_one_by_one(
+            if !::rncf::emitted::lanes::run(four) {
+                ::rncf::emitted::elastic_tangent_one_by_one(
                     self,
                     elements,
                     q,
@@ -1081,7 +1081,7 @@ pub mod pinned_pipe_equations {
             let mut energy = 0.0;
             cable_planar_strain_energy(
                 &self.row_pipe,
-                ::rncf::mesh::array(q),
+                ::rncf::emitted::array(q),
                 &mut energy,
             );
             energy
@@ -1090,32 +1090,32 @@ pub mod pinned_pipe_equations {
             &self,
             body: usize,
             element: usize,
-            of: ::rncf::mesh::Interpolant,
+            of: ::rncf::emitted::Interpolant,
             order: usize,
             xi: f64,
             weights: &mut [f64],
         ) {
             weights.fill(0.0);
             match (of, order) {
-                (::rncf::mesh::Interpolant::Position, 0) => {
+                (::rncf::emitted::Interpolant::Position, 0) => {
                     cable_planar_shapes_position_0(
                         self.row_pipe.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::Position, 1) => {
+                (::rncf::emitted::Interpolant::Position, 1) => {
                     cable_planar_shapes_position_1(
                         self.row_pipe.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::Position, 2) => {
+                (::rncf::emitted::Interpolant::Position, 2) => {
                     cable_planar_shapes_position_2(
                         self.row_pipe.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
                 _ => {}
@@ -1126,10 +1126,10 @@ pub mod pinned_pipe_equations {
             body: usize,
             x: f64,
             length: f64,
-        ) -> ::rncf::mesh::SectionSpec {
+        ) -> ::rncf::emitted::SectionSpec {
             let model = &self.model;
-            ::rncf::mesh::SectionSpec {
-                shape: ::rncf::mesh::SectionShape::General {
+            ::rncf::emitted::SectionSpec {
+                shape: ::rncf::emitted::SectionShape::General {
                     extent: [None, None],
                 },
                 area: 7.299e-5,
@@ -1139,10 +1139,13 @@ pub mod pinned_pipe_equations {
                 material: "aluminium",
             }
         }
-        fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {
+        fn fields(
+            &self,
+            body: usize,
+        ) -> &'static [(::rncf::emitted::Interpolant, usize)] {
             &[
-                (::rncf::mesh::Interpolant::Position, 1),
-                (::rncf::mesh::Interpolant::Position, 2),
+                (::rncf::emitted::Interpolant::Position, 1),
+                (::rncf::emitted::Interpolant::Position, 2),
             ]
         }
         fn field_forces(
@@ -1156,23 +1159,23 @@ pub mod pinned_pipe_equations {
         ) {
             cable_planar_field_forces(
                 &self.row_pipe,
-                ::rncf::mesh::array(stress_free),
-                ::rncf::mesh::array(fields),
-                ::rncf::mesh::array_mut(forces),
+                ::rncf::emitted::array(stress_free),
+                ::rncf::emitted::array(fields),
+                ::rncf::emitted::array_mut(forces),
             );
         }
         fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
             Some("force `shake` has no potential")
         }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::ObservedSpec::Marker {
+                ::rncf::emitted::ObservedSpec::Marker {
                     marker: 18,
                     derivative: 0,
                     component: 1,
                 },
-                ::rncf::mesh::ObservedSpec::Marker {
+                ::rncf::emitted::ObservedSpec::Marker {
                     marker: 16,
                     derivative: 0,
                     component: 1,
@@ -1191,31 +1194,31 @@ pub mod pinned_pipe_equations {
         fn conservative(&self) -> bool {
             false
         }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
+            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
         }
         fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
             outputs(&self.model, t, observed, out);
         }
-        fn free(&self) -> ::std::vec::Vec<::rncf::mesh::FreeSpec> {
-            let still = ::rncf::mesh::FreeSpec {
+        fn free(&self) -> ::std::vec::Vec<::rncf::emitted::FreeSpec> {
+            let still = ::rncf::emitted::FreeSpec {
                 frame: 0,
                 parent: 0,
                 is_body: false,
-                motions: ::rncf::mesh::Motions::Spatial,
+                motions: ::rncf::emitted::Motions::Spatial,
                 position: [0.0; 3],
                 axis: [0.0; 3],
                 angle: 0.0,
                 velocity: [0.0; 3],
                 spin: [0.0; 3],
-                rigid: ::rncf::mesh::RigidSpec::default(),
+                rigid: ::rncf::emitted::RigidSpec::default(),
             };
             let mut specs = ::std::vec::Vec::from([
-                ::rncf::mesh::FreeSpec {
+                ::rncf::emitted::FreeSpec {
                     frame: 1,
                     parent: 0,
                     is_body: false,
-                    motions: ::rncf::mesh::Motions::Planar {
+                    motions: ::rncf::emitted::Motions::Planar {
                         normal: 2,
                     },
                     ..still.clone()
@@ -1224,136 +1227,136 @@ pub mod pinned_pipe_equations {
             free_own(&self.model, &mut specs[0]);
             specs
         }
-        fn markers(&self) -> ::std::vec::Vec<::rncf::mesh::MarkerSpec> {
+        fn markers(&self) -> ::std::vec::Vec<::rncf::emitted::MarkerSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::MarkerSpec::BodyPoint {
+                ::rncf::emitted::MarkerSpec::BodyPoint {
                     body: 0,
-                    at: ::rncf::mesh::Place::Start,
+                    at: ::rncf::emitted::Place::Start,
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 0,
                     at: [0.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::BodyPoint {
+                ::rncf::emitted::MarkerSpec::BodyPoint {
                     body: 0,
-                    at: ::rncf::mesh::Place::At(1.0),
+                    at: ::rncf::emitted::Place::At(1.0),
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 0,
                     at: [1.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::BodyPoint {
+                ::rncf::emitted::MarkerSpec::BodyPoint {
                     body: 0,
-                    at: ::rncf::mesh::Place::At(2.0),
+                    at: ::rncf::emitted::Place::At(2.0),
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 0,
                     at: [2.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::BodyPoint {
+                ::rncf::emitted::MarkerSpec::BodyPoint {
                     body: 0,
-                    at: ::rncf::mesh::Place::At(3.0),
+                    at: ::rncf::emitted::Place::At(3.0),
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 0,
                     at: [3.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::BodyPoint {
+                ::rncf::emitted::MarkerSpec::BodyPoint {
                     body: 0,
-                    at: ::rncf::mesh::Place::At(4.0),
+                    at: ::rncf::emitted::Place::At(4.0),
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 0,
                     at: [4.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::BodyPoint {
+                ::rncf::emitted::MarkerSpec::BodyPoint {
                     body: 0,
-                    at: ::rncf::mesh::Place::At(5.0),
+                    at: ::rncf::emitted::Place::At(5.0),
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 0,
                     at: [5.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::BodyPoint {
+                ::rncf::emitted::MarkerSpec::BodyPoint {
                     body: 0,
-                    at: ::rncf::mesh::Place::At(6.0),
+                    at: ::rncf::emitted::Place::At(6.0),
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 0,
                     at: [6.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::BodyPoint {
+                ::rncf::emitted::MarkerSpec::BodyPoint {
                     body: 0,
-                    at: ::rncf::mesh::Place::At(7.0),
+                    at: ::rncf::emitted::Place::At(7.0),
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 0,
                     at: [7.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::BodyPoint {
+                ::rncf::emitted::MarkerSpec::BodyPoint {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
+                    at: ::rncf::emitted::Place::End,
                 },
-                ::rncf::mesh::MarkerSpec::Point {
+                ::rncf::emitted::MarkerSpec::Point {
                     frame: 0,
                     at: [8.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::BodyPoint {
+                ::rncf::emitted::MarkerSpec::BodyPoint {
                     body: 0,
-                    at: ::rncf::mesh::Place::At(3.5),
+                    at: ::rncf::emitted::Place::At(3.5),
                 },
             ])
         }
-        fn forces(&self) -> ::std::vec::Vec<::rncf::mesh::ForceSpec> {
+        fn forces(&self) -> ::std::vec::Vec<::rncf::emitted::ForceSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::ForceSpec {
+                ::rncf::emitted::ForceSpec {
                     name: "support_0",
                     markers: &[0, 1],
                     conservative: true,
                 },
-                ::rncf::mesh::ForceSpec {
+                ::rncf::emitted::ForceSpec {
                     name: "support_1",
                     markers: &[2, 3],
                     conservative: true,
                 },
-                ::rncf::mesh::ForceSpec {
+                ::rncf::emitted::ForceSpec {
                     name: "support_2",
                     markers: &[4, 5],
                     conservative: true,
                 },
-                ::rncf::mesh::ForceSpec {
+                ::rncf::emitted::ForceSpec {
                     name: "support_3",
                     markers: &[6, 7],
                     conservative: true,
                 },
-                ::rncf::mesh::ForceSpec {
+                ::rncf::emitted::ForceSpec {
                     name: "support_4",
                     markers: &[8, 9],
                     conservative: true,
                 },
-                ::rncf::mesh::ForceSpec {
+                ::rncf::emitted::ForceSpec {
                     name: "support_5",
                     markers: &[10, 11],
                     conservative: true,
                 },
-                ::rncf::mesh::ForceSpec {
+                ::rncf::emitted::ForceSpec {
                     name: "support_6",
                     markers: &[12, 13],
                     conservative: true,
                 },
-                ::rncf::mesh::ForceSpec {
+                ::rncf::emitted::ForceSpec {
                     name: "support_7",
                     markers: &[14, 15],
                     conservative: true,
                 },
-                ::rncf::mesh::ForceSpec {
+                ::rncf::emitted::ForceSpec {
                     name: "support_8",
                     markers: &[16, 17],
                     conservative: true,
                 },
-                ::rncf::mesh::ForceSpec {
+                ::rncf::emitted::ForceSpec {
                     name: "shake",
                     markers: &[18],
                     conservative: false,

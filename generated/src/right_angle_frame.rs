@@ -148,14 +148,14 @@ impl ::rncf::Model for RightAngleFrame {
         &self,
         formulation: ::rncf::Formulation,
         joints: ::rncf::Joints,
-        fidelity: &[(::std::string::String, ::rncf::mesh::Fidelity)],
+        fidelity: &[(::std::string::String, ::rncf::emitted::Fidelity)],
     ) -> ::std::result::Result<
         ::std::boxed::Box<dyn ::rncf::Scene>,
         ::rncf::ModelError,
     > {
-        ::rncf::mesh::check_params(self)?;
+        ::rncf::model::check_params(self)?;
         let equations = right_angle_frame_equations::Equations::new(self);
-        ::rncf::mesh::build_as(equations, formulation, joints, fidelity)
+        ::rncf::build_as(equations, formulation, joints, fidelity)
     }
 }
 /// Equations of [`RightAngleFrame`]: derived, checked and written by the generator.
@@ -233,13 +233,13 @@ pub mod right_angle_frame_equations {
         pub rhoIy: f64,
     }
     /// Nodal vectors by what they interpolate: Position, SectionY, SectionZ.
-    static BEAM_SPATIAL_VECTORS: ::rncf::mesh::Vectors<10, 3, 3, 3> = ::rncf::mesh::Vectors {
+    static BEAM_SPATIAL_VECTORS: ::rncf::emitted::Vectors<10, 3, 3, 3> = ::rncf::emitted::Vectors {
         base: 0,
         nodal: [[1, 6, 7], [2, 4, 8], [3, 5, 9]],
         positions: [[false, true, false], [false, false, false], [false, false, false]],
     };
     /// Gauss rule with 3 points, and derivatives of the shape functions there.
-    static BEAM_SPATIAL_POINTS3: ::rncf::mesh::Rule<3, 3, 3> = ::rncf::mesh::Rule {
+    static BEAM_SPATIAL_POINTS3: ::rncf::emitted::Rule<3, 3, 3> = ::rncf::emitted::Rule {
         groups: [0, 1, 2],
         weights: [0.2777777777777776, 0.4444444444444444, 0.2777777777777776],
         shapes: [
@@ -257,13 +257,13 @@ pub mod right_angle_frame_equations {
         ],
     };
     /// Blocks that the tangent's kernel writes, by pairs of fields.
-    static BEAM_SPATIAL_POINTS3_STIFFNESS: ::rncf::mesh::Blocks<3, 9, 6> = BEAM_SPATIAL_POINTS3
+    static BEAM_SPATIAL_POINTS3_STIFFNESS: ::rncf::emitted::Blocks<3, 9, 6> = BEAM_SPATIAL_POINTS3
         .blocks(
             &[(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)],
             &[(0, 0, 1), (1, 1, 2), (2, 2, 3), (3, 3, 4), (4, 4, 5), (5, 5, 6)],
         );
     /// Gauss rule with 2 points, and derivatives of the shape functions there.
-    static BEAM_SPATIAL_POINTS2: ::rncf::mesh::Rule<2, 5, 3> = ::rncf::mesh::Rule {
+    static BEAM_SPATIAL_POINTS2: ::rncf::emitted::Rule<2, 5, 3> = ::rncf::emitted::Rule {
         groups: [0, 1, 2, 1, 2],
         weights: [0.5000000000000001, 0.5000000000000001],
         shapes: [
@@ -284,7 +284,7 @@ pub mod right_angle_frame_equations {
         ],
     };
     /// Blocks that the tangent's kernel writes, by pairs of fields.
-    static BEAM_SPATIAL_POINTS2_STIFFNESS: ::rncf::mesh::Blocks<2, 9, 15> = BEAM_SPATIAL_POINTS2
+    static BEAM_SPATIAL_POINTS2_STIFFNESS: ::rncf::emitted::Blocks<2, 9, 15> = BEAM_SPATIAL_POINTS2
         .blocks(
             &[
                 (0, 0),
@@ -306,7 +306,7 @@ pub mod right_angle_frame_equations {
             &[(0, 0, 1), (1, 1, 2), (2, 2, 3), (3, 3, 7), (4, 7, 11), (5, 11, 15)],
         );
     /// Blocks that the tangent's kernel writes, by pairs of fields.
-    static BEAM_SPATIAL_POINTS3_BETWEEN: ::rncf::mesh::Blocks<3, 9, 9> = BEAM_SPATIAL_POINTS3
+    static BEAM_SPATIAL_POINTS3_BETWEEN: ::rncf::emitted::Blocks<3, 9, 9> = BEAM_SPATIAL_POINTS3
         .blocks(
             &[(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2), (2, 0), (2, 1), (2, 2)],
             &[
@@ -322,7 +322,7 @@ pub mod right_angle_frame_equations {
             ],
         );
     /// Blocks that the tangent's kernel writes, by pairs of fields.
-    static BEAM_SPATIAL_POINTS2_BETWEEN: ::rncf::mesh::Blocks<2, 9, 21> = BEAM_SPATIAL_POINTS2
+    static BEAM_SPATIAL_POINTS2_BETWEEN: ::rncf::emitted::Blocks<2, 9, 21> = BEAM_SPATIAL_POINTS2
         .blocks(
             &[
                 (0, 0),
@@ -2110,7 +2110,7 @@ pub mod right_angle_frame_equations {
     pub fn joint_root_absolute_position(
         model: &RightAngleFrame,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -2134,7 +2134,7 @@ pub mod right_angle_frame_equations {
     pub fn joint_root_absolute_jacobian(
         model: &RightAngleFrame,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         jacobian: &mut [f64],
     ) {
         let t18 = data.tangent[1] * data.second[2] - data.tangent[2] * data.second[1];
@@ -2162,8 +2162,8 @@ pub mod right_angle_frame_equations {
     pub fn joint_root_absolute_prescribed(
         model: &RightAngleFrame,
         t: f64,
-        data: &::rncf::mesh::JointData,
-        prescribed: &mut ::rncf::mesh::Prescribed,
+        data: &::rncf::emitted::JointData,
+        prescribed: &mut ::rncf::emitted::Prescribed,
     ) {
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = data.point[1];
@@ -2456,80 +2456,80 @@ pub mod right_angle_frame_equations {
             }
         }
     }
-    impl ::rncf::mesh::Parts for Equations {
-        fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {
+    impl ::rncf::emitted::Parts for Equations {
+        fn bodies(&self) -> ::std::vec::Vec<::rncf::emitted::BodySpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::BodySpec {
+                ::rncf::emitted::BodySpec {
                     name: "first",
                     kind: 0,
                     instance: None,
                     frame: 0,
                     axes: &[0, 1, 2],
-                    line: ::rncf::mesh::Line::Straight {
+                    line: ::rncf::emitted::Line::Straight {
                         from: [0.0, 0.0, 0.0],
                         to: [0.24, 0.0, 0.0],
                     },
                     count: (model.elements as f64) as usize,
                     stations: ::std::vec::Vec::new(),
                     nodal: &[
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "position",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 0,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "slope",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 1,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section y axis",
-                            of: ::rncf::mesh::Interpolant::SectionY,
+                            of: ::rncf::emitted::Interpolant::SectionY,
                             order: 0,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section z axis",
-                            of: ::rncf::mesh::Interpolant::SectionZ,
+                            of: ::rncf::emitted::Interpolant::SectionZ,
                             order: 0,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section y axis",
-                            of: ::rncf::mesh::Interpolant::SectionY,
+                            of: ::rncf::emitted::Interpolant::SectionY,
                             order: 0,
                             xi: 0.5,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section z axis",
-                            of: ::rncf::mesh::Interpolant::SectionZ,
+                            of: ::rncf::emitted::Interpolant::SectionZ,
                             order: 0,
                             xi: 0.5,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "position",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 0,
                             xi: 1.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "slope",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 1,
                             xi: 1.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section y axis",
-                            of: ::rncf::mesh::Interpolant::SectionY,
+                            of: ::rncf::emitted::Interpolant::SectionY,
                             order: 0,
                             xi: 1.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section z axis",
-                            of: ::rncf::mesh::Interpolant::SectionZ,
+                            of: ::rncf::emitted::Interpolant::SectionZ,
                             order: 0,
                             xi: 1.0,
                         },
@@ -2538,81 +2538,81 @@ pub mod right_angle_frame_equations {
                     vectors_per_node: 4,
                     stride: 6,
                     section_y: None,
-                    twist: ::rncf::mesh::Twist::even(0.0),
-                    fidelity: ::rncf::mesh::Fidelity::Full,
-                    tie: ::rncf::mesh::FrameTie::Joints,
+                    twist: ::rncf::emitted::Twist::even(0.0),
+                    fidelity: ::rncf::emitted::Fidelity::Full,
+                    tie: ::rncf::emitted::FrameTie::Joints,
                     normals: ::std::vec::Vec::new(),
                 },
-                ::rncf::mesh::BodySpec {
+                ::rncf::emitted::BodySpec {
                     name: "second",
                     kind: 1,
                     instance: None,
                     frame: 0,
                     axes: &[0, 1, 2],
-                    line: ::rncf::mesh::Line::Straight {
+                    line: ::rncf::emitted::Line::Straight {
                         from: [0.24, 0.0, 0.0],
                         to: [0.24, 0.24, 0.0],
                     },
                     count: (model.elements as f64) as usize,
                     stations: ::std::vec::Vec::new(),
                     nodal: &[
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "position",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 0,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "slope",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 1,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section y axis",
-                            of: ::rncf::mesh::Interpolant::SectionY,
+                            of: ::rncf::emitted::Interpolant::SectionY,
                             order: 0,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section z axis",
-                            of: ::rncf::mesh::Interpolant::SectionZ,
+                            of: ::rncf::emitted::Interpolant::SectionZ,
                             order: 0,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section y axis",
-                            of: ::rncf::mesh::Interpolant::SectionY,
+                            of: ::rncf::emitted::Interpolant::SectionY,
                             order: 0,
                             xi: 0.5,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section z axis",
-                            of: ::rncf::mesh::Interpolant::SectionZ,
+                            of: ::rncf::emitted::Interpolant::SectionZ,
                             order: 0,
                             xi: 0.5,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "position",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 0,
                             xi: 1.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "slope",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 1,
                             xi: 1.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section y axis",
-                            of: ::rncf::mesh::Interpolant::SectionY,
+                            of: ::rncf::emitted::Interpolant::SectionY,
                             order: 0,
                             xi: 1.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section z axis",
-                            of: ::rncf::mesh::Interpolant::SectionZ,
+                            of: ::rncf::emitted::Interpolant::SectionZ,
                             order: 0,
                             xi: 1.0,
                         },
@@ -2621,9 +2621,9 @@ pub mod right_angle_frame_equations {
                     vectors_per_node: 4,
                     stride: 6,
                     section_y: None,
-                    twist: ::rncf::mesh::Twist::even(0.0),
-                    fidelity: ::rncf::mesh::Fidelity::Full,
-                    tie: ::rncf::mesh::FrameTie::Joints,
+                    twist: ::rncf::emitted::Twist::even(0.0),
+                    fidelity: ::rncf::emitted::Fidelity::Full,
+                    tie: ::rncf::emitted::FrameTie::Joints,
                     normals: ::std::vec::Vec::new(),
                 },
             ])
@@ -2638,67 +2638,67 @@ pub mod right_angle_frame_equations {
             match body {
                 0 => {
                     let length = nodes[1] - nodes[0];
-                    let density = ::rncf::mesh::positive(
+                    let density = ::rncf::emitted::positive(
                         "material `aluminium`",
                         "density",
                         2700.0,
                         "kg/m^3",
                     )?;
-                    let young = ::rncf::mesh::positive(
+                    let young = ::rncf::emitted::positive(
                         "material `aluminium`",
                         "young",
                         71240000000.0,
                         "Pa",
                     )?;
-                    let poisson = ::rncf::mesh::poisson(
+                    let poisson = ::rncf::emitted::poisson(
                         "material `aluminium`",
                         "poisson",
                         0.31,
                         "1",
                     )?;
-                    let area = ::rncf::mesh::positive(
+                    let area = ::rncf::emitted::positive(
                         "section `strip`",
                         "area",
                         1.7999999999999997e-5,
                         "m^2",
                     )?;
-                    let second_moment_y = ::rncf::mesh::positive(
+                    let second_moment_y = ::rncf::emitted::positive(
                         "section `strip`",
                         "second_moment_y",
                         5.399999999999998e-13,
                         "m^4",
                     )?;
-                    let second_moment_z = ::rncf::mesh::positive(
+                    let second_moment_z = ::rncf::emitted::positive(
                         "section `strip`",
                         "second_moment_z",
                         1.3499999999999999e-9,
                         "m^4",
                     )?;
-                    let torsion_constant = ::rncf::mesh::positive(
+                    let torsion_constant = ::rncf::emitted::positive(
                         "section `strip`",
                         "torsion_constant",
                         2.132773248544536e-12,
                         "m^4",
                     )?;
-                    let shear_factor_y = ::rncf::mesh::part(
+                    let shear_factor_y = ::rncf::emitted::part(
                         "section `strip`",
                         "shear_factor_y",
                         0.8333333333333334,
                         "1",
                     )?;
-                    let shear_factor_z = ::rncf::mesh::part(
+                    let shear_factor_z = ::rncf::emitted::part(
                         "section `strip`",
                         "shear_factor_z",
                         0.8333333333333334,
                         "1",
                     )?;
-                    let size_y = ::rncf::mesh::positive(
+                    let size_y = ::rncf::emitted::positive(
                         "section `strip`",
                         "size_y",
                         0.03,
                         "m",
                     )?;
-                    let size_z = ::rncf::mesh::positive(
+                    let size_z = ::rncf::emitted::positive(
                         "section `strip`",
                         "size_z",
                         0.0006,
@@ -2727,67 +2727,67 @@ pub mod right_angle_frame_equations {
                 }
                 _ => {
                     let length = nodes[1] - nodes[0];
-                    let density = ::rncf::mesh::positive(
+                    let density = ::rncf::emitted::positive(
                         "material `aluminium`",
                         "density",
                         2700.0,
                         "kg/m^3",
                     )?;
-                    let young = ::rncf::mesh::positive(
+                    let young = ::rncf::emitted::positive(
                         "material `aluminium`",
                         "young",
                         71240000000.0,
                         "Pa",
                     )?;
-                    let poisson = ::rncf::mesh::poisson(
+                    let poisson = ::rncf::emitted::poisson(
                         "material `aluminium`",
                         "poisson",
                         0.31,
                         "1",
                     )?;
-                    let area = ::rncf::mesh::positive(
+                    let area = ::rncf::emitted::positive(
                         "section `strip`",
                         "area",
                         1.7999999999999997e-5,
                         "m^2",
                     )?;
-                    let second_moment_y = ::rncf::mesh::positive(
+                    let second_moment_y = ::rncf::emitted::positive(
                         "section `strip`",
                         "second_moment_y",
                         5.399999999999998e-13,
                         "m^4",
                     )?;
-                    let second_moment_z = ::rncf::mesh::positive(
+                    let second_moment_z = ::rncf::emitted::positive(
                         "section `strip`",
                         "second_moment_z",
                         1.3499999999999999e-9,
                         "m^4",
                     )?;
-                    let torsion_constant = ::rncf::mesh::positive(
+                    let torsion_constant = ::rncf::emitted::positive(
                         "section `strip`",
                         "torsion_constant",
                         2.132773248544536e-12,
                         "m^4",
                     )?;
-                    let shear_factor_y = ::rncf::mesh::part(
+                    let shear_factor_y = ::rncf::emitted::part(
                         "section `strip`",
                         "shear_factor_y",
                         0.8333333333333334,
                         "1",
                     )?;
-                    let shear_factor_z = ::rncf::mesh::part(
+                    let shear_factor_z = ::rncf::emitted::part(
                         "section `strip`",
                         "shear_factor_z",
                         0.8333333333333334,
                         "1",
                     )?;
-                    let size_y = ::rncf::mesh::positive(
+                    let size_y = ::rncf::emitted::positive(
                         "section `strip`",
                         "size_y",
                         0.03,
                         "m",
                     )?;
-                    let size_z = ::rncf::mesh::positive(
+                    let size_z = ::rncf::emitted::positive(
                         "section `strip`",
                         "size_z",
                         0.0006,
@@ -2820,10 +2820,13 @@ pub mod right_angle_frame_equations {
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             match body {
                 0 => {
-                    beam_spatial_mass(&self.row_first, ::rncf::mesh::array_mut(mass));
+                    beam_spatial_mass(&self.row_first, ::rncf::emitted::array_mut(mass));
                 }
                 _ => {
-                    beam_spatial_mass(&self.row_second, ::rncf::mesh::array_mut(mass));
+                    beam_spatial_mass(
+                        &self.row_second,
+                        ::rncf::emitted::array_mut(mass),
+                    );
                 }
             }
         }
@@ -2839,15 +2842,15 @@ pub mod right_angle_frame_equations {
                 0 => {
                     beam_spatial_elastic_force(
                         &self.row_first,
-                        ::rncf::mesh::array(q),
-                        ::rncf::mesh::array_mut(force),
+                        ::rncf::emitted::array(q),
+                        ::rncf::emitted::array_mut(force),
                     );
                 }
                 _ => {
                     beam_spatial_elastic_force(
                         &self.row_second,
-                        ::rncf::mesh::array(q),
-                        ::rncf::mesh::array_mut(force),
+                        ::rncf::emitted::array(q),
+                        ::rncf::emitted::array_mut(force),
                     );
                 }
             }
@@ -2865,15 +2868,15 @@ pub mod right_angle_frame_equations {
                 0 => {
                     beam_spatial_elastic_tangent(
                         &self.row_first,
-                        ::rncf::mesh::array(q),
-                        ::rncf::mesh::array_mut(stiffness),
+                        ::rncf::emitted::array(q),
+                        ::rncf::emitted::array_mut(stiffness),
                     );
                 }
                 _ => {
                     beam_spatial_elastic_tangent(
                         &self.row_second,
-                        ::rncf::mesh::array(q),
-                        ::rncf::mesh::array_mut(stiffness),
+                        ::rncf::emitted::array(q),
+                        ::rncf::emitted::array_mut(stiffness),
                     );
                 }
             }
@@ -2884,14 +2887,14 @@ pub mod right_angle_frame_equations {
                 0 => {
                     beam_spatial_strain_energy(
                         &self.row_first,
-                        ::rncf::mesh::array(q),
+                        ::rncf::emitted::array(q),
                         &mut energy,
                     );
                 }
                 _ => {
                     beam_spatial_strain_energy(
                         &self.row_second,
-                        ::rncf::mesh::array(q),
+                        ::rncf::emitted::array(q),
                         &mut energy,
                     );
                 }
@@ -2902,7 +2905,7 @@ pub mod right_angle_frame_equations {
             &self,
             body: usize,
             element: usize,
-            of: ::rncf::mesh::Interpolant,
+            of: ::rncf::emitted::Interpolant,
             order: usize,
             xi: f64,
             weights: &mut [f64],
@@ -2911,46 +2914,46 @@ pub mod right_angle_frame_equations {
             match body {
                 0 => {
                     match (of, order) {
-                        (::rncf::mesh::Interpolant::Position, 0) => {
+                        (::rncf::emitted::Interpolant::Position, 0) => {
                             beam_spatial_shapes_position_0(
                                 self.row_first.length,
                                 xi,
-                                ::rncf::mesh::array_mut(weights),
+                                ::rncf::emitted::array_mut(weights),
                             )
                         }
-                        (::rncf::mesh::Interpolant::Position, 1) => {
+                        (::rncf::emitted::Interpolant::Position, 1) => {
                             beam_spatial_shapes_position_1(
                                 self.row_first.length,
                                 xi,
-                                ::rncf::mesh::array_mut(weights),
+                                ::rncf::emitted::array_mut(weights),
                             )
                         }
-                        (::rncf::mesh::Interpolant::SectionY, 0) => {
+                        (::rncf::emitted::Interpolant::SectionY, 0) => {
                             beam_spatial_shapes_section_y_0(
                                 self.row_first.length,
                                 xi,
-                                ::rncf::mesh::array_mut(weights),
+                                ::rncf::emitted::array_mut(weights),
                             )
                         }
-                        (::rncf::mesh::Interpolant::SectionY, 1) => {
+                        (::rncf::emitted::Interpolant::SectionY, 1) => {
                             beam_spatial_shapes_section_y_1(
                                 self.row_first.length,
                                 xi,
-                                ::rncf::mesh::array_mut(weights),
+                                ::rncf::emitted::array_mut(weights),
                             )
                         }
-                        (::rncf::mesh::Interpolant::SectionZ, 0) => {
+                        (::rncf::emitted::Interpolant::SectionZ, 0) => {
                             beam_spatial_shapes_section_z_0(
                                 self.row_first.length,
                                 xi,
-                                ::rncf::mesh::array_mut(weights),
+                                ::rncf::emitted::array_mut(weights),
                             )
                         }
-                        (::rncf::mesh::Interpolant::SectionZ, 1) => {
+                        (::rncf::emitted::Interpolant::SectionZ, 1) => {
                             beam_spatial_shapes_section_z_1(
                                 self.row_first.length,
                                 xi,
-                                ::rncf::mesh::array_mut(weights),
+                                ::rncf::emitted::array_mut(weights),
                             )
                         }
                         _ => {}
@@ -2958,46 +2961,46 @@ pub mod right_angle_frame_equations {
                 }
                 _ => {
                     match (of, order) {
-                        (::rncf::mesh::Interpolant::Position, 0) => {
+                        (::rncf::emitted::Interpolant::Position, 0) => {
                             beam_spatial_shapes_position_0(
                                 self.row_second.length,
                                 xi,
-                                ::rncf::mesh::array_mut(weights),
+                                ::rncf::emitted::array_mut(weights),
                             )
                         }
-                        (::rncf::mesh::Interpolant::Position, 1) => {
+                        (::rncf::emitted::Interpolant::Position, 1) => {
                             beam_spatial_shapes_position_1(
                                 self.row_second.length,
                                 xi,
-                                ::rncf::mesh::array_mut(weights),
+                                ::rncf::emitted::array_mut(weights),
                             )
                         }
-                        (::rncf::mesh::Interpolant::SectionY, 0) => {
+                        (::rncf::emitted::Interpolant::SectionY, 0) => {
                             beam_spatial_shapes_section_y_0(
                                 self.row_second.length,
                                 xi,
-                                ::rncf::mesh::array_mut(weights),
+                                ::rncf::emitted::array_mut(weights),
                             )
                         }
-                        (::rncf::mesh::Interpolant::SectionY, 1) => {
+                        (::rncf::emitted::Interpolant::SectionY, 1) => {
                             beam_spatial_shapes_section_y_1(
                                 self.row_second.length,
                                 xi,
-                                ::rncf::mesh::array_mut(weights),
+                                ::rncf::emitted::array_mut(weights),
                             )
                         }
-                        (::rncf::mesh::Interpolant::SectionZ, 0) => {
+                        (::rncf::emitted::Interpolant::SectionZ, 0) => {
                             beam_spatial_shapes_section_z_0(
                                 self.row_second.length,
                                 xi,
-                                ::rncf::mesh::array_mut(weights),
+                                ::rncf::emitted::array_mut(weights),
                             )
                         }
-                        (::rncf::mesh::Interpolant::SectionZ, 1) => {
+                        (::rncf::emitted::Interpolant::SectionZ, 1) => {
                             beam_spatial_shapes_section_z_1(
                                 self.row_second.length,
                                 xi,
-                                ::rncf::mesh::array_mut(weights),
+                                ::rncf::emitted::array_mut(weights),
                             )
                         }
                         _ => {}
@@ -3010,12 +3013,12 @@ pub mod right_angle_frame_equations {
             body: usize,
             x: f64,
             length: f64,
-        ) -> ::rncf::mesh::SectionSpec {
+        ) -> ::rncf::emitted::SectionSpec {
             let model = &self.model;
             match body {
                 0 => {
-                    ::rncf::mesh::SectionSpec {
-                        shape: ::rncf::mesh::SectionShape::Rectangle {
+                    ::rncf::emitted::SectionSpec {
+                        shape: ::rncf::emitted::SectionShape::Rectangle {
                             sizes: [0.03, 0.0006],
                         },
                         area: 1.7999999999999997e-5,
@@ -3026,8 +3029,8 @@ pub mod right_angle_frame_equations {
                     }
                 }
                 _ => {
-                    ::rncf::mesh::SectionSpec {
-                        shape: ::rncf::mesh::SectionShape::Rectangle {
+                    ::rncf::emitted::SectionSpec {
+                        shape: ::rncf::emitted::SectionShape::Rectangle {
                             sizes: [0.03, 0.0006],
                         },
                         area: 1.7999999999999997e-5,
@@ -3039,24 +3042,27 @@ pub mod right_angle_frame_equations {
                 }
             }
         }
-        fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {
+        fn fields(
+            &self,
+            body: usize,
+        ) -> &'static [(::rncf::emitted::Interpolant, usize)] {
             match body {
                 0 => {
                     &[
-                        (::rncf::mesh::Interpolant::Position, 1),
-                        (::rncf::mesh::Interpolant::SectionY, 0),
-                        (::rncf::mesh::Interpolant::SectionZ, 0),
-                        (::rncf::mesh::Interpolant::SectionY, 1),
-                        (::rncf::mesh::Interpolant::SectionZ, 1),
+                        (::rncf::emitted::Interpolant::Position, 1),
+                        (::rncf::emitted::Interpolant::SectionY, 0),
+                        (::rncf::emitted::Interpolant::SectionZ, 0),
+                        (::rncf::emitted::Interpolant::SectionY, 1),
+                        (::rncf::emitted::Interpolant::SectionZ, 1),
                     ]
                 }
                 _ => {
                     &[
-                        (::rncf::mesh::Interpolant::Position, 1),
-                        (::rncf::mesh::Interpolant::SectionY, 0),
-                        (::rncf::mesh::Interpolant::SectionZ, 0),
-                        (::rncf::mesh::Interpolant::SectionY, 1),
-                        (::rncf::mesh::Interpolant::SectionZ, 1),
+                        (::rncf::emitted::Interpolant::Position, 1),
+                        (::rncf::emitted::Interpolant::SectionY, 0),
+                        (::rncf::emitted::Interpolant::SectionZ, 0),
+                        (::rncf::emitted::Interpolant::SectionY, 1),
+                        (::rncf::emitted::Interpolant::SectionZ, 1),
                     ]
                 }
             }
@@ -3074,17 +3080,17 @@ pub mod right_angle_frame_equations {
                 0 => {
                     beam_spatial_field_forces(
                         &self.row_first,
-                        ::rncf::mesh::array(stress_free),
-                        ::rncf::mesh::array(fields),
-                        ::rncf::mesh::array_mut(forces),
+                        ::rncf::emitted::array(stress_free),
+                        ::rncf::emitted::array(fields),
+                        ::rncf::emitted::array_mut(forces),
                     );
                 }
                 _ => {
                     beam_spatial_field_forces(
                         &self.row_second,
-                        ::rncf::mesh::array(stress_free),
-                        ::rncf::mesh::array(fields),
-                        ::rncf::mesh::array_mut(forces),
+                        ::rncf::emitted::array(stress_free),
+                        ::rncf::emitted::array(fields),
+                        ::rncf::emitted::array_mut(forces),
                     );
                 }
             }
@@ -3104,17 +3110,17 @@ pub mod right_angle_frame_equations {
                 0 => {
                     beam_spatial_conserving_force(
                         &self.row_first,
-                        ::rncf::mesh::array(start),
-                        ::rncf::mesh::array(end),
-                        ::rncf::mesh::array_mut(force),
+                        ::rncf::emitted::array(start),
+                        ::rncf::emitted::array(end),
+                        ::rncf::emitted::array_mut(force),
                     );
                 }
                 _ => {
                     beam_spatial_conserving_force(
                         &self.row_second,
-                        ::rncf::mesh::array(start),
-                        ::rncf::mesh::array(end),
-                        ::rncf::mesh::array_mut(force),
+                        ::rncf::emitted::array(start),
+                        ::rncf::emitted::array(end),
+                        ::rncf::emitted::array_mut(force),
                     );
                 }
             }
@@ -3131,27 +3137,27 @@ pub mod right_angle_frame_equations {
                 0 => {
                     beam_spatial_conserving_tangent(
                         &self.row_first,
-                        ::rncf::mesh::array(start),
-                        ::rncf::mesh::array(end),
-                        ::rncf::mesh::array_mut(stiffness),
+                        ::rncf::emitted::array(start),
+                        ::rncf::emitted::array(end),
+                        ::rncf::emitted::array_mut(stiffness),
                     );
                 }
                 _ => {
                     beam_spatial_conserving_tangent(
                         &self.row_second,
-                        ::rncf::mesh::array(start),
-                        ::rncf::mesh::array(end),
-                        ::rncf::mesh::array_mut(stiffness),
+                        ::rncf::emitted::array(start),
+                        ::rncf::emitted::array(end),
+                        ::rncf::emitted::array_mut(stiffness),
                     );
                 }
             }
         }
-        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+        fn joints(&self) -> ::std::vec::Vec<::rncf::emitted::JointSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::JointSpec {
+                ::rncf::emitted::JointSpec {
                     name: "root",
-                    kind: ::rncf::mesh::JointKind::Clamp,
+                    kind: ::rncf::emitted::JointKind::Clamp,
                     body: 0,
                     at_end: false,
                     frame: 0,
@@ -3163,9 +3169,9 @@ pub mod right_angle_frame_equations {
             &self,
             joint: usize,
             absolute: bool,
-            level: ::rncf::system::ConstraintLevel,
+            level: ::rncf::emitted::ConstraintLevel,
             t: f64,
-            data: &::rncf::mesh::JointData,
+            data: &::rncf::emitted::JointData,
             q: &[f64],
             v: &[f64],
             a: &[f64],
@@ -3174,7 +3180,7 @@ pub mod right_angle_frame_equations {
             match (joint, absolute) {
                 (0, _) => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             joint_root_absolute_position(
                                 &self.model,
                                 t,
@@ -3196,7 +3202,7 @@ pub mod right_angle_frame_equations {
             joint: usize,
             absolute: bool,
             t: f64,
-            data: &::rncf::mesh::JointData,
+            data: &::rncf::emitted::JointData,
             jacobian: &mut [f64],
         ) {
             match (joint, absolute) {
@@ -3211,8 +3217,8 @@ pub mod right_angle_frame_equations {
             joint: usize,
             absolute: bool,
             t: f64,
-            data: &::rncf::mesh::JointData,
-            prescribed: &mut ::rncf::mesh::Prescribed,
+            data: &::rncf::emitted::JointData,
+            prescribed: &mut ::rncf::emitted::Prescribed,
         ) {
             match (joint, absolute) {
                 (0, _) => {
@@ -3221,14 +3227,14 @@ pub mod right_angle_frame_equations {
                 _ => {}
             }
         }
-        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
+        fn loads(&self) -> ::std::vec::Vec<::rncf::emitted::LoadSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::LoadSpec {
+                ::rncf::emitted::LoadSpec {
                     name: "push",
-                    kind: ::rncf::mesh::LoadKind::Force {
+                    kind: ::rncf::emitted::LoadKind::Force {
                         body: 1,
-                        at: ::rncf::mesh::Place::End,
+                        at: ::rncf::emitted::Place::End,
                     },
                     frame: 0,
                 },
@@ -3246,25 +3252,25 @@ pub mod right_angle_frame_equations {
             }
             value
         }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 1,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 0,
                 },
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 1,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 1,
                 },
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 1,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 2,
                 },
             ])
@@ -3281,71 +3287,71 @@ pub mod right_angle_frame_equations {
         fn conservative(&self) -> bool {
             true
         }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
+            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
         }
         fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
             outputs(&self.model, t, observed, out);
         }
-        fn markers(&self) -> ::std::vec::Vec<::rncf::mesh::MarkerSpec> {
+        fn markers(&self) -> ::std::vec::Vec<::rncf::emitted::MarkerSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::MarkerSpec::BodyPoint {
+                ::rncf::emitted::MarkerSpec::BodyPoint {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
+                    at: ::rncf::emitted::Place::End,
                 },
-                ::rncf::mesh::MarkerSpec::BodyPoint {
+                ::rncf::emitted::MarkerSpec::BodyPoint {
                     body: 1,
-                    at: ::rncf::mesh::Place::Start,
+                    at: ::rncf::emitted::Place::Start,
                 },
-                ::rncf::mesh::MarkerSpec::Direction {
+                ::rncf::emitted::MarkerSpec::Direction {
                     frame: 0,
                     along: [0.0, 1.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Direction {
+                ::rncf::emitted::MarkerSpec::Direction {
                     frame: 0,
                     along: [1.0, 0.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::InSection {
+                ::rncf::emitted::MarkerSpec::InSection {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
+                    at: ::rncf::emitted::Place::End,
                     marker: 3,
                 },
-                ::rncf::mesh::MarkerSpec::InSection {
+                ::rncf::emitted::MarkerSpec::InSection {
                     body: 1,
-                    at: ::rncf::mesh::Place::Start,
+                    at: ::rncf::emitted::Place::Start,
                     marker: 2,
                 },
-                ::rncf::mesh::MarkerSpec::Direction {
+                ::rncf::emitted::MarkerSpec::Direction {
                     frame: 0,
                     along: [0.0, 0.0, 1.0],
                 },
-                ::rncf::mesh::MarkerSpec::InSection {
+                ::rncf::emitted::MarkerSpec::InSection {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
+                    at: ::rncf::emitted::Place::End,
                     marker: 2,
                 },
-                ::rncf::mesh::MarkerSpec::InSection {
+                ::rncf::emitted::MarkerSpec::InSection {
                     body: 1,
-                    at: ::rncf::mesh::Place::Start,
+                    at: ::rncf::emitted::Place::Start,
                     marker: 6,
                 },
-                ::rncf::mesh::MarkerSpec::InSection {
+                ::rncf::emitted::MarkerSpec::InSection {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
+                    at: ::rncf::emitted::Place::End,
                     marker: 6,
                 },
-                ::rncf::mesh::MarkerSpec::InSection {
+                ::rncf::emitted::MarkerSpec::InSection {
                     body: 1,
-                    at: ::rncf::mesh::Place::Start,
+                    at: ::rncf::emitted::Place::Start,
                     marker: 3,
                 },
             ])
         }
-        fn constraints(&self) -> ::std::vec::Vec<::rncf::mesh::ConstraintSpec> {
+        fn constraints(&self) -> ::std::vec::Vec<::rncf::emitted::ConstraintSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "corner",
                     kind: "weld",
                     rows: &[
@@ -3359,14 +3365,14 @@ pub mod right_angle_frame_equations {
                     markers: &[0, 4, 7, 9, 1, 5, 8, 10],
                     coupled: &[[1, 5], [2, 6], [3, 7]],
                     first_party: 4,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
             ])
         }
         fn marker_constraint(
             &self,
             constraint: usize,
-            level: ::rncf::system::ConstraintLevel,
+            level: ::rncf::emitted::ConstraintLevel,
             t: f64,
             z: &[[[f64; 3]; 4]],
             rows: &mut [f64],
@@ -3374,16 +3380,16 @@ pub mod right_angle_frame_equations {
             match constraint {
                 0 => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             constraint_position_corner(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
+                        ::rncf::emitted::ConstraintLevel::Velocity => {
                             constraint_velocity_corner(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
+                        ::rncf::emitted::ConstraintLevel::Acceleration => {
                             constraint_acceleration_corner(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Jerk => {
+                        ::rncf::emitted::ConstraintLevel::Jerk => {
                             constraint_jerk_corner(&self.model, t, z, rows)
                         }
                     }

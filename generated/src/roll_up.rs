@@ -144,14 +144,14 @@ impl ::rncf::Model for RollUp {
         &self,
         formulation: ::rncf::Formulation,
         joints: ::rncf::Joints,
-        fidelity: &[(::std::string::String, ::rncf::mesh::Fidelity)],
+        fidelity: &[(::std::string::String, ::rncf::emitted::Fidelity)],
     ) -> ::std::result::Result<
         ::std::boxed::Box<dyn ::rncf::Scene>,
         ::rncf::ModelError,
     > {
-        ::rncf::mesh::check_params(self)?;
+        ::rncf::model::check_params(self)?;
         let equations = roll_up_equations::Equations::new(self);
-        ::rncf::mesh::build_as(equations, formulation, joints, fidelity)
+        ::rncf::build_as(equations, formulation, joints, fidelity)
     }
 }
 /// Equations of [`RollUp`]: derived, checked and written by the generator.
@@ -211,13 +211,13 @@ pub mod roll_up_equations {
         pub rhoIz: f64,
     }
     /// Nodal vectors by what they interpolate: Position, SectionY.
-    static BEAM_PLANAR_VECTORS: ::rncf::mesh::Vectors<7, 2, 2, 3> = ::rncf::mesh::Vectors {
+    static BEAM_PLANAR_VECTORS: ::rncf::emitted::Vectors<7, 2, 2, 3> = ::rncf::emitted::Vectors {
         base: 0,
         nodal: [[1, 4, 5], [2, 3, 6]],
         positions: [[false, true, false], [false, false, false]],
     };
     /// Gauss rule with 3 points, and derivatives of the shape functions there.
-    static BEAM_PLANAR_POINTS3: ::rncf::mesh::Rule<3, 2, 3> = ::rncf::mesh::Rule {
+    static BEAM_PLANAR_POINTS3: ::rncf::emitted::Rule<3, 2, 3> = ::rncf::emitted::Rule {
         groups: [0, 1],
         weights: [0.2777777777777776, 0.4444444444444444, 0.2777777777777776],
         shapes: [
@@ -233,10 +233,10 @@ pub mod roll_up_equations {
         ],
     };
     /// Blocks that the tangent's kernel writes, by pairs of fields.
-    static BEAM_PLANAR_POINTS3_STIFFNESS: ::rncf::mesh::Blocks<3, 9, 3> = BEAM_PLANAR_POINTS3
+    static BEAM_PLANAR_POINTS3_STIFFNESS: ::rncf::emitted::Blocks<3, 9, 3> = BEAM_PLANAR_POINTS3
         .blocks(&[(0, 0), (0, 1), (1, 1)], &[(0, 0, 1), (1, 1, 2), (2, 2, 3)]);
     /// Gauss rule with 2 points, and derivatives of the shape functions there.
-    static BEAM_PLANAR_POINTS2: ::rncf::mesh::Rule<2, 3, 3> = ::rncf::mesh::Rule {
+    static BEAM_PLANAR_POINTS2: ::rncf::emitted::Rule<2, 3, 3> = ::rncf::emitted::Rule {
         groups: [0, 1, 1],
         weights: [0.5000000000000001, 0.5000000000000001],
         shapes: [
@@ -253,7 +253,7 @@ pub mod roll_up_equations {
         ],
     };
     /// Blocks that the tangent's kernel writes, by pairs of fields.
-    static BEAM_PLANAR_POINTS2_STIFFNESS: ::rncf::mesh::Blocks<2, 9, 6> = BEAM_PLANAR_POINTS2
+    static BEAM_PLANAR_POINTS2_STIFFNESS: ::rncf::emitted::Blocks<2, 9, 6> = BEAM_PLANAR_POINTS2
         .blocks(
             &[(0, 0), (0, 2), (1, 1), (1, 2), (2, 1), (2, 2)],
             &[(0, 0, 1), (1, 1, 2), (2, 2, 6)],
@@ -697,7 +697,7 @@ pub mod roll_up_equations {
     pub fn joint_root_absolute_position(
         model: &RollUp,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -714,7 +714,7 @@ pub mod roll_up_equations {
     pub fn joint_root_absolute_jacobian(
         model: &RollUp,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         jacobian: &mut [f64],
     ) {
         jacobian[0] = 1.0;
@@ -728,8 +728,8 @@ pub mod roll_up_equations {
     pub fn joint_root_absolute_prescribed(
         model: &RollUp,
         t: f64,
-        data: &::rncf::mesh::JointData,
-        prescribed: &mut ::rncf::mesh::Prescribed,
+        data: &::rncf::emitted::JointData,
+        prescribed: &mut ::rncf::emitted::Prescribed,
     ) {
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = data.point[1];
@@ -790,62 +790,62 @@ pub mod roll_up_equations {
             }
         }
     }
-    impl ::rncf::mesh::Parts for Equations {
-        fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {
+    impl ::rncf::emitted::Parts for Equations {
+        fn bodies(&self) -> ::std::vec::Vec<::rncf::emitted::BodySpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::BodySpec {
+                ::rncf::emitted::BodySpec {
                     name: "beam",
                     kind: 0,
                     instance: None,
                     frame: 0,
                     axes: &[0, 1],
-                    line: ::rncf::mesh::Line::Straight {
+                    line: ::rncf::emitted::Line::Straight {
                         from: [0.0, 0.0, 0.0],
                         to: [1.0, 0.0, 0.0],
                     },
                     count: (model.elements as f64) as usize,
                     stations: ::std::vec::Vec::new(),
                     nodal: &[
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "position",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 0,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "slope",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 1,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section y axis",
-                            of: ::rncf::mesh::Interpolant::SectionY,
+                            of: ::rncf::emitted::Interpolant::SectionY,
                             order: 0,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section y axis",
-                            of: ::rncf::mesh::Interpolant::SectionY,
+                            of: ::rncf::emitted::Interpolant::SectionY,
                             order: 0,
                             xi: 0.5,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "position",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 0,
                             xi: 1.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "slope",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 1,
                             xi: 1.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "section y axis",
-                            of: ::rncf::mesh::Interpolant::SectionY,
+                            of: ::rncf::emitted::Interpolant::SectionY,
                             order: 0,
                             xi: 1.0,
                         },
@@ -854,9 +854,9 @@ pub mod roll_up_equations {
                     vectors_per_node: 3,
                     stride: 4,
                     section_y: None,
-                    twist: ::rncf::mesh::Twist::even(0.0),
-                    fidelity: ::rncf::mesh::Fidelity::Full,
-                    tie: ::rncf::mesh::FrameTie::Joints,
+                    twist: ::rncf::emitted::Twist::even(0.0),
+                    fidelity: ::rncf::emitted::Fidelity::Full,
+                    tie: ::rncf::emitted::FrameTie::Joints,
                     normals: ::std::vec::Vec::new(),
                 },
             ])
@@ -869,43 +869,43 @@ pub mod roll_up_equations {
         ) -> ::std::result::Result<(), ::rncf::ModelError> {
             let model = &self.model;
             let length = nodes[1] - nodes[0];
-            let density = ::rncf::mesh::positive(
+            let density = ::rncf::emitted::positive(
                 "material `steel`",
                 "density",
                 7850.0,
                 "kg/m^3",
             )?;
-            let young = ::rncf::mesh::positive(
+            let young = ::rncf::emitted::positive(
                 "material `steel`",
                 "young",
                 210000000000.0,
                 "Pa",
             )?;
-            let poisson = ::rncf::mesh::poisson(
+            let poisson = ::rncf::emitted::poisson(
                 "material `steel`",
                 "poisson",
                 0.3,
                 "1",
             )?;
-            let area = ::rncf::mesh::positive(
+            let area = ::rncf::emitted::positive(
                 "section `round`",
                 "area",
                 3.141592653589793 * (model.slenderness * model.slenderness),
                 "m^2",
             )?;
-            let second_moment_z = ::rncf::mesh::positive(
+            let second_moment_z = ::rncf::emitted::positive(
                 "section `round`",
                 "second_moment_z",
                 0.7853981633974483 * model.slenderness.powi(4),
                 "m^4",
             )?;
-            let shear_factor_y = ::rncf::mesh::part(
+            let shear_factor_y = ::rncf::emitted::part(
                 "section `round`",
                 "shear_factor_y",
                 0.8863636363636362,
                 "1",
             )?;
-            let radius = ::rncf::mesh::positive(
+            let radius = ::rncf::emitted::positive(
                 "section `round`",
                 "radius",
                 model.slenderness,
@@ -924,7 +924,7 @@ pub mod roll_up_equations {
             Ok(())
         }
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
-            beam_planar_mass(&self.row_beam, ::rncf::mesh::array_mut(mass));
+            beam_planar_mass(&self.row_beam, ::rncf::emitted::array_mut(mass));
         }
         fn elastic_force(
             &self,
@@ -936,8 +936,8 @@ pub mod roll_up_equations {
         ) {
             beam_planar_elastic_force(
                 &self.row_beam,
-                ::rncf::mesh::array(q),
-                ::rncf::mesh::array_mut(force),
+                ::rncf::emitted::array(q),
+                ::rncf::emitted::array_mut(force),
             );
         }
         fn elastic_tangent(
@@ -951,15 +951,15 @@ pub mod roll_up_equations {
         ) {
             beam_planar_elastic_tangent(
                 &self.row_beam,
-                ::rncf::mesh::array(q),
-                ::rncf::mesh::array_mut(stiffness),
+                ::rncf::emitted::array(q),
+                ::rncf::emitted::array_mut(stiffness),
             );
         }
         fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {
             let mut energy = 0.0;
             beam_planar_strain_energy(
                 &self.row_beam,
-                ::rncf::mesh::array(q),
+                ::rncf::emitted::array(q),
                 &mut energy,
             );
             energy
@@ -968,39 +968,39 @@ pub mod roll_up_equations {
             &self,
             body: usize,
             element: usize,
-            of: ::rncf::mesh::Interpolant,
+            of: ::rncf::emitted::Interpolant,
             order: usize,
             xi: f64,
             weights: &mut [f64],
         ) {
             weights.fill(0.0);
             match (of, order) {
-                (::rncf::mesh::Interpolant::Position, 0) => {
+                (::rncf::emitted::Interpolant::Position, 0) => {
                     beam_planar_shapes_position_0(
                         self.row_beam.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::Position, 1) => {
+                (::rncf::emitted::Interpolant::Position, 1) => {
                     beam_planar_shapes_position_1(
                         self.row_beam.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::SectionY, 0) => {
+                (::rncf::emitted::Interpolant::SectionY, 0) => {
                     beam_planar_shapes_section_y_0(
                         self.row_beam.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::SectionY, 1) => {
+                (::rncf::emitted::Interpolant::SectionY, 1) => {
                     beam_planar_shapes_section_y_1(
                         self.row_beam.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
                 _ => {}
@@ -1011,10 +1011,10 @@ pub mod roll_up_equations {
             body: usize,
             x: f64,
             length: f64,
-        ) -> ::rncf::mesh::SectionSpec {
+        ) -> ::rncf::emitted::SectionSpec {
             let model = &self.model;
-            ::rncf::mesh::SectionSpec {
-                shape: ::rncf::mesh::SectionShape::Circle {
+            ::rncf::emitted::SectionSpec {
+                shape: ::rncf::emitted::SectionShape::Circle {
                     radius: model.slenderness,
                 },
                 area: 3.141592653589793 * (model.slenderness * model.slenderness),
@@ -1027,11 +1027,14 @@ pub mod roll_up_equations {
                 material: "steel",
             }
         }
-        fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {
+        fn fields(
+            &self,
+            body: usize,
+        ) -> &'static [(::rncf::emitted::Interpolant, usize)] {
             &[
-                (::rncf::mesh::Interpolant::Position, 1),
-                (::rncf::mesh::Interpolant::SectionY, 0),
-                (::rncf::mesh::Interpolant::SectionY, 1),
+                (::rncf::emitted::Interpolant::Position, 1),
+                (::rncf::emitted::Interpolant::SectionY, 0),
+                (::rncf::emitted::Interpolant::SectionY, 1),
             ]
         }
         fn field_forces(
@@ -1045,20 +1048,20 @@ pub mod roll_up_equations {
         ) {
             beam_planar_field_forces(
                 &self.row_beam,
-                ::rncf::mesh::array(stress_free),
-                ::rncf::mesh::array(fields),
-                ::rncf::mesh::array_mut(forces),
+                ::rncf::emitted::array(stress_free),
+                ::rncf::emitted::array(fields),
+                ::rncf::emitted::array_mut(forces),
             );
         }
         fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
             Some("load `bend` is a moment, which has no potential")
         }
-        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+        fn joints(&self) -> ::std::vec::Vec<::rncf::emitted::JointSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::JointSpec {
+                ::rncf::emitted::JointSpec {
                     name: "root",
-                    kind: ::rncf::mesh::JointKind::ClampFull,
+                    kind: ::rncf::emitted::JointKind::ClampFull,
                     body: 0,
                     at_end: false,
                     frame: 0,
@@ -1070,9 +1073,9 @@ pub mod roll_up_equations {
             &self,
             joint: usize,
             absolute: bool,
-            level: ::rncf::system::ConstraintLevel,
+            level: ::rncf::emitted::ConstraintLevel,
             t: f64,
-            data: &::rncf::mesh::JointData,
+            data: &::rncf::emitted::JointData,
             q: &[f64],
             v: &[f64],
             a: &[f64],
@@ -1081,7 +1084,7 @@ pub mod roll_up_equations {
             match (joint, absolute) {
                 (0, _) => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             joint_root_absolute_position(
                                 &self.model,
                                 t,
@@ -1103,7 +1106,7 @@ pub mod roll_up_equations {
             joint: usize,
             absolute: bool,
             t: f64,
-            data: &::rncf::mesh::JointData,
+            data: &::rncf::emitted::JointData,
             jacobian: &mut [f64],
         ) {
             match (joint, absolute) {
@@ -1118,8 +1121,8 @@ pub mod roll_up_equations {
             joint: usize,
             absolute: bool,
             t: f64,
-            data: &::rncf::mesh::JointData,
-            prescribed: &mut ::rncf::mesh::Prescribed,
+            data: &::rncf::emitted::JointData,
+            prescribed: &mut ::rncf::emitted::Prescribed,
         ) {
             match (joint, absolute) {
                 (0, _) => {
@@ -1128,14 +1131,14 @@ pub mod roll_up_equations {
                 _ => {}
             }
         }
-        fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {
+        fn loads(&self) -> ::std::vec::Vec<::rncf::emitted::LoadSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::LoadSpec {
+                ::rncf::emitted::LoadSpec {
                     name: "bend",
-                    kind: ::rncf::mesh::LoadKind::Moment {
+                    kind: ::rncf::emitted::LoadKind::Moment {
                         body: 0,
-                        at: ::rncf::mesh::Place::End,
+                        at: ::rncf::emitted::Place::End,
                     },
                     frame: 0,
                 },
@@ -1153,31 +1156,31 @@ pub mod roll_up_equations {
             }
             value
         }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 0,
                 },
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 1,
                 },
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::Start,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::Start,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 0,
                 },
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::Start,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::Start,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 1,
                 },
             ])
@@ -1194,8 +1197,8 @@ pub mod roll_up_equations {
         fn conservative(&self) -> bool {
             false
         }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
+            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
         }
         fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
             outputs(&self.model, t, observed, out);

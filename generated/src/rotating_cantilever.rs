@@ -149,14 +149,14 @@ impl ::rncf::Model for RotatingCantilever {
         &self,
         formulation: ::rncf::Formulation,
         joints: ::rncf::Joints,
-        fidelity: &[(::std::string::String, ::rncf::mesh::Fidelity)],
+        fidelity: &[(::std::string::String, ::rncf::emitted::Fidelity)],
     ) -> ::std::result::Result<
         ::std::boxed::Box<dyn ::rncf::Scene>,
         ::rncf::ModelError,
     > {
-        ::rncf::mesh::check_params(self)?;
+        ::rncf::model::check_params(self)?;
         let equations = rotating_cantilever_equations::Equations::new(self);
-        ::rncf::mesh::build_as(equations, formulation, joints, fidelity)
+        ::rncf::build_as(equations, formulation, joints, fidelity)
     }
 }
 /// Equations of [`RotatingCantilever`]: derived, checked and written by the generator.
@@ -211,7 +211,7 @@ pub mod rotating_cantilever_equations {
     impl CableSpatial {
         /// The constants of four elements side by side.
         #[inline(always)]
-        pub fn side_by_side<L: ::rncf::lanes::Lanes>(
+        pub fn side_by_side<L: ::rncf::emitted::lanes::Lanes>(
             rows: [&Self; 4],
             lanes: L,
         ) -> CableSpatial<L::Real> {
@@ -231,7 +231,7 @@ pub mod rotating_cantilever_equations {
     ///
     /// Operations: 98 additions, 118 multiplications, 1 divisions.
     #[inline(always)]
-    pub fn cable_spatial_elastic_force<T: ::rncf::lanes::Real>(
+    pub fn cable_spatial_elastic_force<T: ::rncf::emitted::lanes::Real>(
         row: &CableSpatial<T>,
         q: &[T; 12],
         force: &mut [T::Cell; 12],
@@ -339,9 +339,9 @@ pub mod rotating_cantilever_equations {
         pub q: &'a [[f64; 4]; 12],
         pub force: &'a mut [[f64; 4]; 12],
     }
-    impl ::rncf::lanes::Kernel for CableSpatialElasticForce<'_> {
+    impl ::rncf::emitted::lanes::Kernel for CableSpatialElasticForce<'_> {
         #[inline(always)]
-        fn run<L: ::rncf::lanes::Lanes>(self, lanes: L) {
+        fn run<L: ::rncf::emitted::lanes::Lanes>(self, lanes: L) {
             let Self { rows, q, force } = self;
             let row = CableSpatial::side_by_side(rows, lanes);
             let q = lanes.load_all(q);
@@ -356,7 +356,7 @@ pub mod rotating_cantilever_equations {
     ///
     /// Operations: 410 additions, 370 multiplications, 1 divisions.
     #[inline(always)]
-    pub fn cable_spatial_elastic_tangent<T: ::rncf::lanes::Real>(
+    pub fn cable_spatial_elastic_tangent<T: ::rncf::emitted::lanes::Real>(
         row: &CableSpatial<T>,
         q: &[T; 12],
         stiffness: &mut [T::Cell; 144],
@@ -707,9 +707,9 @@ pub mod rotating_cantilever_equations {
         pub q: &'a [[f64; 4]; 12],
         pub stiffness: &'a mut [[f64; 4]; 144],
     }
-    impl ::rncf::lanes::Kernel for CableSpatialElasticTangent<'_> {
+    impl ::rncf::emitted::lanes::Kernel for CableSpatialElasticTangent<'_> {
         #[inline(always)]
-        fn run<L: ::rncf::lanes::Lanes>(self, lanes: L) {
+        fn run<L: ::rncf::emitted::lanes::Lanes>(self, lanes: L) {
             let Self { rows, q, stiffness } = self;
             let row = CableSpatial::side_by_side(rows, lanes);
             let q = lanes.load_all(q);
@@ -919,9 +919,9 @@ pub mod rotating_cantilever_equations {
     pub fn frame_hub(
         model: &RotatingCantilever,
         t: f64,
-        motion: &mut ::rncf::mesh::FrameMotion,
+        motion: &mut ::rncf::emitted::FrameMotion,
     ) {
-        *motion = ::rncf::mesh::FrameMotion::INERTIAL;
+        *motion = ::rncf::emitted::FrameMotion::INERTIAL;
         let theta = t * model.eta;
         let t15 = theta.cos();
         let t16 = theta.sin();
@@ -937,7 +937,7 @@ pub mod rotating_cantilever_equations {
     pub fn joint_root_referenced_position(
         model: &RotatingCantilever,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -957,7 +957,7 @@ pub mod rotating_cantilever_equations {
     pub fn joint_root_referenced_jacobian(
         model: &RotatingCantilever,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         jacobian: &mut [f64],
     ) {
         jacobian[0] = 1.0;
@@ -976,8 +976,8 @@ pub mod rotating_cantilever_equations {
     pub fn joint_root_referenced_prescribed(
         model: &RotatingCantilever,
         t: f64,
-        data: &::rncf::mesh::JointData,
-        prescribed: &mut ::rncf::mesh::Prescribed,
+        data: &::rncf::emitted::JointData,
+        prescribed: &mut ::rncf::emitted::Prescribed,
     ) {
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = data.point[1];
@@ -992,7 +992,7 @@ pub mod rotating_cantilever_equations {
     pub fn joint_root_absolute_position(
         model: &RotatingCantilever,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -1017,7 +1017,7 @@ pub mod rotating_cantilever_equations {
     pub fn joint_root_absolute_velocity(
         model: &RotatingCantilever,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -1041,7 +1041,7 @@ pub mod rotating_cantilever_equations {
     pub fn joint_root_absolute_acceleration(
         model: &RotatingCantilever,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -1075,7 +1075,7 @@ pub mod rotating_cantilever_equations {
     pub fn joint_root_absolute_jerk(
         model: &RotatingCantilever,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -1127,7 +1127,7 @@ pub mod rotating_cantilever_equations {
     pub fn joint_root_absolute_jacobian(
         model: &RotatingCantilever,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         jacobian: &mut [f64],
     ) {
         let theta = t * model.eta;
@@ -1149,8 +1149,8 @@ pub mod rotating_cantilever_equations {
     pub fn joint_root_absolute_prescribed(
         model: &RotatingCantilever,
         t: f64,
-        data: &::rncf::mesh::JointData,
-        prescribed: &mut ::rncf::mesh::Prescribed,
+        data: &::rncf::emitted::JointData,
+        prescribed: &mut ::rncf::emitted::Prescribed,
     ) {
         let theta = t * model.eta;
         let t21 = theta.cos();
@@ -1210,44 +1210,44 @@ pub mod rotating_cantilever_equations {
             }
         }
     }
-    impl ::rncf::mesh::Parts for Equations {
-        fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {
+    impl ::rncf::emitted::Parts for Equations {
+        fn bodies(&self) -> ::std::vec::Vec<::rncf::emitted::BodySpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::BodySpec {
+                ::rncf::emitted::BodySpec {
                     name: "beam",
                     kind: 0,
                     instance: None,
                     frame: 1,
                     axes: &[0, 1, 2],
-                    line: ::rncf::mesh::Line::Straight {
+                    line: ::rncf::emitted::Line::Straight {
                         from: [model.hub_ratio, 0.0, 0.0],
                         to: [model.hub_ratio + 1.0, 0.0, 0.0],
                     },
                     count: (model.elements as f64) as usize,
                     stations: ::std::vec::Vec::new(),
                     nodal: &[
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "position",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 0,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "slope",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 1,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "position",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 0,
                             xi: 1.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "slope",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 1,
                             xi: 1.0,
                         },
@@ -1256,9 +1256,9 @@ pub mod rotating_cantilever_equations {
                     vectors_per_node: 2,
                     stride: 2,
                     section_y: None,
-                    twist: ::rncf::mesh::Twist::even(0.0),
-                    fidelity: ::rncf::mesh::Fidelity::Full,
-                    tie: ::rncf::mesh::FrameTie::Joints,
+                    twist: ::rncf::emitted::Twist::even(0.0),
+                    fidelity: ::rncf::emitted::Fidelity::Full,
+                    tie: ::rncf::emitted::FrameTie::Joints,
                     normals: ::std::vec::Vec::new(),
                 },
             ])
@@ -1271,20 +1271,25 @@ pub mod rotating_cantilever_equations {
         ) -> ::std::result::Result<(), ::rncf::ModelError> {
             let model = &self.model;
             let length = nodes[1] - nodes[0];
-            let density = ::rncf::mesh::positive(
+            let density = ::rncf::emitted::positive(
                 "material `unit`",
                 "density",
                 1.0,
                 "kg/m^3",
             )?;
-            let young = ::rncf::mesh::positive(
+            let young = ::rncf::emitted::positive(
                 "material `unit`",
                 "young",
                 100000000.0,
                 "Pa",
             )?;
-            let area = ::rncf::mesh::positive("section `slender`", "area", 1.0, "m^2")?;
-            let second_moment = ::rncf::mesh::positive(
+            let area = ::rncf::emitted::positive(
+                "section `slender`",
+                "area",
+                1.0,
+                "m^2",
+            )?;
+            let second_moment = ::rncf::emitted::positive(
                 "section `slender`",
                 "second_moment",
                 1e-8,
@@ -1299,7 +1304,7 @@ pub mod rotating_cantilever_equations {
             Ok(())
         }
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
-            cable_spatial_mass(&self.row_beam, ::rncf::mesh::array_mut(mass));
+            cable_spatial_mass(&self.row_beam, ::rncf::emitted::array_mut(mass));
         }
         fn elastic_force(
             &self,
@@ -1311,8 +1316,8 @@ pub mod rotating_cantilever_equations {
         ) {
             cable_spatial_elastic_force(
                 &self.row_beam,
-                ::rncf::mesh::array(q),
-                ::rncf::mesh::array_mut(force),
+                ::rncf::emitted::array(q),
+                ::rncf::emitted::array_mut(force),
             );
         }
         fn elastic_tangent(
@@ -1326,8 +1331,8 @@ pub mod rotating_cantilever_equations {
         ) {
             cable_spatial_elastic_tangent(
                 &self.row_beam,
-                ::rncf::mesh::array(q),
-                ::rncf::mesh::array_mut(stiffness),
+                ::rncf::emitted::array(q),
+                ::rncf::emitted::array_mut(stiffness),
             );
         }
         fn elastic_force4(
@@ -1339,11 +1344,11 @@ pub mod rotating_cantilever_equations {
         ) {
             let four = CableSpatialElasticForce {
                 rows: [&self.row_beam; 4],
-                q: ::rncf::mesh::array(q),
-                force: ::rncf::mesh::array_mut(force),
+                q: ::rncf::emitted::array(q),
+                force: ::rncf::emitted::array_mut(force),
             };
-            if !::rncf::lanes::run(four) {
-                ::rncf::mesh::elastic_force_one_by_one(self, elements, q, v, force);
+            if !::rncf::emitted::lanes::run(four) {
+                ::rncf::emitted::elastic_force_one_by_one(self, elements, q, v, force);
             }
         }
         fn elastic_tangent4(
@@ -1356,11 +1361,11 @@ pub mod rotating_cantilever_equations {
         ) {
             let four = CableSpatialElasticTangent {
                 rows: [&self.row_beam; 4],
-                q: ::rncf::mesh::array(q),
-                stiffness: ::rncf::mesh::array_mut(stiffness),
+                q: ::rncf::emitted::array(q),
+                stiffness: ::rncf::emitted::array_mut(stiffness),
             };
-            if !::rncf::lanes::run(four) {
-                ::rncf::mesh::elastic_tangent_one_by_one(
+            if !::rncf::emitted::lanes::run(four) {
+                ::rncf::emitted::elastic_tangent_one_by_one(
                     self,
                     elements,
                     q,
@@ -1374,7 +1379,7 @@ pub mod rotating_cantilever_equations {
             let mut energy = 0.0;
             cable_spatial_strain_energy(
                 &self.row_beam,
-                ::rncf::mesh::array(q),
+                ::rncf::emitted::array(q),
                 &mut energy,
             );
             energy
@@ -1383,32 +1388,32 @@ pub mod rotating_cantilever_equations {
             &self,
             body: usize,
             element: usize,
-            of: ::rncf::mesh::Interpolant,
+            of: ::rncf::emitted::Interpolant,
             order: usize,
             xi: f64,
             weights: &mut [f64],
         ) {
             weights.fill(0.0);
             match (of, order) {
-                (::rncf::mesh::Interpolant::Position, 0) => {
+                (::rncf::emitted::Interpolant::Position, 0) => {
                     cable_spatial_shapes_position_0(
                         self.row_beam.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::Position, 1) => {
+                (::rncf::emitted::Interpolant::Position, 1) => {
                     cable_spatial_shapes_position_1(
                         self.row_beam.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::Position, 2) => {
+                (::rncf::emitted::Interpolant::Position, 2) => {
                     cable_spatial_shapes_position_2(
                         self.row_beam.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
                 _ => {}
@@ -1419,10 +1424,10 @@ pub mod rotating_cantilever_equations {
             body: usize,
             x: f64,
             length: f64,
-        ) -> ::rncf::mesh::SectionSpec {
+        ) -> ::rncf::emitted::SectionSpec {
             let model = &self.model;
-            ::rncf::mesh::SectionSpec {
-                shape: ::rncf::mesh::SectionShape::General {
+            ::rncf::emitted::SectionSpec {
+                shape: ::rncf::emitted::SectionShape::General {
                     extent: [None, None],
                 },
                 area: 1.0,
@@ -1432,10 +1437,13 @@ pub mod rotating_cantilever_equations {
                 material: "unit",
             }
         }
-        fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {
+        fn fields(
+            &self,
+            body: usize,
+        ) -> &'static [(::rncf::emitted::Interpolant, usize)] {
             &[
-                (::rncf::mesh::Interpolant::Position, 1),
-                (::rncf::mesh::Interpolant::Position, 2),
+                (::rncf::emitted::Interpolant::Position, 1),
+                (::rncf::emitted::Interpolant::Position, 2),
             ]
         }
         fn field_forces(
@@ -1449,20 +1457,20 @@ pub mod rotating_cantilever_equations {
         ) {
             cable_spatial_field_forces(
                 &self.row_beam,
-                ::rncf::mesh::array(stress_free),
-                ::rncf::mesh::array(fields),
-                ::rncf::mesh::array_mut(forces),
+                ::rncf::emitted::array(stress_free),
+                ::rncf::emitted::array(fields),
+                ::rncf::emitted::array_mut(forces),
             );
         }
         fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
             Some("frame `hub` moves in a prescribed way")
         }
-        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+        fn joints(&self) -> ::std::vec::Vec<::rncf::emitted::JointSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::JointSpec {
+                ::rncf::emitted::JointSpec {
                     name: "root",
-                    kind: ::rncf::mesh::JointKind::Clamp,
+                    kind: ::rncf::emitted::JointKind::Clamp,
                     body: 0,
                     at_end: false,
                     frame: 1,
@@ -1474,9 +1482,9 @@ pub mod rotating_cantilever_equations {
             &self,
             joint: usize,
             absolute: bool,
-            level: ::rncf::system::ConstraintLevel,
+            level: ::rncf::emitted::ConstraintLevel,
             t: f64,
-            data: &::rncf::mesh::JointData,
+            data: &::rncf::emitted::JointData,
             q: &[f64],
             v: &[f64],
             a: &[f64],
@@ -1485,7 +1493,7 @@ pub mod rotating_cantilever_equations {
             match (joint, absolute) {
                 (0, false) => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             joint_root_referenced_position(
                                 &self.model,
                                 t,
@@ -1501,7 +1509,7 @@ pub mod rotating_cantilever_equations {
                 }
                 (0, _) => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             joint_root_absolute_position(
                                 &self.model,
                                 t,
@@ -1512,7 +1520,7 @@ pub mod rotating_cantilever_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
+                        ::rncf::emitted::ConstraintLevel::Velocity => {
                             joint_root_absolute_velocity(
                                 &self.model,
                                 t,
@@ -1523,7 +1531,7 @@ pub mod rotating_cantilever_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
+                        ::rncf::emitted::ConstraintLevel::Acceleration => {
                             joint_root_absolute_acceleration(
                                 &self.model,
                                 t,
@@ -1534,7 +1542,7 @@ pub mod rotating_cantilever_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Jerk => {
+                        ::rncf::emitted::ConstraintLevel::Jerk => {
                             joint_root_absolute_jerk(&self.model, t, data, q, v, a, rows)
                         }
                     }
@@ -1547,7 +1555,7 @@ pub mod rotating_cantilever_equations {
             joint: usize,
             absolute: bool,
             t: f64,
-            data: &::rncf::mesh::JointData,
+            data: &::rncf::emitted::JointData,
             jacobian: &mut [f64],
         ) {
             match (joint, absolute) {
@@ -1565,8 +1573,8 @@ pub mod rotating_cantilever_equations {
             joint: usize,
             absolute: bool,
             t: f64,
-            data: &::rncf::mesh::JointData,
-            prescribed: &mut ::rncf::mesh::Prescribed,
+            data: &::rncf::emitted::JointData,
+            prescribed: &mut ::rncf::emitted::Prescribed,
         ) {
             match (joint, absolute) {
                 (0, false) => {
@@ -1578,31 +1586,31 @@ pub mod rotating_cantilever_equations {
                 _ => {}
             }
         }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 0,
                 },
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 1,
                 },
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 2,
                 },
-                ::rncf::mesh::ObservedSpec::Section {
+                ::rncf::emitted::ObservedSpec::Section {
                     body: 0,
-                    at: ::rncf::mesh::Place::Start,
-                    what: ::rncf::mesh::SectionQuantity::AxialForce,
+                    at: ::rncf::emitted::Place::Start,
+                    what: ::rncf::emitted::SectionQuantity::AxialForce,
                 },
             ])
         }
@@ -1618,8 +1626,8 @@ pub mod rotating_cantilever_equations {
         fn conservative(&self) -> bool {
             false
         }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
+            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
             frame_hub(&self.model, t, &mut motions[1]);
         }
         fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {

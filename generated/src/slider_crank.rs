@@ -197,14 +197,14 @@ impl ::rncf::Model for SliderCrank {
         &self,
         formulation: ::rncf::Formulation,
         joints: ::rncf::Joints,
-        fidelity: &[(::std::string::String, ::rncf::mesh::Fidelity)],
+        fidelity: &[(::std::string::String, ::rncf::emitted::Fidelity)],
     ) -> ::std::result::Result<
         ::std::boxed::Box<dyn ::rncf::Scene>,
         ::rncf::ModelError,
     > {
-        ::rncf::mesh::check_params(self)?;
+        ::rncf::model::check_params(self)?;
         let equations = slider_crank_equations::Equations::new(self);
-        ::rncf::mesh::build_as(equations, formulation, joints, fidelity)
+        ::rncf::build_as(equations, formulation, joints, fidelity)
     }
 }
 /// Equations of [`SliderCrank`]: derived, checked and written by the generator.
@@ -1571,9 +1571,9 @@ pub mod slider_crank_equations {
     pub fn frame_pin_frame(
         model: &SliderCrank,
         t: f64,
-        motion: &mut ::rncf::mesh::FrameMotion,
+        motion: &mut ::rncf::emitted::FrameMotion,
     ) {
-        *motion = ::rncf::mesh::FrameMotion::INERTIAL;
+        *motion = ::rncf::emitted::FrameMotion::INERTIAL;
         let t15 = model.omega_s / model.T_s;
         let t16 = (model.T_s / 6.283185307179586).powi(2);
         let t17 = t * 6.283185307179586 / model.T_s;
@@ -1614,7 +1614,7 @@ pub mod slider_crank_equations {
     /// Frame of the rod.
     ///
     /// Operations: 0 additions, 0 multiplications.
-    pub fn free_rod(model: &SliderCrank, spec: &mut ::rncf::mesh::FreeSpec) {
+    pub fn free_rod(model: &SliderCrank, spec: &mut ::rncf::emitted::FreeSpec) {
         spec.axis[2] = 1.0;
     }
     /// Joint `root`: conditions, position level.
@@ -1623,7 +1623,7 @@ pub mod slider_crank_equations {
     pub fn joint_root_referenced_position(
         model: &SliderCrank,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -1639,7 +1639,7 @@ pub mod slider_crank_equations {
     pub fn joint_root_referenced_jacobian(
         model: &SliderCrank,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         jacobian: &mut [f64],
     ) {
         jacobian[0] = 1.0;
@@ -1652,8 +1652,8 @@ pub mod slider_crank_equations {
     pub fn joint_root_referenced_prescribed(
         model: &SliderCrank,
         t: f64,
-        data: &::rncf::mesh::JointData,
-        prescribed: &mut ::rncf::mesh::Prescribed,
+        data: &::rncf::emitted::JointData,
+        prescribed: &mut ::rncf::emitted::Prescribed,
     ) {
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = data.point[1];
@@ -1668,7 +1668,7 @@ pub mod slider_crank_equations {
     pub fn joint_chord_y_referenced_position(
         model: &SliderCrank,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -1682,7 +1682,7 @@ pub mod slider_crank_equations {
     pub fn joint_chord_y_referenced_jacobian(
         model: &SliderCrank,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         jacobian: &mut [f64],
     ) {
         jacobian[1] = 1.0;
@@ -1693,8 +1693,8 @@ pub mod slider_crank_equations {
     pub fn joint_chord_y_referenced_prescribed(
         model: &SliderCrank,
         t: f64,
-        data: &::rncf::mesh::JointData,
-        prescribed: &mut ::rncf::mesh::Prescribed,
+        data: &::rncf::emitted::JointData,
+        prescribed: &mut ::rncf::emitted::Prescribed,
     ) {
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = data.point[1];
@@ -1709,7 +1709,7 @@ pub mod slider_crank_equations {
     pub fn joint_chord_z_referenced_position(
         model: &SliderCrank,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -1723,7 +1723,7 @@ pub mod slider_crank_equations {
     pub fn joint_chord_z_referenced_jacobian(
         model: &SliderCrank,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         jacobian: &mut [f64],
     ) {
         jacobian[2] = 1.0;
@@ -1734,8 +1734,8 @@ pub mod slider_crank_equations {
     pub fn joint_chord_z_referenced_prescribed(
         model: &SliderCrank,
         t: f64,
-        data: &::rncf::mesh::JointData,
-        prescribed: &mut ::rncf::mesh::Prescribed,
+        data: &::rncf::emitted::JointData,
+        prescribed: &mut ::rncf::emitted::Prescribed,
     ) {
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = data.point[1];
@@ -2340,44 +2340,44 @@ pub mod slider_crank_equations {
             }
         }
     }
-    impl ::rncf::mesh::Parts for Equations {
-        fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {
+    impl ::rncf::emitted::Parts for Equations {
+        fn bodies(&self) -> ::std::vec::Vec<::rncf::emitted::BodySpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::BodySpec {
+                ::rncf::emitted::BodySpec {
                     name: "beam",
                     kind: 0,
                     instance: None,
                     frame: 2,
                     axes: &[0, 1, 2],
-                    line: ::rncf::mesh::Line::Straight {
+                    line: ::rncf::emitted::Line::Straight {
                         from: [0.0, 0.0, 0.0],
                         to: [0.3, 0.0, 0.0],
                     },
                     count: (model.elements as f64) as usize,
                     stations: ::std::vec::Vec::new(),
                     nodal: &[
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "position",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 0,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "slope",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 1,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "position",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 0,
                             xi: 1.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "slope",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 1,
                             xi: 1.0,
                         },
@@ -2386,9 +2386,9 @@ pub mod slider_crank_equations {
                     vectors_per_node: 2,
                     stride: 2,
                     section_y: None,
-                    twist: ::rncf::mesh::Twist::even(0.0),
-                    fidelity: ::rncf::mesh::Fidelity::Full,
-                    tie: ::rncf::mesh::FrameTie::Joints,
+                    twist: ::rncf::emitted::Twist::even(0.0),
+                    fidelity: ::rncf::emitted::Fidelity::Full,
+                    tie: ::rncf::emitted::FrameTie::Joints,
                     normals: ::std::vec::Vec::new(),
                 },
             ])
@@ -2401,31 +2401,31 @@ pub mod slider_crank_equations {
         ) -> ::std::result::Result<(), ::rncf::ModelError> {
             let model = &self.model;
             let length = nodes[1] - nodes[0];
-            let density = ::rncf::mesh::positive(
+            let density = ::rncf::emitted::positive(
                 "material `soft`",
                 "density",
                 7870.0,
                 "kg/m^3",
             )?;
-            let young = ::rncf::mesh::positive(
+            let young = ::rncf::emitted::positive(
                 "material `soft`",
                 "young",
                 200000000.0,
                 "Pa",
             )?;
-            let damping = ::rncf::mesh::non_negative(
+            let damping = ::rncf::emitted::non_negative(
                 "material `soft`",
                 "damping",
                 model.damping,
                 "s",
             )?;
-            let area = ::rncf::mesh::positive(
+            let area = ::rncf::emitted::positive(
                 "section `round`",
                 "area",
                 0.00020106192982974675,
                 "m^2",
             )?;
-            let second_moment = ::rncf::mesh::positive(
+            let second_moment = ::rncf::emitted::positive(
                 "section `round`",
                 "second_moment",
                 3.216990877275948e-9,
@@ -2443,7 +2443,7 @@ pub mod slider_crank_equations {
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             cable_spatial_exact_damped_mass(
                 &self.row_beam,
-                ::rncf::mesh::array_mut(mass),
+                ::rncf::emitted::array_mut(mass),
             );
         }
         fn elastic_force(
@@ -2456,9 +2456,9 @@ pub mod slider_crank_equations {
         ) {
             cable_spatial_exact_damped_elastic_force(
                 &self.row_beam,
-                ::rncf::mesh::array(q),
-                ::rncf::mesh::array(v),
-                ::rncf::mesh::array_mut(force),
+                ::rncf::emitted::array(q),
+                ::rncf::emitted::array(v),
+                ::rncf::emitted::array_mut(force),
             );
         }
         fn elastic_tangent(
@@ -2472,17 +2472,17 @@ pub mod slider_crank_equations {
         ) {
             cable_spatial_exact_damped_elastic_tangent(
                 &self.row_beam,
-                ::rncf::mesh::array(q),
-                ::rncf::mesh::array(v),
-                ::rncf::mesh::array_mut(stiffness),
-                ::rncf::mesh::array_mut(damping),
+                ::rncf::emitted::array(q),
+                ::rncf::emitted::array(v),
+                ::rncf::emitted::array_mut(stiffness),
+                ::rncf::emitted::array_mut(damping),
             );
         }
         fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {
             let mut energy = 0.0;
             cable_spatial_exact_damped_strain_energy(
                 &self.row_beam,
-                ::rncf::mesh::array(q),
+                ::rncf::emitted::array(q),
                 &mut energy,
             );
             energy
@@ -2491,32 +2491,32 @@ pub mod slider_crank_equations {
             &self,
             body: usize,
             element: usize,
-            of: ::rncf::mesh::Interpolant,
+            of: ::rncf::emitted::Interpolant,
             order: usize,
             xi: f64,
             weights: &mut [f64],
         ) {
             weights.fill(0.0);
             match (of, order) {
-                (::rncf::mesh::Interpolant::Position, 0) => {
+                (::rncf::emitted::Interpolant::Position, 0) => {
                     cable_spatial_exact_damped_shapes_position_0(
                         self.row_beam.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::Position, 1) => {
+                (::rncf::emitted::Interpolant::Position, 1) => {
                     cable_spatial_exact_damped_shapes_position_1(
                         self.row_beam.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::Position, 2) => {
+                (::rncf::emitted::Interpolant::Position, 2) => {
                     cable_spatial_exact_damped_shapes_position_2(
                         self.row_beam.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
                 _ => {}
@@ -2527,10 +2527,10 @@ pub mod slider_crank_equations {
             body: usize,
             x: f64,
             length: f64,
-        ) -> ::rncf::mesh::SectionSpec {
+        ) -> ::rncf::emitted::SectionSpec {
             let model = &self.model;
-            ::rncf::mesh::SectionSpec {
-                shape: ::rncf::mesh::SectionShape::General {
+            ::rncf::emitted::SectionSpec {
+                shape: ::rncf::emitted::SectionShape::General {
                     extent: [None, None],
                 },
                 area: 0.00020106192982974675,
@@ -2540,10 +2540,13 @@ pub mod slider_crank_equations {
                 material: "soft",
             }
         }
-        fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {
+        fn fields(
+            &self,
+            body: usize,
+        ) -> &'static [(::rncf::emitted::Interpolant, usize)] {
             &[
-                (::rncf::mesh::Interpolant::Position, 1),
-                (::rncf::mesh::Interpolant::Position, 2),
+                (::rncf::emitted::Interpolant::Position, 1),
+                (::rncf::emitted::Interpolant::Position, 2),
             ]
         }
         fn field_forces(
@@ -2557,30 +2560,30 @@ pub mod slider_crank_equations {
         ) {
             cable_spatial_exact_damped_field_forces(
                 &self.row_beam,
-                ::rncf::mesh::array(stress_free),
-                ::rncf::mesh::array(fields),
-                ::rncf::mesh::array(rates),
-                ::rncf::mesh::array_mut(forces),
+                ::rncf::emitted::array(stress_free),
+                ::rncf::emitted::array(fields),
+                ::rncf::emitted::array(rates),
+                ::rncf::emitted::array_mut(forces),
             );
         }
         fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
             Some("body `beam` is damped")
         }
-        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+        fn joints(&self) -> ::std::vec::Vec<::rncf::emitted::JointSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::JointSpec {
+                ::rncf::emitted::JointSpec {
                     name: "root",
-                    kind: ::rncf::mesh::JointKind::Pin,
+                    kind: ::rncf::emitted::JointKind::Pin,
                     body: 0,
                     at_end: false,
                     frame: 2,
                     point: None,
                 },
-                ::rncf::mesh::JointSpec {
+                ::rncf::emitted::JointSpec {
                     name: "chord_y",
-                    kind: ::rncf::mesh::JointKind::Hold {
-                        of: ::rncf::mesh::Interpolant::Position,
+                    kind: ::rncf::emitted::JointKind::Hold {
+                        of: ::rncf::emitted::Interpolant::Position,
                         order: 0,
                         axis: 1,
                     },
@@ -2589,10 +2592,10 @@ pub mod slider_crank_equations {
                     frame: 2,
                     point: None,
                 },
-                ::rncf::mesh::JointSpec {
+                ::rncf::emitted::JointSpec {
                     name: "chord_z",
-                    kind: ::rncf::mesh::JointKind::Hold {
-                        of: ::rncf::mesh::Interpolant::Position,
+                    kind: ::rncf::emitted::JointKind::Hold {
+                        of: ::rncf::emitted::Interpolant::Position,
                         order: 0,
                         axis: 2,
                     },
@@ -2607,9 +2610,9 @@ pub mod slider_crank_equations {
             &self,
             joint: usize,
             absolute: bool,
-            level: ::rncf::system::ConstraintLevel,
+            level: ::rncf::emitted::ConstraintLevel,
             t: f64,
-            data: &::rncf::mesh::JointData,
+            data: &::rncf::emitted::JointData,
             q: &[f64],
             v: &[f64],
             a: &[f64],
@@ -2618,7 +2621,7 @@ pub mod slider_crank_equations {
             match (joint, absolute) {
                 (0, false) => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             joint_root_referenced_position(
                                 &self.model,
                                 t,
@@ -2634,7 +2637,7 @@ pub mod slider_crank_equations {
                 }
                 (1, false) => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             joint_chord_y_referenced_position(
                                 &self.model,
                                 t,
@@ -2650,7 +2653,7 @@ pub mod slider_crank_equations {
                 }
                 (2, false) => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             joint_chord_z_referenced_position(
                                 &self.model,
                                 t,
@@ -2672,7 +2675,7 @@ pub mod slider_crank_equations {
             joint: usize,
             absolute: bool,
             t: f64,
-            data: &::rncf::mesh::JointData,
+            data: &::rncf::emitted::JointData,
             jacobian: &mut [f64],
         ) {
             match (joint, absolute) {
@@ -2693,8 +2696,8 @@ pub mod slider_crank_equations {
             joint: usize,
             absolute: bool,
             t: f64,
-            data: &::rncf::mesh::JointData,
-            prescribed: &mut ::rncf::mesh::Prescribed,
+            data: &::rncf::emitted::JointData,
+            prescribed: &mut ::rncf::emitted::Prescribed,
         ) {
             match (joint, absolute) {
                 (0, false) => {
@@ -2719,66 +2722,66 @@ pub mod slider_crank_equations {
                 _ => {}
             }
         }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::ObservedSpec::Marker {
+                ::rncf::emitted::ObservedSpec::Marker {
                     marker: 2,
                     derivative: 0,
                     component: 0,
                 },
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::At(0.15),
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::At(0.15),
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 0,
                 },
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::Start,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::Start,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 0,
                 },
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 0,
                 },
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::At(0.15),
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::At(0.15),
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 1,
                 },
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::Start,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::Start,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 1,
                 },
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 1,
                 },
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::At(0.15),
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::At(0.15),
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 2,
                 },
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::Start,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::Start,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 2,
                 },
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 2,
                 },
             ])
@@ -2800,8 +2803,8 @@ pub mod slider_crank_equations {
             kinks(&self.model, &mut times);
             times.to_vec()
         }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
+            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
             frame_pin_frame(&self.model, t, &mut motions[1]);
         }
         fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
@@ -2809,7 +2812,7 @@ pub mod slider_crank_equations {
         }
         fn check(&self) -> ::std::result::Result<(), ::rncf::ModelError> {
             let model = &self.model;
-            ::rncf::mesh::non_negative(
+            ::rncf::emitted::non_negative(
                 "fixture `slider`",
                 "mass",
                 model.slider_mass,
@@ -2817,123 +2820,123 @@ pub mod slider_crank_equations {
             )?;
             Ok(())
         }
-        fn free(&self) -> ::std::vec::Vec<::rncf::mesh::FreeSpec> {
-            let still = ::rncf::mesh::FreeSpec {
+        fn free(&self) -> ::std::vec::Vec<::rncf::emitted::FreeSpec> {
+            let still = ::rncf::emitted::FreeSpec {
                 frame: 0,
                 parent: 0,
                 is_body: false,
-                motions: ::rncf::mesh::Motions::Spatial,
+                motions: ::rncf::emitted::Motions::Spatial,
                 position: [0.0; 3],
                 axis: [0.0; 3],
                 angle: 0.0,
                 velocity: [0.0; 3],
                 spin: [0.0; 3],
-                rigid: ::rncf::mesh::RigidSpec::default(),
+                rigid: ::rncf::emitted::RigidSpec::default(),
             };
             let mut specs = ::std::vec::Vec::from([
-                ::rncf::mesh::FreeSpec {
+                ::rncf::emitted::FreeSpec {
                     frame: 2,
                     parent: 1,
                     is_body: false,
-                    motions: ::rncf::mesh::Motions::Turning,
+                    motions: ::rncf::emitted::Motions::Turning,
                     ..still.clone()
                 },
             ]);
             free_rod(&self.model, &mut specs[0]);
             specs
         }
-        fn markers(&self) -> ::std::vec::Vec<::rncf::mesh::MarkerSpec> {
+        fn markers(&self) -> ::std::vec::Vec<::rncf::emitted::MarkerSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::MarkerSpec::BodyPoint {
+                ::rncf::emitted::MarkerSpec::BodyPoint {
                     body: 0,
-                    at: ::rncf::mesh::Place::Start,
+                    at: ::rncf::emitted::Place::Start,
                 },
-                ::rncf::mesh::MarkerSpec::Matching {
+                ::rncf::emitted::MarkerSpec::Matching {
                     frame: 2,
                     marker: 0,
                 },
-                ::rncf::mesh::MarkerSpec::BodyPoint {
+                ::rncf::emitted::MarkerSpec::BodyPoint {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
+                    at: ::rncf::emitted::Place::End,
                 },
-                ::rncf::mesh::MarkerSpec::Matching {
+                ::rncf::emitted::MarkerSpec::Matching {
                     frame: 2,
                     marker: 2,
                 },
-                ::rncf::mesh::MarkerSpec::Direction {
+                ::rncf::emitted::MarkerSpec::Direction {
                     frame: 2,
                     along: [0.0, 1.0, 0.0],
                 },
-                ::rncf::mesh::MarkerSpec::Direction {
+                ::rncf::emitted::MarkerSpec::Direction {
                     frame: 2,
                     along: [0.0, 0.0, 1.0],
                 },
             ])
         }
-        fn constraints(&self) -> ::std::vec::Vec<::rncf::mesh::ConstraintSpec> {
+        fn constraints(&self) -> ::std::vec::Vec<::rncf::emitted::ConstraintSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "root",
                     kind: "pin",
                     rows: &["position x", "position y", "position z"],
                     markers: &[0, 1],
                     coupled: &[],
                     first_party: 1,
-                    when: ::rncf::mesh::When::Absolute(0),
+                    when: ::rncf::emitted::When::Absolute(0),
                 },
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "chord_y",
                     kind: "hold",
                     rows: &["position y"],
                     markers: &[2, 3, 4],
                     coupled: &[[0, 2], [1, 2]],
                     first_party: 1,
-                    when: ::rncf::mesh::When::Absolute(0),
+                    when: ::rncf::emitted::When::Absolute(0),
                 },
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "chord_z",
                     kind: "hold",
                     rows: &["position z"],
                     markers: &[2, 3, 5],
                     coupled: &[[0, 2], [1, 2]],
                     first_party: 1,
-                    when: ::rncf::mesh::When::Absolute(0),
+                    when: ::rncf::emitted::When::Absolute(0),
                 },
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "cross_axis",
                     kind: "constraint",
                     rows: &["value"],
                     markers: &[5],
                     coupled: &[],
                     first_party: 1,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "guide_y",
                     kind: "constraint",
                     rows: &["value"],
                     markers: &[2],
                     coupled: &[],
                     first_party: 1,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
-                ::rncf::mesh::ConstraintSpec {
+                ::rncf::emitted::ConstraintSpec {
                     name: "guide_z",
                     kind: "constraint",
                     rows: &["value"],
                     markers: &[2],
                     coupled: &[],
                     first_party: 1,
-                    when: ::rncf::mesh::When::Always,
+                    when: ::rncf::emitted::When::Always,
                 },
             ])
         }
         fn marker_constraint(
             &self,
             constraint: usize,
-            level: ::rncf::system::ConstraintLevel,
+            level: ::rncf::emitted::ConstraintLevel,
             t: f64,
             z: &[[[f64; 3]; 4]],
             rows: &mut [f64],
@@ -2941,80 +2944,80 @@ pub mod slider_crank_equations {
             match constraint {
                 0 => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             constraint_position_root(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
+                        ::rncf::emitted::ConstraintLevel::Velocity => {
                             constraint_velocity_root(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
+                        ::rncf::emitted::ConstraintLevel::Acceleration => {
                             constraint_acceleration_root(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Jerk => {
+                        ::rncf::emitted::ConstraintLevel::Jerk => {
                             constraint_jerk_root(&self.model, t, z, rows)
                         }
                     }
                 }
                 1 | 2 => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             constraint_position_chord_y(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
+                        ::rncf::emitted::ConstraintLevel::Velocity => {
                             constraint_velocity_chord_y(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
+                        ::rncf::emitted::ConstraintLevel::Acceleration => {
                             constraint_acceleration_chord_y(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Jerk => {
+                        ::rncf::emitted::ConstraintLevel::Jerk => {
                             constraint_jerk_chord_y(&self.model, t, z, rows)
                         }
                     }
                 }
                 3 => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             constraint_position_cross_axis(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
+                        ::rncf::emitted::ConstraintLevel::Velocity => {
                             constraint_velocity_cross_axis(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
+                        ::rncf::emitted::ConstraintLevel::Acceleration => {
                             constraint_acceleration_cross_axis(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Jerk => {
+                        ::rncf::emitted::ConstraintLevel::Jerk => {
                             constraint_jerk_cross_axis(&self.model, t, z, rows)
                         }
                     }
                 }
                 4 => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             constraint_position_guide_y(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
+                        ::rncf::emitted::ConstraintLevel::Velocity => {
                             constraint_velocity_guide_y(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
+                        ::rncf::emitted::ConstraintLevel::Acceleration => {
                             constraint_acceleration_guide_y(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Jerk => {
+                        ::rncf::emitted::ConstraintLevel::Jerk => {
                             constraint_jerk_guide_y(&self.model, t, z, rows)
                         }
                     }
                 }
                 5 => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             constraint_position_guide_z(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
+                        ::rncf::emitted::ConstraintLevel::Velocity => {
                             constraint_velocity_guide_z(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
+                        ::rncf::emitted::ConstraintLevel::Acceleration => {
                             constraint_acceleration_guide_z(&self.model, t, z, rows)
                         }
-                        ::rncf::system::ConstraintLevel::Jerk => {
+                        ::rncf::emitted::ConstraintLevel::Jerk => {
                             constraint_jerk_guide_z(&self.model, t, z, rows)
                         }
                     }
@@ -3084,13 +3087,13 @@ pub mod slider_crank_equations {
                 _ => {}
             }
         }
-        fn fixtures(&self) -> ::std::vec::Vec<::rncf::mesh::FixtureSpec> {
+        fn fixtures(&self) -> ::std::vec::Vec<::rncf::emitted::FixtureSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::FixtureSpec {
+                ::rncf::emitted::FixtureSpec {
                     name: "slider",
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
+                    at: ::rncf::emitted::Place::End,
                     constants: [
                         model.slider_mass,
                         0.0,

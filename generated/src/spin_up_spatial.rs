@@ -141,14 +141,14 @@ impl ::rncf::Model for SpinUpSpatial {
         &self,
         formulation: ::rncf::Formulation,
         joints: ::rncf::Joints,
-        fidelity: &[(::std::string::String, ::rncf::mesh::Fidelity)],
+        fidelity: &[(::std::string::String, ::rncf::emitted::Fidelity)],
     ) -> ::std::result::Result<
         ::std::boxed::Box<dyn ::rncf::Scene>,
         ::rncf::ModelError,
     > {
-        ::rncf::mesh::check_params(self)?;
+        ::rncf::model::check_params(self)?;
         let equations = spin_up_spatial_equations::Equations::new(self);
-        ::rncf::mesh::build_as(equations, formulation, joints, fidelity)
+        ::rncf::build_as(equations, formulation, joints, fidelity)
     }
 }
 /// Equations of [`SpinUpSpatial`]: derived, checked and written by the generator.
@@ -202,7 +202,7 @@ pub mod spin_up_spatial_equations {
     impl CableSpatial {
         /// The constants of four elements side by side.
         #[inline(always)]
-        pub fn side_by_side<L: ::rncf::lanes::Lanes>(
+        pub fn side_by_side<L: ::rncf::emitted::lanes::Lanes>(
             rows: [&Self; 4],
             lanes: L,
         ) -> CableSpatial<L::Real> {
@@ -222,7 +222,7 @@ pub mod spin_up_spatial_equations {
     ///
     /// Operations: 98 additions, 118 multiplications, 1 divisions.
     #[inline(always)]
-    pub fn cable_spatial_elastic_force<T: ::rncf::lanes::Real>(
+    pub fn cable_spatial_elastic_force<T: ::rncf::emitted::lanes::Real>(
         row: &CableSpatial<T>,
         q: &[T; 12],
         force: &mut [T::Cell; 12],
@@ -330,9 +330,9 @@ pub mod spin_up_spatial_equations {
         pub q: &'a [[f64; 4]; 12],
         pub force: &'a mut [[f64; 4]; 12],
     }
-    impl ::rncf::lanes::Kernel for CableSpatialElasticForce<'_> {
+    impl ::rncf::emitted::lanes::Kernel for CableSpatialElasticForce<'_> {
         #[inline(always)]
-        fn run<L: ::rncf::lanes::Lanes>(self, lanes: L) {
+        fn run<L: ::rncf::emitted::lanes::Lanes>(self, lanes: L) {
             let Self { rows, q, force } = self;
             let row = CableSpatial::side_by_side(rows, lanes);
             let q = lanes.load_all(q);
@@ -347,7 +347,7 @@ pub mod spin_up_spatial_equations {
     ///
     /// Operations: 410 additions, 370 multiplications, 1 divisions.
     #[inline(always)]
-    pub fn cable_spatial_elastic_tangent<T: ::rncf::lanes::Real>(
+    pub fn cable_spatial_elastic_tangent<T: ::rncf::emitted::lanes::Real>(
         row: &CableSpatial<T>,
         q: &[T; 12],
         stiffness: &mut [T::Cell; 144],
@@ -698,9 +698,9 @@ pub mod spin_up_spatial_equations {
         pub q: &'a [[f64; 4]; 12],
         pub stiffness: &'a mut [[f64; 4]; 144],
     }
-    impl ::rncf::lanes::Kernel for CableSpatialElasticTangent<'_> {
+    impl ::rncf::emitted::lanes::Kernel for CableSpatialElasticTangent<'_> {
         #[inline(always)]
-        fn run<L: ::rncf::lanes::Lanes>(self, lanes: L) {
+        fn run<L: ::rncf::emitted::lanes::Lanes>(self, lanes: L) {
             let Self { rows, q, stiffness } = self;
             let row = CableSpatial::side_by_side(rows, lanes);
             let q = lanes.load_all(q);
@@ -910,9 +910,9 @@ pub mod spin_up_spatial_equations {
     pub fn frame_hub(
         model: &SpinUpSpatial,
         t: f64,
-        motion: &mut ::rncf::mesh::FrameMotion,
+        motion: &mut ::rncf::emitted::FrameMotion,
     ) {
-        *motion = ::rncf::mesh::FrameMotion::INERTIAL;
+        *motion = ::rncf::emitted::FrameMotion::INERTIAL;
         let t15 = model.omega_s / model.T_s;
         let t16 = (model.T_s / 6.283185307179586).powi(2);
         let t17 = t * 6.283185307179586 / model.T_s;
@@ -948,7 +948,7 @@ pub mod spin_up_spatial_equations {
     pub fn joint_root_referenced_position(
         model: &SpinUpSpatial,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -968,7 +968,7 @@ pub mod spin_up_spatial_equations {
     pub fn joint_root_referenced_jacobian(
         model: &SpinUpSpatial,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         jacobian: &mut [f64],
     ) {
         jacobian[0] = 1.0;
@@ -987,8 +987,8 @@ pub mod spin_up_spatial_equations {
     pub fn joint_root_referenced_prescribed(
         model: &SpinUpSpatial,
         t: f64,
-        data: &::rncf::mesh::JointData,
-        prescribed: &mut ::rncf::mesh::Prescribed,
+        data: &::rncf::emitted::JointData,
+        prescribed: &mut ::rncf::emitted::Prescribed,
     ) {
         prescribed.position[0][0] = data.point[0];
         prescribed.position[0][1] = data.point[1];
@@ -1003,7 +1003,7 @@ pub mod spin_up_spatial_equations {
     pub fn joint_root_absolute_position(
         model: &SpinUpSpatial,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -1035,7 +1035,7 @@ pub mod spin_up_spatial_equations {
     pub fn joint_root_absolute_velocity(
         model: &SpinUpSpatial,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -1071,7 +1071,7 @@ pub mod spin_up_spatial_equations {
     pub fn joint_root_absolute_acceleration(
         model: &SpinUpSpatial,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -1126,7 +1126,7 @@ pub mod spin_up_spatial_equations {
     pub fn joint_root_absolute_jerk(
         model: &SpinUpSpatial,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         q: &[f64],
         v: &[f64],
         a: &[f64],
@@ -1199,7 +1199,7 @@ pub mod spin_up_spatial_equations {
     pub fn joint_root_absolute_jacobian(
         model: &SpinUpSpatial,
         t: f64,
-        data: &::rncf::mesh::JointData,
+        data: &::rncf::emitted::JointData,
         jacobian: &mut [f64],
     ) {
         let t21 = t * t / 2.0
@@ -1228,8 +1228,8 @@ pub mod spin_up_spatial_equations {
     pub fn joint_root_absolute_prescribed(
         model: &SpinUpSpatial,
         t: f64,
-        data: &::rncf::mesh::JointData,
-        prescribed: &mut ::rncf::mesh::Prescribed,
+        data: &::rncf::emitted::JointData,
+        prescribed: &mut ::rncf::emitted::Prescribed,
     ) {
         let t21 = model.omega_s / model.T_s;
         let t22 = (model.T_s / 6.283185307179586).powi(2);
@@ -1308,44 +1308,44 @@ pub mod spin_up_spatial_equations {
             }
         }
     }
-    impl ::rncf::mesh::Parts for Equations {
-        fn bodies(&self) -> ::std::vec::Vec<::rncf::mesh::BodySpec> {
+    impl ::rncf::emitted::Parts for Equations {
+        fn bodies(&self) -> ::std::vec::Vec<::rncf::emitted::BodySpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::BodySpec {
+                ::rncf::emitted::BodySpec {
                     name: "beam",
                     kind: 0,
                     instance: None,
                     frame: 1,
                     axes: &[0, 1, 2],
-                    line: ::rncf::mesh::Line::Straight {
+                    line: ::rncf::emitted::Line::Straight {
                         from: [0.0, 0.0, 0.0],
                         to: [8.0, 0.0, 0.0],
                     },
                     count: (model.elements as f64) as usize,
                     stations: ::std::vec::Vec::new(),
                     nodal: &[
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "position",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 0,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "slope",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 1,
                             xi: 0.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "position",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 0,
                             xi: 1.0,
                         },
-                        ::rncf::mesh::NodalSpec {
+                        ::rncf::emitted::NodalSpec {
                             meaning: "slope",
-                            of: ::rncf::mesh::Interpolant::Position,
+                            of: ::rncf::emitted::Interpolant::Position,
                             order: 1,
                             xi: 1.0,
                         },
@@ -1354,9 +1354,9 @@ pub mod spin_up_spatial_equations {
                     vectors_per_node: 2,
                     stride: 2,
                     section_y: None,
-                    twist: ::rncf::mesh::Twist::even(0.0),
-                    fidelity: ::rncf::mesh::Fidelity::Full,
-                    tie: ::rncf::mesh::FrameTie::Joints,
+                    twist: ::rncf::emitted::Twist::even(0.0),
+                    fidelity: ::rncf::emitted::Fidelity::Full,
+                    tie: ::rncf::emitted::FrameTie::Joints,
                     normals: ::std::vec::Vec::new(),
                 },
             ])
@@ -1369,25 +1369,25 @@ pub mod spin_up_spatial_equations {
         ) -> ::std::result::Result<(), ::rncf::ModelError> {
             let model = &self.model;
             let length = nodes[1] - nodes[0];
-            let density = ::rncf::mesh::positive(
+            let density = ::rncf::emitted::positive(
                 "material `aluminium`",
                 "density",
                 2766.67,
                 "kg/m^3",
             )?;
-            let young = ::rncf::mesh::positive(
+            let young = ::rncf::emitted::positive(
                 "material `aluminium`",
                 "young",
                 68950000000.0,
                 "Pa",
             )?;
-            let area = ::rncf::mesh::positive(
+            let area = ::rncf::emitted::positive(
                 "section `tube`",
                 "area",
                 7.299e-5,
                 "m^2",
             )?;
-            let second_moment = ::rncf::mesh::positive(
+            let second_moment = ::rncf::emitted::positive(
                 "section `tube`",
                 "second_moment",
                 8.215e-9,
@@ -1402,7 +1402,7 @@ pub mod spin_up_spatial_equations {
             Ok(())
         }
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
-            cable_spatial_mass(&self.row_beam, ::rncf::mesh::array_mut(mass));
+            cable_spatial_mass(&self.row_beam, ::rncf::emitted::array_mut(mass));
         }
         fn elastic_force(
             &self,
@@ -1414,8 +1414,8 @@ pub mod spin_up_spatial_equations {
         ) {
             cable_spatial_elastic_force(
                 &self.row_beam,
-                ::rncf::mesh::array(q),
-                ::rncf::mesh::array_mut(force),
+                ::rncf::emitted::array(q),
+                ::rncf::emitted::array_mut(force),
             );
         }
         fn elastic_tangent(
@@ -1429,8 +1429,8 @@ pub mod spin_up_spatial_equations {
         ) {
             cable_spatial_elastic_tangent(
                 &self.row_beam,
-                ::rncf::mesh::array(q),
-                ::rncf::mesh::array_mut(stiffness),
+                ::rncf::emitted::array(q),
+                ::rncf::emitted::array_mut(stiffness),
             );
         }
         fn elastic_force4(
@@ -1442,11 +1442,11 @@ pub mod spin_up_spatial_equations {
         ) {
             let four = CableSpatialElasticForce {
                 rows: [&self.row_beam; 4],
-                q: ::rncf::mesh::array(q),
-                force: ::rncf::mesh::array_mut(force),
+                q: ::rncf::emitted::array(q),
+                force: ::rncf::emitted::array_mut(force),
             };
-            if !::rncf::lanes::run(four) {
-                ::rncf::mesh::elastic_force_one_by_one(self, elements, q, v, force);
+            if !::rncf::emitted::lanes::run(four) {
+                ::rncf::emitted::elastic_force_one_by_one(self, elements, q, v, force);
             }
         }
         fn elastic_tangent4(
@@ -1459,11 +1459,11 @@ pub mod spin_up_spatial_equations {
         ) {
             let four = CableSpatialElasticTangent {
                 rows: [&self.row_beam; 4],
-                q: ::rncf::mesh::array(q),
-                stiffness: ::rncf::mesh::array_mut(stiffness),
+                q: ::rncf::emitted::array(q),
+                stiffness: ::rncf::emitted::array_mut(stiffness),
             };
-            if !::rncf::lanes::run(four) {
-                ::rncf::mesh::elastic_tangent_one_by_one(
+            if !::rncf::emitted::lanes::run(four) {
+                ::rncf::emitted::elastic_tangent_one_by_one(
                     self,
                     elements,
                     q,
@@ -1477,7 +1477,7 @@ pub mod spin_up_spatial_equations {
             let mut energy = 0.0;
             cable_spatial_strain_energy(
                 &self.row_beam,
-                ::rncf::mesh::array(q),
+                ::rncf::emitted::array(q),
                 &mut energy,
             );
             energy
@@ -1486,32 +1486,32 @@ pub mod spin_up_spatial_equations {
             &self,
             body: usize,
             element: usize,
-            of: ::rncf::mesh::Interpolant,
+            of: ::rncf::emitted::Interpolant,
             order: usize,
             xi: f64,
             weights: &mut [f64],
         ) {
             weights.fill(0.0);
             match (of, order) {
-                (::rncf::mesh::Interpolant::Position, 0) => {
+                (::rncf::emitted::Interpolant::Position, 0) => {
                     cable_spatial_shapes_position_0(
                         self.row_beam.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::Position, 1) => {
+                (::rncf::emitted::Interpolant::Position, 1) => {
                     cable_spatial_shapes_position_1(
                         self.row_beam.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
-                (::rncf::mesh::Interpolant::Position, 2) => {
+                (::rncf::emitted::Interpolant::Position, 2) => {
                     cable_spatial_shapes_position_2(
                         self.row_beam.length,
                         xi,
-                        ::rncf::mesh::array_mut(weights),
+                        ::rncf::emitted::array_mut(weights),
                     )
                 }
                 _ => {}
@@ -1522,10 +1522,10 @@ pub mod spin_up_spatial_equations {
             body: usize,
             x: f64,
             length: f64,
-        ) -> ::rncf::mesh::SectionSpec {
+        ) -> ::rncf::emitted::SectionSpec {
             let model = &self.model;
-            ::rncf::mesh::SectionSpec {
-                shape: ::rncf::mesh::SectionShape::General {
+            ::rncf::emitted::SectionSpec {
+                shape: ::rncf::emitted::SectionShape::General {
                     extent: [None, None],
                 },
                 area: 7.299e-5,
@@ -1535,10 +1535,13 @@ pub mod spin_up_spatial_equations {
                 material: "aluminium",
             }
         }
-        fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {
+        fn fields(
+            &self,
+            body: usize,
+        ) -> &'static [(::rncf::emitted::Interpolant, usize)] {
             &[
-                (::rncf::mesh::Interpolant::Position, 1),
-                (::rncf::mesh::Interpolant::Position, 2),
+                (::rncf::emitted::Interpolant::Position, 1),
+                (::rncf::emitted::Interpolant::Position, 2),
             ]
         }
         fn field_forces(
@@ -1552,20 +1555,20 @@ pub mod spin_up_spatial_equations {
         ) {
             cable_spatial_field_forces(
                 &self.row_beam,
-                ::rncf::mesh::array(stress_free),
-                ::rncf::mesh::array(fields),
-                ::rncf::mesh::array_mut(forces),
+                ::rncf::emitted::array(stress_free),
+                ::rncf::emitted::array(fields),
+                ::rncf::emitted::array_mut(forces),
             );
         }
         fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
             Some("frame `hub` moves in a prescribed way")
         }
-        fn joints(&self) -> ::std::vec::Vec<::rncf::mesh::JointSpec> {
+        fn joints(&self) -> ::std::vec::Vec<::rncf::emitted::JointSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::JointSpec {
+                ::rncf::emitted::JointSpec {
                     name: "root",
-                    kind: ::rncf::mesh::JointKind::Clamp,
+                    kind: ::rncf::emitted::JointKind::Clamp,
                     body: 0,
                     at_end: false,
                     frame: 1,
@@ -1577,9 +1580,9 @@ pub mod spin_up_spatial_equations {
             &self,
             joint: usize,
             absolute: bool,
-            level: ::rncf::system::ConstraintLevel,
+            level: ::rncf::emitted::ConstraintLevel,
             t: f64,
-            data: &::rncf::mesh::JointData,
+            data: &::rncf::emitted::JointData,
             q: &[f64],
             v: &[f64],
             a: &[f64],
@@ -1588,7 +1591,7 @@ pub mod spin_up_spatial_equations {
             match (joint, absolute) {
                 (0, false) => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             joint_root_referenced_position(
                                 &self.model,
                                 t,
@@ -1604,7 +1607,7 @@ pub mod spin_up_spatial_equations {
                 }
                 (0, _) => {
                     match level {
-                        ::rncf::system::ConstraintLevel::Position => {
+                        ::rncf::emitted::ConstraintLevel::Position => {
                             joint_root_absolute_position(
                                 &self.model,
                                 t,
@@ -1615,7 +1618,7 @@ pub mod spin_up_spatial_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Velocity => {
+                        ::rncf::emitted::ConstraintLevel::Velocity => {
                             joint_root_absolute_velocity(
                                 &self.model,
                                 t,
@@ -1626,7 +1629,7 @@ pub mod spin_up_spatial_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Acceleration => {
+                        ::rncf::emitted::ConstraintLevel::Acceleration => {
                             joint_root_absolute_acceleration(
                                 &self.model,
                                 t,
@@ -1637,7 +1640,7 @@ pub mod spin_up_spatial_equations {
                                 rows,
                             )
                         }
-                        ::rncf::system::ConstraintLevel::Jerk => {
+                        ::rncf::emitted::ConstraintLevel::Jerk => {
                             joint_root_absolute_jerk(&self.model, t, data, q, v, a, rows)
                         }
                     }
@@ -1650,7 +1653,7 @@ pub mod spin_up_spatial_equations {
             joint: usize,
             absolute: bool,
             t: f64,
-            data: &::rncf::mesh::JointData,
+            data: &::rncf::emitted::JointData,
             jacobian: &mut [f64],
         ) {
             match (joint, absolute) {
@@ -1668,8 +1671,8 @@ pub mod spin_up_spatial_equations {
             joint: usize,
             absolute: bool,
             t: f64,
-            data: &::rncf::mesh::JointData,
-            prescribed: &mut ::rncf::mesh::Prescribed,
+            data: &::rncf::emitted::JointData,
+            prescribed: &mut ::rncf::emitted::Prescribed,
         ) {
             match (joint, absolute) {
                 (0, false) => {
@@ -1681,25 +1684,25 @@ pub mod spin_up_spatial_equations {
                 _ => {}
             }
         }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {
+        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 0,
                 },
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 1,
                 },
-                ::rncf::mesh::ObservedSpec::Point {
+                ::rncf::emitted::ObservedSpec::Point {
                     body: 0,
-                    at: ::rncf::mesh::Place::End,
-                    what: ::rncf::mesh::PointQuantity::Position,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
                     component: 2,
                 },
             ])
@@ -1721,8 +1724,8 @@ pub mod spin_up_spatial_equations {
             kinks(&self.model, &mut times);
             times.to_vec()
         }
-        fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {
-            motions[0] = ::rncf::mesh::FrameMotion::INERTIAL;
+        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
+            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
             frame_hub(&self.model, t, &mut motions[1]);
         }
         fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {

@@ -13,7 +13,7 @@ use super::parameters::{List, angular_velocity, assign, time};
 use super::run::RunSettings;
 use super::sweep::SweepSettings;
 use crate::equilibrium::Spin;
-use crate::mesh::Fidelity;
+use crate::model::Fidelity;
 use crate::{AnyModel, Formulation, Joints, Method, Options, Start, StepSize};
 
 /// A command line that makes sense.

@@ -6,7 +6,7 @@ use super::parameters::{digits, short};
 use super::section_table::AXIAL;
 use crate::archive::{Archive, Keep};
 use crate::equilibrium::Uniform;
-use crate::mesh::{SectionBody, SectionState};
+use crate::model::{SectionBody, SectionState};
 use crate::{Scene, State};
 
 /// The largest magnitude of something, and where.

@@ -13,7 +13,7 @@ use super::recorder::{InMemory, Recorder};
 use super::run_error::{Incomplete, RunError};
 use super::steady;
 use super::unfollowed::unfollowed;
-use crate::mesh::Fidelity;
+use crate::model::Fidelity;
 use crate::{
     AnyModel, Caution, Formulation, Integrator, Joints, Method, Options, Scene, Start, State, Statistics, StepSize,
 };

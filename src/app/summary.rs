@@ -14,7 +14,7 @@ use super::section_table;
 use super::steady::Equilibria;
 use super::sweep::SweepSettings;
 use crate::equilibrium::Kind;
-use crate::mesh::Fidelity;
+use crate::model::Fidelity;
 use crate::modes::{Composition, Critical, Whirl};
 use crate::{AnyModel, Joints, Method, ParamKind, Start, StepSize};
 

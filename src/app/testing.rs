@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use crate::equilibrium::Uniform;
 use crate::linalg::Pattern;
-use crate::mesh::Fidelity;
+use crate::model::Fidelity;
 use crate::model::{FrameState, Output, Param, ParamKind, RunDefaults};
 use crate::system::{ConstraintLevel, Tangent};
 use crate::{Caution, Formulation, Joints, Model, ModelError, Scene, State, System, Warning};

@@ -1,7 +1,7 @@
 //! An integration that is taken up from where it was last renewed, with a scene built anew, goes on with the same bits: nothing
 //! is hidden in scenes or methods.
 
-use rncf::mesh::Fidelity;
+use rncf::model::Fidelity;
 use rncf::{Formulation, Integrator, Joints, Method, Model, Options, Scene, State, StepSize, Stop};
 use rncf_models::{CurvedUpwind, Esail, FlyballGovernor, FreeFlight, HeavyTop, Motor, SliderCrank};
 

@@ -1,7 +1,7 @@
 //! Bodies described otherwise than they are declared.
 
 use rncf::app::{RunSettings, Wanted, advise, run};
-use rncf::mesh::Fidelity;
+use rncf::model::Fidelity;
 use rncf::{Formulation, Joints, Model};
 
 /// An arm on a hub that turns to and fro.

@@ -1,6 +1,6 @@
 //! Loads per length and gravity fields as they are emitted: derivatives, self weight, loops, section forces.
 
-use rncf::mesh::Configuration;
+use rncf::model::Configuration;
 use rncf::system::{State, Tangent};
 use rncf::{Formulation, Joints, Model, Scene};
 

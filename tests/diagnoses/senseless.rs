@@ -2,7 +2,7 @@
 //! start, or within a bounded time.
 
 use rncf::app::{RunError, RunSettings, run};
-use rncf::mesh::Fidelity;
+use rncf::model::Fidelity;
 use rncf::{Formulation, Integrator, Joints, Method, Model, ModelError, Options, Scene, SolveError, Stop};
 
 use crate::contains;

@@ -303,7 +303,7 @@ fn undamped_in_space_and_in_the_plane() {
 
     // The rigid motions alone leave it free.
     let mut k = [0.0; 900];
-    kernels::beam_spatial_elastic_tangent(&row, rncf::mesh::array(&straight(3)), &mut k);
+    kernels::beam_spatial_elastic_tangent(&row, rncf::emitted::array(&straight(3)), &mut k);
     assert_eq!(30 - rank(k.to_vec(), 30), 6);
 
     let row = kernels::BeamPlanar {
@@ -328,6 +328,6 @@ fn undamped_in_space_and_in_the_plane() {
     );
     against_steps(&variant(2, 0, false, false), &[], &q, &[0.0; 14], &found);
     let mut k = [0.0; 196];
-    kernels::beam_planar_elastic_tangent(&row, rncf::mesh::array(&straight(2)), &mut k);
+    kernels::beam_planar_elastic_tangent(&row, rncf::emitted::array(&straight(2)), &mut k);
     assert_eq!(14 - rank(k.to_vec(), 14), 3);
 }

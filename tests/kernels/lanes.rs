@@ -1,8 +1,8 @@
 //! Four elements side by side have the same bits as one by one, in every form of the kernels, with the vector
 //! instructions of the processor and without.
 
-use rncf::lanes::{self, LANES};
-use rncf::mesh::{Parts, elastic_force_one_by_one, elastic_tangent_one_by_one};
+use rncf::emitted::lanes::{self, LANES};
+use rncf::emitted::{Parts, elastic_force_one_by_one, elastic_tangent_one_by_one};
 use rncf_models::spin_up_spatial_equations::{
     CableSpatial, CableSpatialElasticForce, CableSpatialElasticTangent, cable_spatial_elastic_force,
     cable_spatial_elastic_tangent,
@@ -112,7 +112,7 @@ fn lanes_have_constants_of_their_own() {
         EI: 130.0 + 10.0 * random.next(),
         rhoA: 0.44,
     });
-    let q: [[f64; 12]; LANES] = std::array::from_fn(|_| *rncf::mesh::array(&shape(12, &mut random)));
+    let q: [[f64; 12]; LANES] = std::array::from_fn(|_| *rncf::emitted::array(&shape(12, &mut random)));
     let q4 = std::array::from_fn(|place| std::array::from_fn(|lane| q[lane][place]));
     let (mut force, mut stiffness) = ([[0.5; LANES]; 12], [[0.25; LANES]; 144]);
     let rows_of = rows.each_ref();

@@ -222,7 +222,7 @@ fn a_damped_nonlinear_material() {
     let row = kernels::BeamSpatialOfSoftRoundCurvedDamped {
         length: LENGTH,
         damping: DAMPING,
-        section: rncf::mesh::Section::round(0.3, 0.3, &material),
+        section: rncf::emitted::Section::round(0.3, 0.3, &material),
         material,
         ..Default::default()
     };
@@ -233,7 +233,7 @@ fn a_damped_nonlinear_material() {
     let mut reference = [0.0; 45];
     kernels::beam_spatial_of_soft_round_curved_damped_reference(&row, &shape, &mut reference);
     let force = |q: &[f64], v: &[f64]| {
-        let (q, v) = (rncf::mesh::array(q), rncf::mesh::array(v));
+        let (q, v) = (rncf::emitted::array(q), rncf::emitted::array(v));
         let mut force = [0.0; 30];
         kernels::beam_spatial_of_soft_round_curved_damped_elastic_force(&row, &reference, q, v, &mut force);
         force.to_vec()
@@ -243,7 +243,7 @@ fn a_damped_nonlinear_material() {
         kernels::beam_spatial_of_soft_round_curved_damped_strain_energy(
             &row,
             &reference,
-            rncf::mesh::array(q),
+            rncf::emitted::array(q),
             &mut stored,
         );
         stored
@@ -286,7 +286,7 @@ fn a_rectangle_in_the_plane() {
     let row = kernels::BeamPlanarOfLinearRectangle {
         length: LENGTH,
         // The torsion constant has no meaning here.
-        section: rncf::mesh::Section::rectangle([0.4, 0.2], 1.0),
+        section: rncf::emitted::Section::rectangle([0.4, 0.2], 1.0),
         material,
         ..Default::default()
     };
@@ -294,7 +294,7 @@ fn a_rectangle_in_the_plane() {
     let q: [f64; 14] = bent(2, 0.1, &mut random).try_into().unwrap();
     let force = |q: &[f64]| {
         let mut force = [0.0; 14];
-        kernels::beam_planar_of_linear_rectangle_elastic_force(&row, rncf::mesh::array(q), &mut force);
+        kernels::beam_planar_of_linear_rectangle_elastic_force(&row, rncf::emitted::array(q), &mut force);
         force.to_vec()
     };
     let before = straight(2);
@@ -321,7 +321,7 @@ fn without_lateral_contraction_it_is_the_beam_by_its_moduli() {
         let material = kernels::BeamSpatialOfLinearRoundMaterial { lambda: 0.0, mu: MU };
         let row = kernels::BeamSpatialOfLinearRound {
             length: LENGTH,
-            section: rncf::mesh::Section::round(radius, radius, &material),
+            section: rncf::emitted::Section::round(radius, radius, &material),
             material,
             ..Default::default()
         };
@@ -384,12 +384,12 @@ fn no_motion_but_the_rigid_ones_is_free() {
     let material = kernels::BeamSpatialOfLinearRoundMaterial { lambda: LAMBDA, mu: MU };
     let row = kernels::BeamSpatialOfLinearRound {
         length: LENGTH,
-        section: rncf::mesh::Section::round(0.3, 0.3, &material),
+        section: rncf::emitted::Section::round(0.3, 0.3, &material),
         material,
         ..Default::default()
     };
     let mut k = [0.0; 900];
-    kernels::beam_spatial_of_linear_round_elastic_tangent(&row, rncf::mesh::array(&straight(3)), &mut k);
+    kernels::beam_spatial_of_linear_round_elastic_tangent(&row, rncf::emitted::array(&straight(3)), &mut k);
     assert_eq!(30 - rank(k.to_vec(), 30), 6);
 }
 
@@ -420,7 +420,7 @@ fn forces_on_the_fields() {
     let material = kernels::BeamSpatialOfLinearRoundMaterial { lambda: 0.0, mu: MU };
     let row = kernels::BeamSpatialOfLinearRound {
         length: LENGTH,
-        section: rncf::mesh::Section::round(0.3, 0.3, &material),
+        section: rncf::emitted::Section::round(0.3, 0.3, &material),
         material,
         ..Default::default()
     };

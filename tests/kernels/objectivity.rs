@@ -13,7 +13,7 @@ fn a_rotated_curved_element_feels_no_force() {
         rhoA: 0.44,
         damping: 2e-3,
     };
-    let line = rncf::mesh::Line::Arc {
+    let line = rncf::emitted::Line::Arc {
         from: [0.3, -0.2, 0.0],
         direction: [1.0, 0.4, 0.0],
         normal: [0.0, 0.0, 1.0],

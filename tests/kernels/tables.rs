@@ -1,7 +1,7 @@
 //! Tables as the generator reads them, beside the same tables in a program that runs.
 
 use rncf_codegen::model;
-use rncf_runtime::mesh::Table;
+use rncf_runtime::emitted::Table;
 
 #[test]
 fn the_generator_reads_tables_as_programs_do() {

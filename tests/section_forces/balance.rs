@@ -2,7 +2,7 @@
 //! described.
 
 use rncf::equilibrium::{Uniform, static_load, steady};
-use rncf::mesh::{Fidelity, SectionState};
+use rncf::model::{Fidelity, SectionState};
 use rncf::{Formulation, Joints, Model, Scene};
 
 use crate::models::{Blades, DENSITY, LENGTH, YOUNG, area, second_moment};

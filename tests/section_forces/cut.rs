@@ -3,7 +3,7 @@
 
 use rncf::Scene;
 use rncf::equilibrium::{Uniform, static_load};
-use rncf::mesh::SectionState;
+use rncf::model::SectionState;
 use rncf::vector::{Vector, add, cross, dot, norm, scale, subtract};
 
 /// Place and axes (x along `r_y x r_z`) of a section in the deformed shape.

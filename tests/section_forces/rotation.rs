@@ -1,7 +1,7 @@
 //! Steady rotation: the force at the root is that of the mass beyond it.
 
 use rncf::equilibrium::{Uniform, steady};
-use rncf::mesh::SectionState;
+use rncf::model::SectionState;
 use rncf::{Model, Rncf, Scene};
 
 use crate::models::{Blades, DENSITY, LENGTH, YOUNG, area};

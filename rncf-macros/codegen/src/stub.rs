@@ -60,7 +60,7 @@ pub fn stub(tree: &Tree) -> TokenStream {
                     &self,
                     _: ::rncf::Formulation,
                     _: ::rncf::Joints,
-                    _: &[(::std::string::String, ::rncf::mesh::Fidelity)],
+                    _: &[(::std::string::String, ::rncf::emitted::Fidelity)],
                 ) -> ::core::result::Result<::std::boxed::Box<dyn ::rncf::Scene>, ::rncf::ModelError> {
                     ::core::unreachable!()
                 }

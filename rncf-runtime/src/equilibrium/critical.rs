@@ -1,10 +1,9 @@
 //! Where a static equilibrium loses its stability as the loads grow: buckling and limit points.
 
 use super::newton::{Newton, Patience};
-use super::uniform::Uniform;
 use super::{Continued, LOAD_STEP, SMALLEST, along, check};
 use crate::error::SolveError;
-use crate::model::Scene;
+use crate::model::{Scene, Uniform};
 use crate::system::State;
 
 /// Relative width to which the load is bracketed.

@@ -4,10 +4,9 @@
 
 mod critical;
 mod newton;
-mod uniform;
 
+pub use crate::model::{Kind, Spin, Uniform};
 pub use critical::{Critical, critical_factor};
-pub use uniform::{Kind, Spin, Uniform};
 
 use crate::error::{SolveError, SolveErrorKind};
 use crate::model::Scene;

@@ -1,9 +1,8 @@
 //! Newton's iteration for equilibria with the whole matrix `[[K, C_x^T, p], [C_x, 0, 0], [p^T, 0, 0]]`:
 //! K alone may be singular, and phase conditions p hold what is neutral.
 
-use super::uniform::{Kind, Uniform};
 use crate::linalg::{Lu, Pattern, symmetric_eigen};
-use crate::model::Scene;
+use crate::model::{Kind, Scene, Uniform};
 use crate::system::{ConstraintLevel, State, Tangent};
 
 /// Most iterations.

@@ -6,7 +6,6 @@
 //! observer that turns with the system.
 
 mod arnoldi;
-mod composition;
 mod critical;
 mod dense;
 mod pencil;
@@ -15,17 +14,15 @@ mod spectrum;
 mod tracking;
 mod whirl;
 
-pub use composition::{Composition, Motion};
+pub use crate::model::{Composition, Motion};
 pub use critical::{Critical, critical};
 pub use pencil::Pencil;
 pub use tracking::{assurance, followed, matched};
 pub use whirl::Whirl;
-pub(crate) use whirl::Whirling;
 
-use crate::equilibrium::Uniform;
 use crate::error::{SolveError, SolveErrorKind};
 use crate::linalg::Pattern;
-use crate::model::Scene;
+use crate::model::{Scene, Uniform};
 use crate::system::{State, Tangent};
 use spectrum::{Failure, Pair};
 

@@ -1,7 +1,7 @@
 //! What stands on the ladder: descriptions of the bodies, meshes, and what can be chosen at all.
 
 use crate::app::parameters::List;
-use crate::mesh::{DescribedBody, Fidelity};
+use crate::model::{DescribedBody, Fidelity};
 use crate::{AnyModel, Formulation, Joints, ModelError, ParamKind};
 
 /// Numbers of modes on the ladder.

@@ -26,7 +26,7 @@ use super::parameters::List;
 use super::progress::Bar;
 use super::run::{RunSettings, complete};
 use crate::AnyModel;
-use crate::mesh::Fidelity;
+use crate::model::Fidelity;
 
 /// Accuracy where none is given.
 const WANTED: f64 = 1e-3;

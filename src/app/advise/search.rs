@@ -4,7 +4,7 @@ use super::ladder::{Choices, Setting, descriptions};
 use crate::AnyModel;
 use crate::app::chart::errors::{errors, scales, worst};
 use crate::app::history::History;
-use crate::mesh::Fidelity;
+use crate::model::Fidelity;
 
 /// A run that came to its end.
 #[derive(Clone, Debug)]

@@ -7,7 +7,7 @@ use crate::app::clock::Seconds;
 use crate::app::history::{Column, History};
 use crate::app::run::RunSettings;
 use crate::app::testing::Rotor;
-use crate::mesh::Fidelity;
+use crate::model::Fidelity;
 
 /// Bodies `crank` and `rod`, or the first of them alone, on meshes that `coils` counts.
 fn choices(bodies: usize, meshes: &[f64]) -> Choices {

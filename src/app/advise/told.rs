@@ -14,7 +14,7 @@ use crate::app::parameters::digits;
 use crate::app::report::escape;
 use crate::app::run::RunSettings;
 use crate::app::summary::{self, Summary, described, put};
-use crate::mesh::Fidelity;
+use crate::model::Fidelity;
 
 /// The result of a search, ready to be told.
 pub(super) struct Advice<'a> {

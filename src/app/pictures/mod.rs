@@ -5,7 +5,7 @@ mod base64;
 pub(super) mod paraview;
 
 use crate::archive::{Archive, Keep};
-use crate::mesh::{Configuration, Curve};
+use crate::model::{Configuration, Curve};
 use crate::vector::{Vector, add, apply, norm, subtract};
 use crate::{Scene, State};
 

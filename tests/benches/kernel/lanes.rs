@@ -2,7 +2,7 @@
 
 use std::hint::black_box;
 
-use rncf::lanes::{self, LANES};
+use rncf::emitted::lanes::{self, LANES};
 use rncf_models::spin_up_spatial_equations::{
     CableSpatial, CableSpatialElasticForce, CableSpatialElasticTangent, cable_spatial_elastic_force,
     cable_spatial_elastic_tangent,

@@ -23,7 +23,7 @@ pub fn tables(model: &Model) -> String {
         let names: Vec<&str> = table.columns.iter().map(|column| column.name.as_str()).collect();
         let _ = writeln!(
             text,
-            "/// Table `{}`: {}.\npub static {}: ::rncf::mesh::Table = ::rncf::mesh::Table {{ name: {:?}, places: &[{}], is_relative: {}, is_smooth: {}, columns: &[{}] }};",
+            "/// Table `{}`: {}.\npub static {}: ::rncf::emitted::Table = ::rncf::emitted::Table {{ name: {:?}, places: &[{}], is_relative: {}, is_smooth: {}, columns: &[{}] }};",
             table.name,
             names.join(", "),
             table.constant(),
@@ -55,10 +55,10 @@ impl Parts<'_> {
     pub(super) fn twist(&self, body: &Body) -> String {
         let twist = self.expr(&body.twist);
         if !fold::has_arclength(&body.twist) {
-            return format!("::rncf::mesh::Twist::even({twist})");
+            return format!("::rncf::emitted::Twist::even({twist})");
         }
         format!(
-            "{{ let (model, length) = (model.clone(), {}.length()); ::rncf::mesh::Twist::along(move |u| {{ let x = u * length; {twist} }}) }}",
+            "{{ let (model, length) = (model.clone(), {}.length()); ::rncf::emitted::Twist::along(move |u| {{ let x = u * length; {twist} }}) }}",
             self.line(body)
         )
     }
@@ -134,7 +134,7 @@ impl Parts<'_> {
             format!("Mass::Centre([{}])", values(MASSES))
         };
         format!(
-            "let law = ::rncf::mesh::SectionLaw::new({:?}, ::rncf::mesh::{stiffness}, ::rncf::mesh::{mass})?;\n",
+            "let law = ::rncf::emitted::SectionLaw::new({:?}, ::rncf::emitted::{stiffness}, ::rncf::emitted::{mass})?;\n",
             body.section_name
         )
     }
@@ -181,13 +181,16 @@ impl Parts<'_> {
         let damping = body.properties.get("damping").filter(|_| variant.damped);
         let damping = damping.map_or(String::new(), |value| format!(", damping: {}", self.expr(value)));
         let reference = match &kernels.elastic.reference {
-            Some(kernel) => format!("{}(&row, ::rncf::mesh::array(shape), &mut reference);\n", kernel.name),
+            Some(kernel) => format!(
+                "{}(&row, ::rncf::emitted::array(shape), &mut reference);\n",
+                kernel.name
+            ),
             None => String::new(),
         };
         let shapes = kernels.shapes.iter().filter_map(|(of, orders)| {
             let kernel = &orders.first()?.name;
             Some(format!(
-                "::rncf::mesh::Interpolant::{of:?} => {kernel}(row.length, xi, ::rncf::mesh::array_mut(weights)),\n"
+                "::rncf::emitted::Interpolant::{of:?} => {kernel}(row.length, xi, ::rncf::emitted::array_mut(weights)),\n"
             ))
         });
         let shapes: String = shapes.collect();
@@ -206,7 +209,7 @@ impl Parts<'_> {
              let (coefficients, _) = at(nodes[0] + xi * row.length)?;\n\
              reference[place..place + {coefficients}].copy_from_slice(&coefficients);\n}}\n\
              {reference}\
-             masses.push(::rncf::mesh::mass_along({vectors}, row.length, |xi| Ok(at(nodes[0] + xi * row.length)?.1), |of, xi, weights| match of {{\n{shapes}\
+             masses.push(::rncf::emitted::mass_along({vectors}, row.length, |xi| Ok(at(nodes[0] + xi * row.length)?.1), |of, xi, weights| match of {{\n{shapes}\
              #[allow(unreachable_patterns)]\n_ => {{}}\n}})?);\n\
              rows.push(row);\nreferences.push(reference);\n}}\n",
             kept = kernels.elastic.kept,
@@ -241,14 +244,16 @@ impl Parts<'_> {
                 .collect();
             format!("::std::vec::Vec::from([{}])", names.join(", "))
         });
-        format!("fn tables(&self, body: usize) -> ::std::vec::Vec<&'static ::rncf::mesh::Table> {{\n{kind}{arms}}}\n")
+        format!(
+            "fn tables(&self, body: usize) -> ::std::vec::Vec<&'static ::rncf::emitted::Table> {{\n{kind}{arms}}}\n"
+        )
     }
 
     /// Forces on the fields of a body whose coefficients vary.
     pub(super) fn field_forces_varying(&self, body: &Body, kernel: &str, rates: &str) -> String {
         let instance = if body.repeat.is_some() { "[instance]" } else { "" };
         let rows = format!("self.row_{}{instance}", body.identifier());
-        let array = "::rncf::mesh::array";
+        let array = "::rncf::emitted::array";
         format!(
             "let [x, length] = at;\nif let Ok((coefficients, _)) = along_{}(&self.model, x, length) {{\n\
              {kernel}(&{rows}[0], &coefficients, {array}(stress_free), {array}(fields), {rates}{array}_mut(forces));\n}}",

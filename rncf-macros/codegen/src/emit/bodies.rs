@@ -8,7 +8,7 @@ impl Parts<'_> {
         match &body.line {
             Line::Straight { from, to } => {
                 format!(
-                    "::rncf::mesh::Line::Straight {{ from: {}, to: {} }}",
+                    "::rncf::emitted::Line::Straight {{ from: {}, to: {} }}",
                     self.vector(from),
                     self.vector(to)
                 )
@@ -21,7 +21,7 @@ impl Parts<'_> {
                 angle,
             } => {
                 format!(
-                    "::rncf::mesh::Line::Arc {{ from: {}, direction: {}, normal: {}, radius: {}, angle: {} }}",
+                    "::rncf::emitted::Line::Arc {{ from: {}, direction: {}, normal: {}, radius: {}, angle: {} }}",
                     self.vector(from),
                     self.vector(direction),
                     self.vector(normal),
@@ -32,7 +32,7 @@ impl Parts<'_> {
             Line::Curve { points } => {
                 let points: Vec<String> = points.iter().map(|point| self.vector(point)).collect();
                 format!(
-                    "::rncf::mesh::Line::Curve(::rncf::mesh::Spline::through(&[{}]).into())",
+                    "::rncf::emitted::Line::Curve(::rncf::emitted::Spline::through(&[{}]).into())",
                     points.join(", ")
                 )
             }
@@ -47,7 +47,7 @@ impl Parts<'_> {
             let nodal = variant.vectors(self.library).into_iter().map(|vector| {
                 let xi = vector.place.to_f64();
                 format!(
-                    "::rncf::mesh::NodalSpec {{ meaning: {:?}, of: ::rncf::mesh::Interpolant::{:?}, order: {}, xi: {xi:?} }}",
+                    "::rncf::emitted::NodalSpec {{ meaning: {:?}, of: ::rncf::emitted::Interpolant::{:?}, order: {}, xi: {xi:?} }}",
                     vector.meaning, vector.of, vector.order
                 )
             });
@@ -67,7 +67,7 @@ impl Parts<'_> {
                 "None"
             };
             let entry = format!(
-                "::rncf::mesh::BodySpec {{ name: {:?}, kind: {index}, instance: {instance}, frame: {}, axes: &{:?}, line: {}, count: {count}, stations: {stations}, nodal: &[{nodal}], connectivity: &{:?}, vectors_per_node: {}, stride: {}, section_y: {section_y}, twist: {twist}, fidelity: ::rncf::mesh::Fidelity::{}, tie: ::rncf::mesh::FrameTie::{:?}, normals: ::std::vec::Vec::new() }}",
+                "::rncf::emitted::BodySpec {{ name: {:?}, kind: {index}, instance: {instance}, frame: {}, axes: &{:?}, line: {}, count: {count}, stations: {stations}, nodal: &[{nodal}], connectivity: &{:?}, vectors_per_node: {}, stride: {}, section_y: {section_y}, twist: {twist}, fidelity: ::rncf::emitted::Fidelity::{}, tie: ::rncf::emitted::FrameTie::{:?}, normals: ::std::vec::Vec::new() }}",
                 body.name,
                 body.frame.0,
                 body.space.axes(),

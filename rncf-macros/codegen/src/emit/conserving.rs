@@ -148,7 +148,7 @@ impl Parts<'_> {
         for (place, (name, result)) in [("force", "force"), ("tangent", "stiffness")].into_iter().enumerate() {
             let calls = self.by_body(|index, body| {
                 format!(
-                    "{}(&{}, {}::rncf::mesh::array(start), ::rncf::mesh::array(end), ::rncf::mesh::array_mut({result}));",
+                    "{}(&{}, {}::rncf::emitted::array(start), ::rncf::emitted::array(end), ::rncf::emitted::array_mut({result}));",
                     kernels[self.equations.variant_of[index]].kernels[place].name,
                     self.row(body),
                     self.reference(index, body),

@@ -146,10 +146,10 @@ fn implementation(model: &Model, notes: &[String]) -> String {
     );
     let _ = writeln!(
         text,
-        "fn build_as(&self, formulation: ::rncf::Formulation, joints: ::rncf::Joints, fidelity: &[(::std::string::String, ::rncf::mesh::Fidelity)]) -> ::std::result::Result<::std::boxed::Box<dyn ::rncf::Scene>, ::rncf::ModelError> {{\n\
-         ::rncf::mesh::check_params(self)?;\n\
+        "fn build_as(&self, formulation: ::rncf::Formulation, joints: ::rncf::Joints, fidelity: &[(::std::string::String, ::rncf::emitted::Fidelity)]) -> ::std::result::Result<::std::boxed::Box<dyn ::rncf::Scene>, ::rncf::ModelError> {{\n\
+         ::rncf::model::check_params(self)?;\n\
          let equations = {module}::Equations::new(self);\n\
-         ::rncf::mesh::build_as(equations, formulation, joints, fidelity)\n}}\n}}"
+         ::rncf::build_as(equations, formulation, joints, fidelity)\n}}\n}}"
     );
     text
 }

@@ -51,7 +51,7 @@ impl Parts<'_> {
             let markers: Vec<usize> = density.markers.iter().map(|marker| marker.0).collect();
             let instance = if repeat.is_some() { " + instance" } else { "" };
             let entry = format!(
-                "::rncf::mesh::DensitySpec {{ name: {:?}, kind: {kind}, body: {}{instance}, markers: &{markers:?}, values: {} }}",
+                "::rncf::emitted::DensitySpec {{ name: {:?}, kind: {kind}, body: {}{instance}, markers: &{markers:?}, values: {} }}",
                 density.name,
                 self.first_of(density.body),
                 kernels.values
@@ -98,7 +98,7 @@ impl Parts<'_> {
             return String::new();
         }
         format!(
-            "let (density, {instance}) = ::rncf::mesh::declared(&[{}], density);\n",
+            "let (density, {instance}) = ::rncf::emitted::declared(&[{}], density);\n",
             counts.join(", ")
         )
     }
@@ -163,10 +163,10 @@ impl Parts<'_> {
         let arguments: Vec<String> = results.iter().map(|result| format!("&mut own_{result}")).collect();
         let sums: String = results
             .iter()
-            .map(|result| format!("::rncf::mesh::add_lane({result}, lane, &own_{result});\n"))
+            .map(|result| format!("::rncf::emitted::add_lane({result}, lane, &own_{result});\n"))
             .collect();
         let one_by_one = format!(
-            "for lane in 0..4 {{\n{own}let values: [f64; {}] = ::rncf::mesh::lane(values, lane);\nlet q: [f64; {size}] = ::rncf::mesh::lane(q, lane);\n{}(&[length[lane]], &values, &q, {});\n{sums}}}\n",
+            "for lane in 0..4 {{\n{own}let values: [f64; {}] = ::rncf::emitted::lane(values, lane);\nlet q: [f64; {size}] = ::rncf::emitted::lane(q, lane);\n{}(&[length[lane]], &values, &q, {});\n{sums}}}\n",
             kernels.values,
             kernel.name,
             arguments.join(", ")
@@ -176,10 +176,10 @@ impl Parts<'_> {
         }
         let fields: String = results
             .iter()
-            .map(|result| format!(", {result}: ::rncf::mesh::array_mut({result})"))
+            .map(|result| format!(", {result}: ::rncf::emitted::array_mut({result})"))
             .collect();
         format!(
-            "let length = {length};\nlet four = {} {{ length: &[length], values: ::rncf::mesh::array(values), q: ::rncf::mesh::array(q){fields} }};\nif !::rncf::lanes::run(four) {{\n{one_by_one}}}\n",
+            "let length = {length};\nlet four = {} {{ length: &[length], values: ::rncf::emitted::array(values), q: ::rncf::emitted::array(q){fields} }};\nif !::rncf::emitted::lanes::run(four) {{\n{one_by_one}}}\n",
             camel_case(&kernel.name)
         )
     }

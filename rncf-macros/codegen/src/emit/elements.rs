@@ -19,12 +19,12 @@ pub(super) fn rows_side_by_side(row: &str, fields: &[&str]) -> String {
         .collect();
     format!(
         "impl {row} {{\n/// The constants of four elements side by side.\n#[inline(always)]\n\
-         pub fn side_by_side<L: ::rncf::lanes::Lanes>(rows: [&Self; 4], lanes: L) -> {row}<L::Real> {{\n\
+         pub fn side_by_side<L: ::rncf::emitted::lanes::Lanes>(rows: [&Self; 4], lanes: L) -> {row}<L::Real> {{\n\
          {row} {{\n{fields}}}\n}}\n}}\n"
     )
 }
 
-/// A kernel with the arguments for four elements, which `::rncf::lanes::run` takes.
+/// A kernel with the arguments for four elements, which `::rncf::emitted::lanes::run` takes.
 pub(super) fn side_by_side(kernel: &Kernel) -> String {
     let name = camel_case(&kernel.name);
     let row = kernel.arguments[0].trim_start_matches("row: &");
@@ -61,8 +61,8 @@ pub(super) fn side_by_side(kernel: &Kernel) -> String {
     }
     let doc = documentation([format!("[`{}`] of four elements side by side.", kernel.name).as_str()].into_iter());
     format!(
-        "{doc}pub struct {name}<'a> {{\n{fields}}}\nimpl ::rncf::lanes::Kernel for {name}<'_> {{\n#[inline(always)]\n\
-         fn run<L: ::rncf::lanes::Lanes>(self, lanes: L) {{\nlet Self {{ {} }} = self;\n{loads}{}({});\n}}\n}}\n",
+        "{doc}pub struct {name}<'a> {{\n{fields}}}\nimpl ::rncf::emitted::lanes::Kernel for {name}<'_> {{\n#[inline(always)]\n\
+         fn run<L: ::rncf::emitted::lanes::Lanes>(self, lanes: L) {{\nlet Self {{ {} }} = self;\n{loads}{}({});\n}}\n}}\n",
         names.join(", "),
         kernel.name,
         arguments.join(", ")
@@ -109,14 +109,14 @@ impl Parts<'_> {
                 );
             }
             format!(
-                "{}_mass(&{}, ::rncf::mesh::array_mut(mass));",
+                "{}_mass(&{}, ::rncf::emitted::array_mut(mass));",
                 self.variant(index).name,
                 self.row(body)
             )
         });
         let energy = self.by_body(|index, body| {
             format!(
-                "{}_strain_energy(&{}, {}::rncf::mesh::array(q), &mut energy);",
+                "{}_strain_energy(&{}, {}::rncf::emitted::array(q), &mut energy);",
                 self.variant(index).name,
                 self.row(body),
                 self.reference(index, body)
@@ -127,7 +127,7 @@ impl Parts<'_> {
             let all = all.flat_map(|(of, orders)| orders.iter().enumerate().map(move |(order, kernel)| (of, order, kernel)));
             let arms = all.map(|(of, order, kernel)| {
                 format!(
-                    "(::rncf::mesh::Interpolant::{of:?}, {order}) => {}({}.length, xi, ::rncf::mesh::array_mut(weights)),\n",
+                    "(::rncf::emitted::Interpolant::{of:?}, {order}) => {}({}.length, xi, ::rncf::emitted::array_mut(weights)),\n",
                     kernel.name,
                     self.row(body)
                 )
@@ -139,7 +139,7 @@ impl Parts<'_> {
         text += &self.elastic_of_four();
         text + &format!(
             "fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {{\n{kind}let mut energy = 0.0;\n{energy}energy\n}}\n\
-             fn shapes(&self, body: usize, element: usize, of: ::rncf::mesh::Interpolant, order: usize, xi: f64, weights: &mut [f64]) {{\n{kind}weights.fill(0.0);\n{shapes}}}\n"
+             fn shapes(&self, body: usize, element: usize, of: ::rncf::emitted::Interpolant, order: usize, xi: f64, weights: &mut [f64]) {{\n{kind}weights.fill(0.0);\n{shapes}}}\n"
         )
     }
 
@@ -147,23 +147,23 @@ impl Parts<'_> {
         let kind = self.kind();
         let call = |index: usize, body: &Body, quantity: &str, results: &str| {
             let rates = if self.variant(index).variant.damped {
-                "::rncf::mesh::array(v), "
+                "::rncf::emitted::array(v), "
             } else {
                 ""
             };
             format!(
-                "{}_elastic_{quantity}(&{}, {}::rncf::mesh::array(q), {rates}{results});",
+                "{}_elastic_{quantity}(&{}, {}::rncf::emitted::array(q), {rates}{results});",
                 self.variant(index).name,
                 self.row(body),
                 self.reference(index, body),
             )
         };
-        let force = self.by_body(|index, body| call(index, body, "force", "::rncf::mesh::array_mut(force)"));
+        let force = self.by_body(|index, body| call(index, body, "force", "::rncf::emitted::array_mut(force)"));
         let tangent = self.by_body(|index, body| {
             let results = if self.variant(index).variant.damped {
-                "::rncf::mesh::array_mut(stiffness), ::rncf::mesh::array_mut(damping)"
+                "::rncf::emitted::array_mut(stiffness), ::rncf::emitted::array_mut(damping)"
             } else {
-                "::rncf::mesh::array_mut(stiffness)"
+                "::rncf::emitted::array_mut(stiffness)"
             };
             call(index, body, "tangent", results)
         });
@@ -186,7 +186,7 @@ impl Parts<'_> {
         let call = |index: usize, body: &Body, quantity: &str, results: &[&str]| {
             let variant = self.variant(index);
             let all = results.join(", ");
-            let one_by_one = format!("::rncf::mesh::elastic_{quantity}_one_by_one(self, elements, q, v, {all});");
+            let one_by_one = format!("::rncf::emitted::elastic_{quantity}_one_by_one(self, elements, q, v, {all});");
             if !variant.side_by_side() {
                 return one_by_one;
             }
@@ -218,18 +218,18 @@ impl Parts<'_> {
                     None => format!("references: elements.map(|(_, element)| {reference})"),
                 });
             }
-            fields.push("q: ::rncf::mesh::array(q)".to_string());
+            fields.push("q: ::rncf::emitted::array(q)".to_string());
             if variant.variant.damped {
-                fields.push("v: ::rncf::mesh::array(v)".to_string());
+                fields.push("v: ::rncf::emitted::array(v)".to_string());
             }
             let results = &results[..if variant.variant.damped { results.len() } else { 1 }];
             for result in results {
                 let field = if *result == "damping" { "damping_matrix" } else { result };
-                fields.push(format!("{field}: ::rncf::mesh::array_mut({result})"));
+                fields.push(format!("{field}: ::rncf::emitted::array_mut({result})"));
             }
             let kernel = camel_case(&format!("{}_elastic_{quantity}", variant.name));
             format!(
-                "let four = {kernel} {{ {} }};\nif !::rncf::lanes::run(four) {{ {one_by_one} }}",
+                "let four = {kernel} {{ {} }};\nif !::rncf::emitted::lanes::run(four) {{ {one_by_one} }}",
                 fields.join(", ")
             )
         };

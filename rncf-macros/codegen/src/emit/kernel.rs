@@ -31,7 +31,7 @@ pub fn function_of_lanes(kernel: &Kernel) -> String {
         .collect();
     let _ = writeln!(
         text,
-        "pub fn {}<T: ::rncf::lanes::Real>({}) {{",
+        "pub fn {}<T: ::rncf::emitted::lanes::Real>({}) {{",
         kernel.name,
         arguments.join(", ")
     );

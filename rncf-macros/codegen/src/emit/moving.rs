@@ -77,7 +77,7 @@ impl Parts<'_> {
                     _ if part.inertia.iter().all(|expr| fold::constant(expr).is_some()) => {}
                     _ => {
                         let entries = part.inertia.each_ref().map(|expr| self.expr(expr)).join(", ");
-                        let _ = writeln!(checks, "::rncf::mesh::inertia({owner:?}, [{entries}])?;");
+                        let _ = writeln!(checks, "::rncf::emitted::inertia({owner:?}, [{entries}])?;");
                     }
                 }
             }
@@ -100,7 +100,7 @@ impl Parts<'_> {
             return String::new();
         }
         let value = self.expr(value);
-        format!("::rncf::mesh::{function}({owner:?}, {name:?}, {value}, {unit:?})?;\n")
+        format!("::rncf::emitted::{function}({owner:?}, {name:?}, {value}, {unit:?})?;\n")
     }
 
     /// Free frames.
@@ -108,13 +108,13 @@ impl Parts<'_> {
         if self.equations.free.is_empty() {
             return String::new();
         }
-        let mut text = "fn free(&self) -> ::std::vec::Vec<::rncf::mesh::FreeSpec> {\nlet still = ::rncf::mesh::FreeSpec { frame: 0, parent: 0, is_body: false, motions: ::rncf::mesh::Motions::Spatial, position: [0.0; 3], axis: [0.0; 3], angle: 0.0, velocity: [0.0; 3], spin: [0.0; 3], rigid: ::rncf::mesh::RigidSpec::default() };\nlet mut specs = ::std::vec::Vec::from([\n".to_string();
+        let mut text = "fn free(&self) -> ::std::vec::Vec<::rncf::emitted::FreeSpec> {\nlet still = ::rncf::emitted::FreeSpec { frame: 0, parent: 0, is_body: false, motions: ::rncf::emitted::Motions::Spatial, position: [0.0; 3], axis: [0.0; 3], angle: 0.0, velocity: [0.0; 3], spin: [0.0; 3], rigid: ::rncf::emitted::RigidSpec::default() };\nlet mut specs = ::std::vec::Vec::from([\n".to_string();
         for &(index, _) in &self.equations.free {
             let frame = &self.model.frames[index];
             if let Some(free) = &frame.free {
                 let _ = writeln!(
                     text,
-                    "::rncf::mesh::FreeSpec {{ frame: {index}, parent: {}, is_body: {}, motions: ::rncf::mesh::Motions::{}, ..still.clone() }},",
+                    "::rncf::emitted::FreeSpec {{ frame: {index}, parent: {}, is_body: {}, motions: ::rncf::emitted::Motions::{}, ..still.clone() }},",
                     frame.parent.0,
                     free.is_body,
                     motions(&free.motions)
@@ -212,7 +212,7 @@ impl Parts<'_> {
             .model
             .markers
             .iter()
-            .map(|entry| (None, format!("::rncf::mesh::MarkerSpec::{}", marker(entry))));
+            .map(|entry| (None, format!("::rncf::emitted::MarkerSpec::{}", marker(entry))));
         self.list("markers", "MarkerSpec", &entries.collect::<Vec<_>>())
     }
 
@@ -231,7 +231,7 @@ impl Parts<'_> {
                 Some(body) => format!("Absolute({})", self.first_of(body)),
             };
             let entry = format!(
-                "::rncf::mesh::ConstraintSpec {{ name: {:?}, kind: {:?}, rows: &{rows:?}, markers: &{markers:?}, coupled: &{coupled:?}, first_party: {}, when: ::rncf::mesh::When::{when} }}",
+                "::rncf::emitted::ConstraintSpec {{ name: {:?}, kind: {:?}, rows: &{rows:?}, markers: &{markers:?}, coupled: &{coupled:?}, first_party: {}, when: ::rncf::emitted::When::{when} }}",
                 constraint.name, constraint.kind, constraint.first_party
             );
             (None, entry)
@@ -241,7 +241,7 @@ impl Parts<'_> {
         let levels = kernels.iter().map(|constraint| {
             let levels = constraint.levels.iter().zip(LEVELS).map(|(kernel, level)| {
                 format!(
-                    "::rncf::system::ConstraintLevel::{} => {}(&self.model, t, z, rows),\n",
+                    "::rncf::emitted::ConstraintLevel::{} => {}(&self.model, t, z, rows),\n",
                     camel_case(level),
                     kernel.name
                 )
@@ -254,7 +254,7 @@ impl Parts<'_> {
         });
         let _ = writeln!(
             text,
-            "fn marker_constraint(&self, constraint: usize, level: ::rncf::system::ConstraintLevel, t: f64, z: &[[[f64; 3]; 4]], rows: &mut [f64]) {{\nmatch constraint {{\n{}_ => {{}}\n}}\n}}",
+            "fn marker_constraint(&self, constraint: usize, level: ::rncf::emitted::ConstraintLevel, t: f64, z: &[[[f64; 3]; 4]], rows: &mut [f64]) {{\nmatch constraint {{\n{}_ => {{}}\n}}\n}}",
             levels.collect::<String>()
         );
         let gradient = arms(
@@ -294,7 +294,7 @@ impl Parts<'_> {
         let entries = self.model.forces.iter().map(|force| {
             let markers: Vec<usize> = force.markers.iter().map(|marker| marker.0).collect();
             let entry = format!(
-                "::rncf::mesh::ForceSpec {{ name: {:?}, markers: &{markers:?}, conservative: {} }}",
+                "::rncf::emitted::ForceSpec {{ name: {:?}, markers: &{markers:?}, conservative: {} }}",
                 force.name,
                 force.energy.is_some()
             );
@@ -345,7 +345,7 @@ impl Parts<'_> {
         }
         let entries = self.model.fixtures.iter().map(|fixture| {
             let entry = format!(
-                "::rncf::mesh::FixtureSpec {{ name: {:?}, body: {}, at: {}, constants: {}, elastic: {} }}",
+                "::rncf::emitted::FixtureSpec {{ name: {:?}, body: {}, at: {}, constants: {}, elastic: {} }}",
                 fixture.name,
                 self.body_at(fixture.body, &fixture.at),
                 self.place(&fixture.at),

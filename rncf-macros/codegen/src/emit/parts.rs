@@ -64,7 +64,7 @@ pub fn parts(model: &Model, library: &Library, equations: &Equations) -> String 
     }
     let _ = write!(
         text,
-        "}}\n}}\n{}}}\nimpl ::rncf::mesh::Parts for Equations {{\n",
+        "}}\n}}\n{}}}\nimpl ::rncf::emitted::Parts for Equations {{\n",
         writer.numbering_methods()
     );
     let has_bodies = !model.bodies.is_empty();
@@ -131,9 +131,9 @@ impl Parts<'_> {
     /// Text of a place on a body.
     pub fn place(&self, location: &Location) -> String {
         match location {
-            Location::Start => "::rncf::mesh::Place::Start".to_string(),
-            Location::End => "::rncf::mesh::Place::End".to_string(),
-            Location::At(expr) => format!("::rncf::mesh::Place::At({})", self.expr(expr)),
+            Location::Start => "::rncf::emitted::Place::Start".to_string(),
+            Location::End => "::rncf::emitted::Place::End".to_string(),
+            Location::At(expr) => format!("::rncf::emitted::Place::At({})", self.expr(expr)),
             Location::Of { place, .. } => self.place(place),
         }
     }
@@ -152,7 +152,7 @@ impl Parts<'_> {
                         Held::SectionY => ("SectionY", 0),
                         Held::SectionZ => ("SectionZ", 0),
                     };
-                    format!("Hold {{ of: ::rncf::mesh::Interpolant::{interpolant}, order: {order}, axis: {axis} }}")
+                    format!("Hold {{ of: ::rncf::emitted::Interpolant::{interpolant}, order: {order}, axis: {axis} }}")
                 }
             };
             let point = match &joint.point {
@@ -160,7 +160,7 @@ impl Parts<'_> {
                 None => "None".to_string(),
             };
             let entry = format!(
-                "::rncf::mesh::JointSpec {{ name: {:?}, kind: ::rncf::mesh::JointKind::{kind}, body: {}, at_end: {}, frame: {}, point: {point} }}",
+                "::rncf::emitted::JointSpec {{ name: {:?}, kind: ::rncf::emitted::JointKind::{kind}, body: {}, at_end: {}, frame: {}, point: {point} }}",
                 joint.name,
                 self.body_at(joint.body, &joint.at),
                 *joint.at.place() == Location::End,
@@ -175,7 +175,7 @@ impl Parts<'_> {
         if self.model.loads.is_empty() {
             return String::new();
         }
-        let mut text = "fn loads(&self) -> ::std::vec::Vec<::rncf::mesh::LoadSpec> {\nlet model = &self.model;\n::std::vec::Vec::from([\n".to_string();
+        let mut text = "fn loads(&self) -> ::std::vec::Vec<::rncf::emitted::LoadSpec> {\nlet model = &self.model;\n::std::vec::Vec::from([\n".to_string();
         for load in &self.model.loads {
             let (kind, frame) = match &load.kind {
                 LoadKind::Gravity(_) => ("Gravity".to_string(), 0),
@@ -194,7 +194,7 @@ impl Parts<'_> {
             };
             let _ = writeln!(
                 text,
-                "::rncf::mesh::LoadSpec {{ name: {:?}, kind: ::rncf::mesh::LoadKind::{kind}, frame: {frame} }},",
+                "::rncf::emitted::LoadSpec {{ name: {:?}, kind: ::rncf::emitted::LoadKind::{kind}, frame: {frame} }},",
                 load.name
             );
         }
@@ -237,7 +237,7 @@ impl Parts<'_> {
                     PointQuantity::SectionZ => "SectionZ",
                 };
                 format!(
-                    "Point {{ body: {}, at: {}, what: ::rncf::mesh::PointQuantity::{what}, component: {component} }}",
+                    "Point {{ body: {}, at: {}, what: ::rncf::emitted::PointQuantity::{what}, component: {component} }}",
                     self.body_at(*body, at),
                     self.place(at)
                 )
@@ -270,19 +270,21 @@ impl Parts<'_> {
                             About::Marker(marker) => format!("Marker({})", marker.0),
                             About::CenterOf(of) => format!("CenterOf({})", self.owner(*of)),
                         };
-                        format!("AngularMomentum(::rncf::mesh::About::{about})")
+                        format!("AngularMomentum(::rncf::emitted::About::{about})")
                     }
                     what => format!("{what:?}"),
                 };
                 let of = self.owner(*of);
-                format!("Balance {{ of: {of}, what: ::rncf::mesh::BalanceQuantity::{what}, component: {component} }}")
+                format!(
+                    "Balance {{ of: {of}, what: ::rncf::emitted::BalanceQuantity::{what}, component: {component} }}"
+                )
             }
             Observable::Multiplier { constraint, row } => {
                 format!("Multiplier {{ constraint: {}, row: {row} }}", constraint.0)
             }
             Observable::Section { body, at, what } => {
                 format!(
-                    "Section {{ body: {}, at: {}, what: ::rncf::mesh::SectionQuantity::{what:?} }}",
+                    "Section {{ body: {}, at: {}, what: ::rncf::emitted::SectionQuantity::{what:?} }}",
                     self.body_at(*body, at),
                     self.place(at)
                 )
@@ -298,7 +300,7 @@ impl Parts<'_> {
                 )
             }
         };
-        Some(format!("::rncf::mesh::ObservedSpec::{spec}"))
+        Some(format!("::rncf::emitted::ObservedSpec::{spec}"))
     }
 
     fn owner(&self, of: Owner) -> String {
@@ -307,7 +309,7 @@ impl Parts<'_> {
             Owner::Body(body) => format!("Body({})", self.first_of(body)),
             Owner::Frame(frame) => format!("Frame({})", frame.0),
         };
-        format!("::rncf::mesh::Owner::{of}")
+        format!("::rncf::emitted::Owner::{of}")
     }
 
     fn facts(&self) -> String {
@@ -400,7 +402,7 @@ impl Parts<'_> {
             if let Some(kernel) = &variant.elastic.reference {
                 let size = variant.variant.size(self.library);
                 let reference = format!(
-                    "shape.chunks_exact({size}).map(|shape| {{\nlet mut reference = [0.0; {}];\n{}(&{}, ::rncf::mesh::array(shape), &mut reference);\nreference\n}}).collect()",
+                    "shape.chunks_exact({size}).map(|shape| {{\nlet mut reference = [0.0; {}];\n{}(&{}, ::rncf::emitted::array(shape), &mut reference);\nreference\n}}).collect()",
                     variant.elastic.kept,
                     kernel.name,
                     self.row(body)
@@ -425,7 +427,7 @@ impl Parts<'_> {
     }
 
     fn time_functions(&self) -> String {
-        let mut text = "fn frames(&self, t: f64, motions: &mut [::rncf::mesh::FrameMotion]) {\nmotions[0] = ::rncf::mesh::FrameMotion::INERTIAL;\n".to_string();
+        let mut text = "fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {\nmotions[0] = ::rncf::emitted::FrameMotion::INERTIAL;\n".to_string();
         for (index, kernel) in &self.equations.frames {
             let _ = writeln!(text, "{}(&self.model, t, &mut motions[{index}]);", kernel.name);
         }
@@ -485,7 +487,7 @@ impl Parts<'_> {
                 let name = &kernel.as_ref()?.name;
                 let level = camel_case(level);
                 Some(format!(
-                    "::rncf::system::ConstraintLevel::{level} => {name}(&self.model, t, data, q, v, a, rows),\n"
+                    "::rncf::emitted::ConstraintLevel::{level} => {name}(&self.model, t, data, q, v, a, rows),\n"
                 ))
             });
             let rest = if kernels.levels.iter().all(Option::is_some) {
@@ -500,9 +502,9 @@ impl Parts<'_> {
             self.by_joint(|kernels| format!("{}(&self.model, t, data, prescribed);", kernels.prescribed.name));
         let of = self.of_joint();
         format!(
-            "fn condition(&self, joint: usize, absolute: bool, level: ::rncf::system::ConstraintLevel, t: f64, data: &::rncf::mesh::JointData, q: &[f64], v: &[f64], a: &[f64], rows: &mut [f64]) {{\n{of}{condition}}}\n\
-             fn condition_jacobian(&self, joint: usize, absolute: bool, t: f64, data: &::rncf::mesh::JointData, jacobian: &mut [f64]) {{\n{of}{jacobian}}}\n\
-             fn prescribed(&self, joint: usize, absolute: bool, t: f64, data: &::rncf::mesh::JointData, prescribed: &mut ::rncf::mesh::Prescribed) {{\n{of}{prescribed}}}\n"
+            "fn condition(&self, joint: usize, absolute: bool, level: ::rncf::emitted::ConstraintLevel, t: f64, data: &::rncf::emitted::JointData, q: &[f64], v: &[f64], a: &[f64], rows: &mut [f64]) {{\n{of}{condition}}}\n\
+             fn condition_jacobian(&self, joint: usize, absolute: bool, t: f64, data: &::rncf::emitted::JointData, jacobian: &mut [f64]) {{\n{of}{jacobian}}}\n\
+             fn prescribed(&self, joint: usize, absolute: bool, t: f64, data: &::rncf::emitted::JointData, prescribed: &mut ::rncf::emitted::Prescribed) {{\n{of}{prescribed}}}\n"
         )
     }
 }

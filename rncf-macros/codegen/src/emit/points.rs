@@ -23,7 +23,7 @@ pub fn tables(name: &str, dimension: usize, fields: &FieldKernels) -> String {
         .collect();
     let mut text = format!(
         "/// Nodal vectors by what they interpolate: {}.\n\
-         static {name}_VECTORS: ::rncf::mesh::Vectors<{vectors}, {dimension}, {count}, {size}> = ::rncf::mesh::Vectors {{\n\
+         static {name}_VECTORS: ::rncf::emitted::Vectors<{vectors}, {dimension}, {count}, {size}> = ::rncf::emitted::Vectors {{\n\
          base: {}, nodal: {nodal:?}, positions: {positions:?} }};\n",
         groups
             .of
@@ -54,7 +54,7 @@ fn rule_table(name: &str, size: usize, rule: &FieldRule) -> String {
     let shapes: Vec<String> = rule.shapes.iter().map(point).collect();
     let mut text = format!(
         "/// Gauss rule with {points} points, and derivatives of the shape functions there.\n\
-         static {name}_POINTS{points}: ::rncf::mesh::Rule<{points}, {fields}, {size}> = ::rncf::mesh::Rule {{\n\
+         static {name}_POINTS{points}: ::rncf::emitted::Rule<{points}, {fields}, {size}> = ::rncf::emitted::Rule {{\n\
          groups: {:?}, weights: {}, shapes: [{}] }};\n",
         rule.groups,
         list(&rule.weights),
@@ -73,7 +73,7 @@ fn block_table(name: &str, word: &str, size: usize, points: usize, blocks: &Fiel
     let FieldBlocks { pairs, tiles } = blocks;
     format!(
         "/// Blocks that the tangent's kernel writes, by pairs of fields.\n\
-         static {name}_POINTS{points}_{word}: ::rncf::mesh::Blocks<{points}, {}, {}> =\n\
+         static {name}_POINTS{points}_{word}: ::rncf::emitted::Blocks<{points}, {}, {}> =\n\
          {name}_POINTS{points}.blocks(&{pairs:?}, &{tiles:?});\n",
         size * size,
         pairs.len(),
@@ -106,11 +106,11 @@ pub fn material_fields(name: &str, material: &Material, is_damped: bool) -> Stri
         String::new()
     };
     format!(
-        "/// Particles of the section, and factors of its shear.\npub section: ::rncf::mesh::Section<{}>,\n\
+        "/// Particles of the section, and factors of its shear.\npub section: ::rncf::emitted::Section<{}>,\n\
          /// Parameters of the energy.\npub material: {row}Material,\n}}\n\
          /// Parameters of the energy of `{}`.\n\
          #[derive(Clone, Copy, Debug, Default, PartialEq)]\npub struct {row}Material {{\n{}}}\n\
-         impl ::rncf::mesh::StrainEnergy for {row}Material {{\n\
+         impl ::rncf::emitted::StrainEnergy for {row}Material {{\n\
          fn response(&self, strain: &[f64; 6], energy: &mut f64, stress: &mut [f64; 6], stiffness: &mut [[f64; 6]; 6]) {{\n\
          {name}_response(self, strain, energy, stress, stiffness);\n}}\n{rate}}}\n",
         material.section.count(),
@@ -126,7 +126,7 @@ pub fn material_constants(name: &str, material: &Material) -> String {
         .iter()
         .map(|(param, is_count)| format!("{param}: model.{param}{}", if *is_count { " as f64" } else { "" }));
     format!(
-        "let material = {}Material {{ {} }};\n::rncf::mesh::resisting({:?}, &material)?;\n",
+        "let material = {}Material {{ {} }};\n::rncf::emitted::resisting({:?}, &material)?;\n",
         camel_case(name),
         params.collect::<Vec<_>>().join(", "),
         material.name,
@@ -147,7 +147,7 @@ pub fn material_values(material: &Material, body: &Body, text: impl Fn(&Expr) ->
         _ => "default()".to_string(),
     };
     vec![
-        format!("section: ::rncf::mesh::Section::{section}"),
+        format!("section: ::rncf::emitted::Section::{section}"),
         "material".to_string(),
     ]
 }

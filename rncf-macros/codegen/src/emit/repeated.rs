@@ -10,7 +10,7 @@ use crate::model::{BodyId, Expr, JointId, Location, Observable, Reduction, Repea
 
 /// Where what is repeated `count` times begins, in constants of the parameters.
 fn firsts(counts: &[String]) -> String {
-    format!("::rncf::mesh::firsts([{}])", counts.join(", "))
+    format!("::rncf::emitted::firsts([{}])", counts.join(", "))
 }
 
 impl Parts<'_> {
@@ -89,7 +89,7 @@ impl Parts<'_> {
     pub(super) fn loop_checks(&self) -> String {
         let check = |repeat: &crate::model::Repeat| {
             let count = self.expr(&repeat.count);
-            format!("::rncf::mesh::repetitions({:?}, {count})?;\n", repeat.index)
+            format!("::rncf::emitted::repetitions({:?}, {count})?;\n", repeat.index)
         };
         self.model.repeats.iter().map(check).collect()
     }
@@ -107,7 +107,8 @@ impl Parts<'_> {
 
     /// A method that returns a list, entries of loops once for each repetition.
     pub(super) fn list(&self, name: &str, kind: &str, entries: &[(Option<RepeatId>, String)]) -> String {
-        let head = format!("fn {name}(&self) -> ::std::vec::Vec<::rncf::mesh::{kind}> {{\nlet model = &self.model;\n");
+        let head =
+            format!("fn {name}(&self) -> ::std::vec::Vec<::rncf::emitted::{kind}> {{\nlet model = &self.model;\n");
         if entries.iter().all(|(repeat, _)| repeat.is_none()) {
             let entries: String = entries.iter().map(|(_, entry)| format!("{entry},\n")).collect();
             return format!("{head}::std::vec::Vec::from([\n{entries}])\n}}\n");
@@ -125,7 +126,7 @@ impl Parts<'_> {
     pub(super) fn body_at(&self, body: BodyId, at: &Location) -> String {
         match (self.model.bodies[body.0].repeat, at.instance()) {
             (Some(repeat), Some(instance)) => format!(
-                "::rncf::mesh::instance(self.first({}), self.counts[{}], {})",
+                "::rncf::emitted::instance(self.first({}), self.counts[{}], {})",
                 body.0,
                 repeat.0,
                 self.expr(instance)
@@ -172,7 +173,7 @@ impl Parts<'_> {
                 format!("({}, {at_end})", self.body_at(*body, at))
             });
             let entry = format!(
-                "::rncf::mesh::ShareSpec {{ name: {:?}, ends: [{}], smooth: {} }}",
+                "::rncf::emitted::ShareSpec {{ name: {:?}, ends: [{}], smooth: {} }}",
                 share.name,
                 ends.join(", "),
                 share.smooth
@@ -191,7 +192,7 @@ impl Parts<'_> {
             return self.list("observed", "ObservedSpec", &plain);
         }
         let mut text = String::from(
-            "fn observed(&self) -> ::std::vec::Vec<::rncf::mesh::ObservedSpec> {\nlet model = &self.model;\nlet mut specs = ::std::vec::Vec::new();\n",
+            "fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {\nlet model = &self.model;\nlet mut specs = ::std::vec::Vec::new();\n",
         );
         for (_, entry) in plain {
             let _ = writeln!(text, "specs.push({entry});");
@@ -237,7 +238,7 @@ impl Parts<'_> {
             };
             let _ = writeln!(
                 text,
-                "seen[{}] = ::rncf::mesh::reduce(::rncf::mesh::Reduction::{reduction}, self.counts[{}], {}, &mut rest, |index, observed| {{\nlet mut value = [0.0];\n{}(model, t, index, observed, &mut value);\nvalue[0]\n}});",
+                "seen[{}] = ::rncf::emitted::reduce(::rncf::emitted::Reduction::{reduction}, self.counts[{}], {}, &mut rest, |index, observed| {{\nlet mut value = [0.0];\n{}(model, t, index, observed, &mut value);\nvalue[0]\n}});",
                 plain + place,
                 repeat.0,
                 observed.len(),

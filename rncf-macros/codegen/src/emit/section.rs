@@ -136,7 +136,7 @@ impl Parts<'_> {
         }
         let values = given.map(|value| value.map_or("f64::NAN".to_string(), |value| self.expr(value)));
         format!(
-            "::rncf::mesh::section(\"section `{}`\", [{}])?;\n",
+            "::rncf::emitted::section(\"section `{}`\", [{}])?;\n",
             body.section_name,
             values.join(", ")
         )
@@ -149,13 +149,13 @@ impl Parts<'_> {
             let element = &self.library.elements[body.element.0];
             let fields = element.fields_in(body.space.dimension());
             let fields: Vec<String> = fields
-                .map(|field| format!("(::rncf::mesh::Interpolant::{:?}, {})", field.of, field.order))
+                .map(|field| format!("(::rncf::emitted::Interpolant::{:?}, {})", field.of, field.order))
                 .collect();
             format!("&[{}]", fields.join(", "))
         });
         let forces = self.by_body(|index, body| {
             let variant = self.variant(index);
-            let array = "::rncf::mesh::array";
+            let array = "::rncf::emitted::array";
             let rates = if variant.variant.damped {
                 format!("{array}(rates), ")
             } else {
@@ -172,8 +172,8 @@ impl Parts<'_> {
         });
         let kind = self.kind();
         format!(
-            "fn section(&self, body: usize, x: f64, length: f64) -> ::rncf::mesh::SectionSpec {{\n{kind}let model = &self.model;\n{section}}}\n\
-             fn fields(&self, body: usize) -> &'static [(::rncf::mesh::Interpolant, usize)] {{\n{kind}{fields}}}\n\
+            "fn section(&self, body: usize, x: f64, length: f64) -> ::rncf::emitted::SectionSpec {{\n{kind}let model = &self.model;\n{section}}}\n\
+             fn fields(&self, body: usize) -> &'static [(::rncf::emitted::Interpolant, usize)] {{\n{kind}{fields}}}\n\
              fn field_forces(&self, body: usize, at: [f64; 2], stress_free: &[f64], fields: &[f64], rates: &[f64], forces: &mut [f64]) {{\n{kind}{forces}}}\n"
         )
     }
@@ -204,7 +204,7 @@ impl Parts<'_> {
         };
         let yield_stress = option(&body.properties.get("yield").cloned());
         format!(
-            "::rncf::mesh::SectionSpec {{ shape: ::rncf::mesh::SectionShape::{shape}, area: {}, second_moments: [{}, {}], torsion_constant: {}, yield_stress: {yield_stress}, material: {:?} }}",
+            "::rncf::emitted::SectionSpec {{ shape: ::rncf::emitted::SectionShape::{shape}, area: {}, second_moments: [{}, {}], torsion_constant: {}, yield_stress: {yield_stress}, material: {:?} }}",
             property(&["area"]),
             property(&["second_moment_y", "second_moment"]),
             property(&["second_moment_z", "second_moment"]),
@@ -224,7 +224,7 @@ fn check(property: &Property, kind: &str, owner: &str, value: &str) -> String {
         Range::Any => "finite",
     };
     format!(
-        "::rncf::mesh::{function}(\"{kind} `{owner}`\", \"{}\", {value}, \"{}\")?",
+        "::rncf::emitted::{function}(\"{kind} `{owner}`\", \"{}\", {value}, \"{}\")?",
         property.name, property.unit
     )
 }

@@ -9,7 +9,7 @@ pub(super) fn starts(writer: &Parts) -> String {
     if writer.model.starts.is_empty() {
         return String::new();
     }
-    let mut text = "fn starts(&self) -> ::std::vec::Vec<::rncf::mesh::StartSpec> {\nlet model = &self.model;\n\
+    let mut text = "fn starts(&self) -> ::std::vec::Vec<::rncf::emitted::StartSpec> {\nlet model = &self.model;\n\
                     ::std::vec::Vec::from([\n"
         .to_string();
     for start in &writer.model.starts {
@@ -19,7 +19,7 @@ pub(super) fn starts(writer: &Parts) -> String {
         };
         let _ = writeln!(
             text,
-            "::rncf::mesh::StartSpec {{ name: {:?}, frame: {}, spin: {spin} }},",
+            "::rncf::emitted::StartSpec {{ name: {:?}, frame: {}, spin: {spin} }},",
             start.name, start.frame.0
         );
     }

@@ -74,7 +74,7 @@ fn of_material(variant: &Variant, library: &Library) -> Kernel {
         "{name}_points{}_force(row, {}&fields, {}&mut sums);",
         element.default_points,
         if variant.curved {
-            "::rncf::mesh::array(stress_free.as_flattened()), "
+            "::rncf::emitted::array(stress_free.as_flattened()), "
         } else {
             ""
         },

@@ -70,7 +70,9 @@ pub fn free_kernel(model: &Model, frame: &Frame, free: &Free) -> Kernel {
         kernel.doc.push(frame.doc.clone());
     }
     kernel.arguments.remove(1);
-    kernel.arguments.push("spec: &mut ::rncf::mesh::FreeSpec".to_string());
+    kernel
+        .arguments
+        .push("spec: &mut ::rncf::emitted::FreeSpec".to_string());
     kernel
 }
 

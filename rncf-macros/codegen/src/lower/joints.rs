@@ -139,7 +139,7 @@ impl<'m> Conditions<'m> {
 
     fn kernel(self, name: String, title: String, outputs: Vec<(String, Id)>, arguments: &[&str]) -> Kernel {
         let mut kernel = self.time.kernel(name, title, outputs);
-        kernel.arguments.push("data: &::rncf::mesh::JointData".to_string());
+        kernel.arguments.push("data: &::rncf::emitted::JointData".to_string());
         kernel
             .arguments
             .extend(arguments.iter().map(|argument| argument.to_string()));
@@ -194,7 +194,7 @@ pub fn joint_kernels(model: &Model, joint: &Joint, has_section: bool, absolute: 
             name("prescribed"),
             title,
             outputs,
-            &["prescribed: &mut ::rncf::mesh::Prescribed"],
+            &["prescribed: &mut ::rncf::emitted::Prescribed"],
         )
     };
     JointKernels {

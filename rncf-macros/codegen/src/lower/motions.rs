@@ -70,10 +70,10 @@ pub fn frame_kernel(model: &Model, frame: FrameId) -> Kernel {
     );
     kernel
         .arguments
-        .push("motion: &mut ::rncf::mesh::FrameMotion".to_string());
+        .push("motion: &mut ::rncf::emitted::FrameMotion".to_string());
     kernel
         .bindings
-        .push("*motion = ::rncf::mesh::FrameMotion::INERTIAL;".to_string());
+        .push("*motion = ::rncf::emitted::FrameMotion::INERTIAL;".to_string());
     if !declaration.doc.is_empty() {
         kernel.doc.push(declaration.doc.clone());
     }

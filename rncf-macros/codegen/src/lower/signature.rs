@@ -302,7 +302,7 @@ impl Signature<'_> {
         };
         let with_rates = self.variant.damped && quantity != Quantity::Energy;
         kernel.bindings = vec![format!(
-            "let point = ::rncf::mesh::SectionPoint {{ length: row.length, fields, before: {}, rates: {} }};",
+            "let point = ::rncf::emitted::SectionPoint {{ length: row.length, fields, before: {}, rates: {} }};",
             optional(self.variant.curved, "&reference[..]"),
             optional(with_rates, "(rates, row.damping)"),
         )];
@@ -387,7 +387,7 @@ impl Signature<'_> {
             let (at, count) = (format!("{upper}_POINTS{}", rule.points), rule.references);
             let kernel = |word: &str| format!("{name}_points{}_{word}", rule.points);
             let reference = if self.variant.has_references() {
-                format!("::rncf::mesh::array(&reference[{passed} + {count} * point..][..{count}]), ")
+                format!("::rncf::emitted::array(&reference[{passed} + {count} * point..][..{count}]), ")
             } else {
                 String::new()
             };

@@ -18,7 +18,7 @@ pub struct Free {
     pub is_body: bool,
 }
 
-/// Which motions of a free frame are unknown. See `rncf::mesh::Motions`.
+/// Which motions of a free frame are unknown. See `rncf::emitted::Motions`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Motions {
     /// Along and about all axes.
@@ -57,7 +57,7 @@ pub struct RigidPart {
     pub inertia: [Expr; 6],
 }
 
-/// A vector in inertial axes that moves with the system. See `rncf::mesh::MarkerSpec`.
+/// A vector in inertial axes that moves with the system. See `rncf::emitted::MarkerSpec`.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Marker {
     /// A point fixed in a frame, m, frame axes.

@@ -197,7 +197,7 @@ fn calls(
     for rule in rules {
         let (at, count) = (format!("{upper}_POINTS{}", rule.points), rule.references);
         let reference = if variant.has_references() {
-            format!("::rncf::mesh::array(&reference[{passed} + {count} * point..][..{count}]), ")
+            format!("::rncf::emitted::array(&reference[{passed} + {count} * point..][..{count}]), ")
         } else {
             String::new()
         };

@@ -1,5 +1,5 @@
 //! Elastic kernels of elements with many nodal vectors: for each integration rule one straight-line
-//! kernel of the fields at a point; the runtime carries nodal vectors there and back (`mesh/points.rs`).
+//! kernel of the fields at a point; the runtime carries nodal vectors there and back (`emitted/points.rs`).
 
 use super::particles::section_point;
 use super::{Builder, Form, Quantity, State, rules};

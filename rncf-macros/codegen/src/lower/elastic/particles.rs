@@ -1,5 +1,5 @@
 //! Elastic kernels of a material that is given by its energy W(E) (THEORY 4.2): its derivatives at a strain. The runtime
-//! relaxes the lateral strains of every particle and integrates over the section (`mesh/section_energy.rs`).
+//! relaxes the lateral strains of every particle and integrates over the section (`emitted/section_energy.rs`).
 
 use std::collections::HashMap;
 

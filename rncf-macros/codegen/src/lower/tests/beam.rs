@@ -243,7 +243,7 @@ fn bodies_with_sections_are_written() {
         "fn moment_planar(",
         "fn beam_planar_shapes_section_y_1(",
         "fn beam_planar_field_forces(",
-        "(::rncf::mesh::Interpolant::SectionY, 1)",
+        "(::rncf::emitted::Interpolant::SectionY, 1)",
     ] {
         assert!(text.contains(there), "{there} is missing");
     }

@@ -26,7 +26,7 @@ fn only_what_is_needed_is_written() {
         "0 | 2 => constraint_gradient_pin(",
         "fn joint_root_referenced_position(",
         "Fidelity::Small(3)",
-        "tie: ::rncf::mesh::FrameTie::MeanAxes",
+        "tie: ::rncf::emitted::FrameTie::MeanAxes",
         "When::Absolute(0)",
         "ObservedSpec::ConstraintReaction",
     ] {

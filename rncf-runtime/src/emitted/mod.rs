@@ -1,0 +1,53 @@
+//! What generated code is written against: the trait [`Parts`] with the specifications that it returns, and what kernels
+//! call. Of this crate generated code names this folder, and what a model says of itself ([`crate::model`]).
+
+mod body_spec;
+mod checks;
+mod curve;
+mod frame;
+mod free;
+mod gauss;
+mod joints;
+pub mod lanes;
+mod law;
+mod line;
+mod loads;
+mod markers;
+mod mass;
+mod observed;
+mod one_by_one;
+mod parts;
+mod points;
+mod relaxed;
+mod repeated;
+mod section_energy;
+mod section_spec;
+mod table;
+
+pub use crate::system::ConstraintLevel;
+pub use body_spec::{BodySpec, Fidelity, FrameTie, Interpolant, NodalSpec, Place};
+pub use checks::{array, array_mut, finite, inertia, non_negative, part, poisson, positive, section};
+pub use curve::Spline;
+pub use frame::FrameMotion;
+pub use free::{FreeSpec, Motions, RigidSpec};
+pub use joints::{JointData, JointKind, JointSpec, Prescribed};
+pub use lanes::LANES;
+pub use law::{Mass, SectionLaw, Stiffness};
+pub use line::{Line, Twist};
+pub use loads::{LoadKind, LoadSpec};
+pub use markers::{ConstraintSpec, FixtureSpec, ForceSpec, MarkerSpec, When};
+pub use mass::mass_along;
+pub use observed::{About, BalanceQuantity, ObservedSpec, Owner, PointQuantity};
+pub use one_by_one::{add_lane, elastic_force_one_by_one, elastic_tangent_one_by_one, lane};
+pub use parts::Parts;
+pub use points::{Blocks, Relative, Rule, Tile, Vectors, rectangle_particles, round_particles};
+pub use relaxed::{StrainEnergy, resisting};
+pub use repeated::{DensitySpec, Reduction, ShareSpec, StartSpec, declared, firsts, instance, reduce, repetitions};
+pub use section_energy::{Section, SectionPoint};
+pub use section_spec::{SectionQuantity, SectionShape, SectionSpec};
+pub use table::Table;
+
+pub(crate) use body_spec::MAX_SIZE;
+pub(crate) use gauss::FIVE;
+pub(crate) use line::PARALLEL;
+pub(crate) use repeated::label;

@@ -1,0 +1,149 @@
+//! Tables of numbers along an axis.
+
+use crate::error::ModelError;
+
+/// Relative size of what counts as round-off of places along an axis.
+const ROUND_OFF: f64 = 1e-9;
+
+/// Columns of numbers at places along an axis, ascending; between two equal places the columns step.
+#[derive(Clone, Copy, Debug)]
+pub struct Table {
+    /// Name in the declaration.
+    pub name: &'static str,
+    /// Places: m, or fractions of the length.
+    pub places: &'static [f64],
+    /// Whether places are fractions of the length.
+    pub is_relative: bool,
+    /// Whether values between rows follow a monotone cubic (Fritsch and Carlson), or else a line.
+    pub is_smooth: bool,
+    /// Columns, SI.
+    pub columns: &'static [&'static [f64]],
+}
+
+impl Table {
+    /// Value of a column at the arclength `x` of an axis with the length `length`, m. At a step the one beyond it; outside of
+    /// the table the one at its end.
+    pub fn at(&self, column: usize, x: f64, length: f64) -> f64 {
+        let (places, values) = (self.places, self.columns[column]);
+        let x = if self.is_relative { x / length } else { x };
+        let last = places.len() - 1;
+        if x.is_nan() || x >= places[last] {
+            return values[last];
+        }
+        let Some(row) = places.partition_point(|&place| place <= x).checked_sub(1) else {
+            return values[0];
+        };
+        let width = places[row + 1] - places[row];
+        let (share, rise) = ((x - places[row]) / width, values[row + 1] - values[row]);
+        if !self.is_smooth {
+            return values[row] + share * rise;
+        }
+        let [start, end] = [row, row + 1].map(|at| width * self.slope(column, at, row));
+        // Hermite's cubic.
+        let bend = share * (1.0 - share);
+        values[row] + share * rise + bend * ((1.0 - share) * (start - rise) - share * (end - rise))
+    }
+
+    /// Slope of the monotone cubic at a row, seen from the span that begins at row `span`: the harmonic mean of the slopes beside it,
+    /// none where these differ in sign or where there is a step or an end.
+    fn slope(&self, column: usize, row: usize, span: usize) -> f64 {
+        let (places, values) = (self.places, self.columns[column]);
+        let width = |from: usize| places[from + 1] - places[from];
+        let rise = |from: usize| (values[from + 1] - values[from]) / width(from);
+        let other = if row == span { row.checked_sub(1) } else { Some(row) };
+        let other = other.filter(|&from| from + 1 < places.len() && width(from) > 0.0);
+        let Some(other) = other else {
+            return rise(span);
+        };
+        let (before, after) = (span.min(other), span.max(other));
+        let (left, right) = (rise(before), rise(after));
+        if left * right <= 0.0 {
+            return 0.0;
+        }
+        let weights = [2.0 * width(after) + width(before), width(after) + 2.0 * width(before)];
+        (weights[0] + weights[1]) / (weights[0] / left + weights[1] / right)
+    }
+
+    /// Refuses an axis that the table does not cover.
+    ///
+    /// # Errors
+    /// The table, the body and both ends.
+    pub fn check(&self, body: &str, length: f64) -> Result<(), ModelError> {
+        let end = if self.is_relative { 1.0 } else { length };
+        let (first, last) = (self.places[0], self.places[self.places.len() - 1]);
+        if first <= ROUND_OFF * end && last >= end * (1.0 - ROUND_OFF) {
+            return Ok(());
+        }
+        let unit = if self.is_relative { "of the length" } else { "m" };
+        Err(ModelError::new(format!(
+            "table `{}` has rows from {first} to {last} {unit}, and the axis of body `{body}` goes from 0 to {end} {unit}: add rows at its ends",
+            self.name
+        )))
+    }
+
+    /// Fractions of an axis (m) at the rows, steps once, each span in `each` parts. Rows beyond the end of the axis are left out.
+    pub fn stations(&self, length: f64, each: usize) -> Vec<f64> {
+        let whole = if self.is_relative { 1.0 } else { length };
+        let mut stations = vec![0.0];
+        let mut rows: Vec<f64> = self.places.iter().map(|place| place / whole).collect();
+        rows.retain(|&place| place > ROUND_OFF && place < 1.0 - ROUND_OFF);
+        rows.dedup();
+        for end in rows.into_iter().chain([1.0]) {
+            let start = stations[stations.len() - 1];
+            let part = |at: usize| start + (end - start) * at as f64 / each as f64;
+            stations.extend((1..each).map(part).chain([end]));
+        }
+        stations
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::emitted::table::*;
+
+    static MAST: Table = Table {
+        name: "mast",
+        places: &[0.0, 1.0, 1.0, 3.0],
+        is_relative: false,
+        is_smooth: false,
+        columns: &[&[1.0, 2.0, 5.0, 9.0]],
+    };
+
+    #[test]
+    fn between_rows_is_a_line_and_at_equal_places_a_step() {
+        let at = |x: f64| MAST.at(0, x, 3.0);
+        assert_eq!([at(0.0), at(0.5), at(1.0), at(2.0), at(3.0)], [1.0, 1.5, 5.0, 7.0, 9.0]);
+        assert!((MAST.at(0, 1.0_f64.next_down(), 3.0) - 2.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn smooth_columns_pass_through_the_rows_and_do_not_overshoot() {
+        static ROWS: Table = Table {
+            name: "rows",
+            places: &[0.0, 0.1, 0.4, 0.6, 1.0],
+            is_relative: true,
+            is_smooth: true,
+            columns: &[&[0.0, 1.0, 1.0, 3.0, 4.0]],
+        };
+        let at = |u: f64| ROWS.at(0, 10.0 * u, 10.0);
+        for (row, &place) in ROWS.places.iter().enumerate() {
+            assert!((at(place) - ROWS.columns[0][row]).abs() < 1e-14);
+        }
+        let values: Vec<f64> = (0..=200).map(|step| at(f64::from(step) / 200.0)).collect();
+        assert!(values.windows(2).all(|pair| pair[1] >= pair[0] - 1e-14));
+        assert!((at(0.25) - 1.0).abs() < 1e-14);
+    }
+
+    #[test]
+    fn an_axis_beyond_the_table_is_refused_and_stations_are_its_rows() {
+        assert!(MAST.check("pole", 3.0).is_ok());
+        assert!(
+            MAST.check("pole", 3.1)
+                .unwrap_err()
+                .to_string()
+                .contains("from 0 to 3 m")
+        );
+        assert_eq!(MAST.stations(3.0, 1), vec![0.0, 1.0 / 3.0, 1.0]);
+        assert_eq!(MAST.stations(4.0, 2).len(), 7);
+    }
+}

@@ -1,0 +1,372 @@
+//! Inertia of a modal body from constants, THEORY 3.2, Eqs. (15)-(17).
+
+use crate::scene::frames::carried::{CarriedTangent, FrameAction};
+use crate::vector::{
+    Matrix, Vector, add, apply, apply_transposed, cross, dot, identity, multiply, scale, skew, subtract, transpose,
+};
+
+/// What the frame does, in three components; planar bodies lie in the first two.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Action {
+    /// Acceleration of the origin minus gravity, m/s^2.
+    pub acceleration: Vector,
+    /// Angular velocity, rad/s.
+    pub spin: Vector,
+    /// Its rate, rad/s^2.
+    pub spin_rate: Vector,
+}
+
+impl Action {
+    /// From the order of a body's axes.
+    pub fn new(frame: &FrameAction, dimension: usize) -> Self {
+        let turned = |spin: Vector| if dimension == 2 { [0.0, 0.0, spin[0]] } else { spin };
+        Self {
+            acceleration: frame.acceleration,
+            spin: turned(frame.spin),
+            spin_rate: turned(frame.spin_rate),
+        }
+    }
+}
+
+/// Modal coordinates (the phi are normalised by mass: sqrt(kg) m) with their first two derivatives.
+#[derive(Clone, Copy, Debug)]
+pub struct Motion<'a> {
+    /// p
+    pub p: &'a [f64],
+    /// p'
+    pub v: &'a [f64],
+    /// p''
+    pub a: &'a [f64],
+}
+
+/// Constants of a body with k modes; nodal sets are summed with the mass matrix M^ab.
+#[derive(Clone, Debug)]
+pub struct Invariants {
+    modes: usize,
+    /// m, kg.
+    mass: f64,
+    /// m r_c, kg m.
+    moment: Vector,
+    /// J0, kg m^2.
+    inertia: Matrix,
+    /// phibar_i = d^a phi_ia
+    phibar: Vec<Vector>,
+    /// gamma_i = M^ab q0_a x phi_ib
+    gamma: Vec<Vector>,
+    /// eta_ij = M^ab phi_ia x phi_jb, k x k
+    eta: Vec<Vector>,
+    /// Gamma_i = M^ab [q0_a]^T [phi_ib]
+    first: Vec<Matrix>,
+    /// Ups_ij = M^ab [phi_ia]^T [phi_jb], k x k
+    second: Vec<Matrix>,
+    /// I_ij = M^ab phi_ia . phi_jb, k x k
+    inner: Vec<f64>,
+}
+
+/// Distance of a centre of mass from the origin, relative to the body's extent, that is round-off.
+const CENTRED: f64 = 1e-12;
+
+fn plus(a: &Matrix, factor: f64, b: &Matrix) -> Matrix {
+    std::array::from_fn(|i| std::array::from_fn(|j| a[i][j] + factor * b[i][j]))
+}
+
+/// `sum_a [u_a]^T [v_a]`, `[u]^T [v] = (u . v) 1 - v u^T`
+fn second_moment(u: &[Vector], v: &[Vector]) -> Matrix {
+    let mut sum = [[0.0; 3]; 3];
+    for (&u, &v) in u.iter().zip(v) {
+        let trace = dot(u, v);
+        for i in 0..3 {
+            sum[i][i] += trace;
+            for j in 0..3 {
+                sum[i][j] -= v[i] * u[j];
+            }
+        }
+    }
+    sum
+}
+
+fn crossed(u: &[Vector], v: &[Vector]) -> Vector {
+    u.iter().zip(v).fold([0.0; 3], |sum, (&u, &v)| add(sum, cross(u, v)))
+}
+
+/// `d/dw (w x (w x u))`, THEORY 2.1
+fn spin_derivative(w: Vector, u: Vector) -> Matrix {
+    let parallel = dot(w, u);
+    std::array::from_fn(|i| {
+        std::array::from_fn(|j| {
+            let unit = if i == j { parallel } else { 0.0 };
+            unit + w[i] * u[j] - 2.0 * u[i] * w[j]
+        })
+    })
+}
+
+fn quadratic(w: Vector, a: &Matrix) -> f64 {
+    dot(w, apply(a, w))
+}
+
+/// `M^ab u_b`
+fn weighted(mass: &[f64], u: &[Vector]) -> Vec<Vector> {
+    let row = |row: &[f64]| row.iter().zip(u).fold([0.0; 3], |sum, (&m, &u)| add(sum, scale(m, u)));
+    mass.chunks_exact(u.len()).map(row).collect()
+}
+
+/// Inertia of the displaced body.
+struct Displaced {
+    /// m r_c + P
+    moment: Vector,
+    /// J(p)
+    inertia: Matrix,
+    /// gamma_j + eta_ij p_i
+    gamma: Vec<Vector>,
+    /// (Gamma_j + Ups_ij p_i) p_j'
+    rate: Matrix,
+}
+
+impl Invariants {
+    /// Sums the constants. `mass` is M^ab, rows first; `whole` holds the nodal values of the constant 1
+    /// (1 for positions, 0 for slopes), whose sums with M^ab are m and d^a.
+    pub fn new(mass: &[f64], whole: &[f64], shape: &[Vector], modes: &[Vec<Vector>]) -> Self {
+        let k = modes.len();
+        let moments: Vec<f64> = mass
+            .chunks_exact(whole.len())
+            .map(|row| row.iter().zip(whole).map(|(m, c)| m * c).sum())
+            .collect();
+        let first_moment = |u: &[Vector]| {
+            moments
+                .iter()
+                .zip(u)
+                .fold([0.0; 3], |sum, (&d, &u)| add(sum, scale(d, u)))
+        };
+        let weighted_modes: Vec<Vec<Vector>> = modes.iter().map(|mode| weighted(mass, mode)).collect();
+        let pairs = || (0..k).flat_map(|i| (0..k).map(move |j| (i, j)));
+        let inner = |i: usize, j: usize| {
+            let pairs = modes[i].iter().zip(&weighted_modes[j]);
+            pairs.map(|(&u, &v)| dot(u, v)).sum::<f64>()
+        };
+        Self {
+            modes: k,
+            mass: moments.iter().zip(whole).map(|(d, c)| d * c).sum(),
+            moment: first_moment(shape),
+            inertia: second_moment(shape, &weighted(mass, shape)),
+            phibar: modes.iter().map(|mode| first_moment(mode)).collect(),
+            gamma: weighted_modes.iter().map(|mode| crossed(shape, mode)).collect(),
+            eta: pairs().map(|(i, j)| crossed(&modes[i], &weighted_modes[j])).collect(),
+            first: weighted_modes.iter().map(|mode| second_moment(shape, mode)).collect(),
+            second: pairs()
+                .map(|(i, j)| second_moment(&modes[i], &weighted_modes[j]))
+                .collect(),
+            inner: pairs().map(|(i, j)| inner(i, j)).collect(),
+        }
+    }
+
+    /// The same body without modes, all of whose mass is at its centre of mass: J0 = m [c]^T [c]. A centre nearer
+    /// to the origin than round-off of `extent` (m) is at the origin, so that a motion without inertia has none at all.
+    pub fn at_centre(&self, extent: f64) -> Self {
+        let moment = self.moment.map(|component| {
+            if component.abs() > CENTRED * self.mass * extent {
+                component
+            } else {
+                0.0
+            }
+        });
+        let centre = scale(1.0 / self.mass, moment);
+        Self {
+            modes: 0,
+            mass: self.mass,
+            moment,
+            inertia: second_moment(&[centre], &[moment]),
+            phibar: Vec::new(),
+            gamma: Vec::new(),
+            eta: Vec::new(),
+            first: Vec::new(),
+            second: Vec::new(),
+            inner: Vec::new(),
+        }
+    }
+
+    /// I_ij, rows first: the mass matrix of the modes.
+    pub fn inner(&self) -> &[f64] {
+        &self.inner
+    }
+
+    fn displaced(&self, at: Motion) -> Displaced {
+        let k = self.modes;
+        let mut moment = self.moment;
+        let mut inertia = self.inertia;
+        let mut rate = [[0.0; 3]; 3];
+        let mut gamma = self.gamma.clone();
+        for i in 0..k {
+            moment = add(moment, scale(at.p[i], self.phibar[i]));
+            let both = plus(&self.first[i], 1.0, &transpose(&self.first[i]));
+            inertia = plus(&inertia, at.p[i], &both);
+            rate = plus(&rate, at.v[i], &self.first[i]);
+            for j in 0..k {
+                gamma[j] = add(gamma[j], scale(at.p[i], self.eta[i * k + j]));
+                inertia = plus(&inertia, at.p[i] * at.p[j], &self.second[i * k + j]);
+                rate = plus(&rate, at.p[i] * at.v[j], &self.second[i * k + j]);
+            }
+        }
+        Displaced {
+            moment,
+            inertia,
+            gamma,
+            rate,
+        }
+    }
+
+    /// S_i = Gamma_i + Ups_ij p_j
+    fn shifted(&self, i: usize, p: &[f64]) -> Matrix {
+        (0..self.modes).fold(self.first[i], |sum, j| {
+            plus(&sum, p[j], &self.second[i * self.modes + j])
+        })
+    }
+
+    /// Adds the inertia part of (17).
+    pub fn modal_force(&self, action: &Action, at: Motion, out: &mut [f64]) {
+        let k = self.modes;
+        let (w, dw) = (action.spin, action.spin_rate);
+        for i in 0..k {
+            let mut sum = dot(self.phibar[i], action.acceleration) + dot(self.gamma[i], dw);
+            for j in 0..k {
+                let eta = self.eta[i * k + j];
+                sum += self.inner[i * k + j] * at.a[j] - at.p[j] * dot(eta, dw) - 2.0 * at.v[j] * dot(w, eta);
+            }
+            out[i] += sum - quadratic(w, &self.shifted(i, at.p));
+        }
+    }
+
+    /// Adds the derivatives of (17) with respect to p and p', k x k.
+    pub fn modal_tangent(&self, action: &Action, stiffness: &mut [f64], damping: &mut [f64]) {
+        for (place, (eta, second)) in self.eta.iter().zip(&self.second).enumerate() {
+            stiffness[place] -= dot(*eta, action.spin_rate) + quadratic(action.spin, second);
+            damping[place] -= 2.0 * dot(action.spin, *eta);
+        }
+    }
+
+    /// Force and moment about the origin, left sides of (15) and (16).
+    pub fn frame_force(&self, action: &Action, at: Motion) -> [Vector; 2] {
+        let Action {
+            acceleration: e,
+            spin: w,
+            spin_rate: dw,
+        } = *action;
+        let body = self.displaced(at);
+        let mut force = add(scale(self.mass, e), cross(dw, body.moment));
+        let mut moment = add(cross(body.moment, e), apply(&body.inertia, dw));
+        moment = add(moment, cross(w, apply(&body.inertia, w)));
+        moment = add(moment, scale(2.0, apply(&body.rate, w)));
+        let mut rate = [0.0; 3];
+        for i in 0..self.modes {
+            force = add(force, scale(at.a[i], self.phibar[i]));
+            moment = add(moment, scale(at.a[i], body.gamma[i]));
+            rate = add(rate, scale(at.v[i], self.phibar[i]));
+        }
+        let turned = add(scale(2.0, rate), cross(w, body.moment));
+        [add(force, cross(w, turned)), moment]
+    }
+
+    /// Derivatives of (15) and (16), six rows; `moves`: whether the modal coordinates change the
+    /// inertia. See [`CarriedTangent`] for the columns.
+    pub fn frame_tangent(&self, action: &Action, at: Motion, moves: bool, out: &mut CarriedTangent) {
+        let (k, w) = (self.modes, action.spin);
+        let body = self.displaced(at);
+        let tilt = skew(body.moment);
+        let mut rate = [0.0; 3];
+        for i in 0..k {
+            rate = add(rate, scale(at.v[i], self.phibar[i]));
+        }
+        let by_spin = plus(&spin_derivative(w, body.moment), -2.0, &skew(rate));
+        let turning = multiply(&skew(w), &body.inertia);
+        let gyroscopic = plus(&turning, -1.0, &skew(apply(&body.inertia, w)));
+        let gyroscopic = plus(&gyroscopic, 2.0, &body.rate);
+        resize(&mut out.mass, 6 * (6 + k));
+        resize(&mut out.damping, 6 * (3 + k));
+        resize(&mut out.stiffness, 6 * k);
+        resize(&mut out.spin, 3 * k);
+        block(
+            &mut out.mass,
+            6 + k,
+            0,
+            0,
+            &plus(&[[0.0; 3]; 3], self.mass, &identity()),
+        );
+        block(&mut out.mass, 6 + k, 0, 3, &transpose(&tilt));
+        block(&mut out.mass, 6 + k, 3, 0, &tilt);
+        block(&mut out.mass, 6 + k, 3, 3, &body.inertia);
+        block(&mut out.damping, 3 + k, 0, 0, &by_spin);
+        block(&mut out.damping, 3 + k, 3, 0, &gyroscopic);
+        for j in 0..k {
+            let shifted = if moves {
+                self.shifted_back(j, at.p)
+            } else {
+                self.first[j]
+            };
+            column(&mut out.mass, 6 + k, 6 + j, self.phibar[j], body.gamma[j]);
+            let coriolis = scale(2.0, apply(&shifted, w));
+            column(
+                &mut out.damping,
+                3 + k,
+                3 + j,
+                scale(2.0, cross(w, self.phibar[j])),
+                coriolis,
+            );
+            self.spin_row(action, at, j, &mut out.spin);
+        }
+        if moves {
+            (0..k).for_each(|j| self.displacement_column(action, at, j, &mut out.stiffness));
+        }
+    }
+
+    /// Gamma_j + Ups_ij p_i
+    fn shifted_back(&self, j: usize, p: &[f64]) -> Matrix {
+        (0..self.modes).fold(self.first[j], |sum, i| {
+            plus(&sum, p[i], &self.second[i * self.modes + j])
+        })
+    }
+
+    /// d(17)/dw of mode i.
+    fn spin_row(&self, action: &Action, at: Motion, i: usize, spin: &mut [f64]) {
+        let shifted = self.shifted(i, at.p);
+        let w = action.spin;
+        let mut row = scale(-1.0, add(apply(&shifted, w), apply_transposed(&shifted, w)));
+        for j in 0..self.modes {
+            row = subtract(row, scale(2.0 * at.v[j], self.eta[i * self.modes + j]));
+        }
+        spin[3 * i..3 * i + 3].copy_from_slice(&row);
+    }
+
+    /// d(15), (16)/dp_j.
+    fn displacement_column(&self, action: &Action, at: Motion, j: usize, stiffness: &mut [f64]) {
+        let k = self.modes;
+        let (w, dw, phibar) = (action.spin, action.spin_rate, self.phibar[j]);
+        let force = add(cross(dw, phibar), cross(w, cross(w, phibar)));
+        let shifted = self.shifted(j, at.p);
+        let inertia = plus(&shifted, 1.0, &transpose(&shifted));
+        let mut moment = add(cross(phibar, action.acceleration), apply(&inertia, dw));
+        moment = add(moment, cross(w, apply(&inertia, w)));
+        for m in 0..k {
+            moment = add(moment, scale(at.a[m], self.eta[j * k + m]));
+            let rate = apply(&self.second[j * k + m], w);
+            moment = add(moment, scale(2.0 * at.v[m], rate));
+        }
+        column(stiffness, k, j, force, moment);
+    }
+}
+
+fn resize(values: &mut Vec<f64>, count: usize) {
+    values.clear();
+    values.resize(count, 0.0);
+}
+
+fn block(values: &mut [f64], width: usize, row: usize, first: usize, entries: &Matrix) {
+    for (i, line) in entries.iter().enumerate() {
+        values[(row + i) * width + first..(row + i) * width + first + 3].copy_from_slice(line);
+    }
+}
+
+fn column(values: &mut [f64], width: usize, place: usize, force: Vector, moment: Vector) {
+    for i in 0..3 {
+        values[i * width + place] = force[i];
+        values[(3 + i) * width + place] = moment[i];
+    }
+}

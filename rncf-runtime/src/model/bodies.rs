@@ -1,0 +1,85 @@
+//! The bodies of a scene as it tells them: how they are described, and what their sections carry.
+
+use crate::emitted::{Fidelity, SectionQuantity};
+
+/// A meshed body of the declaration, as it is described in a scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DescribedBody {
+    /// Name in the declaration.
+    pub name: &'static str,
+    /// Number of its repetitions where it stands in a loop; such a body has all its nodal vectors.
+    pub repetitions: Option<usize>,
+    /// How finely its deformation is described.
+    pub fidelity: Fidelity,
+    /// Number of elements of all repetitions.
+    pub elements: usize,
+}
+
+/// A flexible body of a scene, as far as its section states need it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SectionBody {
+    /// Name in the declaration, with the number of the repetition where it is repeated.
+    pub name: String,
+    /// Length of the stress-free axis, m.
+    pub length: f64,
+    /// Number of its section states.
+    pub states: usize,
+    /// Whether its elements have sections, which shear; a centre line tells neither shear forces nor a torque.
+    pub has_section: bool,
+    /// Whether it stays in a plane, and carries no torque.
+    pub is_planar: bool,
+    /// Whether [`SectionState::stress`] is known: the section says where its outermost fibres are.
+    pub knows_stress: bool,
+    /// Area of the section, m^2.
+    pub area: f64,
+    /// Name of the material.
+    pub material: &'static str,
+    /// Its yield stress, Pa.
+    pub yield_stress: Option<f64>,
+}
+
+/// What a section carries at the loaded state, in its own axes x (along `r_y x r_z`, of a centre line its
+/// slope), y (along r_y) and z.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SectionState {
+    /// Arclength of the stress-free axis, m.
+    pub x: f64,
+    /// Axial force and shear forces along y and z, N.
+    pub forces: [f64; 3],
+    /// Torque and moments about y and z, N m. A centre line has the last alone: about the plane's normal,
+    /// in space its magnitude.
+    pub moments: [f64; 3],
+    /// Largest von Mises stress over the section, Pa; `None` where the section's extents are not known.
+    pub stress: Option<f64>,
+    /// Whether the body stays in a plane: its moment keeps its sign.
+    pub(crate) is_planar: bool,
+}
+
+impl SectionState {
+    /// One of its numbers; `None` for a stress that is not known.
+    pub fn value(&self, of: SectionQuantity) -> Option<f64> {
+        let [axial, shear_y, shear_z] = self.forces;
+        let [torque, moment_y, moment_z] = self.moments;
+        Some(match of {
+            SectionQuantity::AxialForce => axial,
+            SectionQuantity::ShearY => shear_y,
+            SectionQuantity::ShearZ => shear_z,
+            SectionQuantity::Torque => torque,
+            SectionQuantity::MomentY => moment_y,
+            SectionQuantity::MomentZ => moment_z,
+            SectionQuantity::Moment if self.is_planar => moment_z,
+            SectionQuantity::Moment => self.bending_moment(),
+            SectionQuantity::Stress => return self.stress,
+        })
+    }
+
+    /// Magnitude of the shear force, N.
+    pub fn shear_force(&self) -> f64 {
+        self.forces[1].hypot(self.forces[2])
+    }
+
+    /// Magnitude of the bending moment, N m.
+    pub fn bending_moment(&self) -> f64 {
+        self.moments[1].hypot(self.moments[2])
+    }
+}

@@ -1,0 +1,189 @@
+//! A scene: a system with bodies in it.
+
+use super::bodies::{DescribedBody, SectionBody, SectionState};
+use super::composition::Composition;
+use super::picture::{Configuration, Curve};
+use super::uniform::Uniform;
+use crate::archive::{Archive, Keep};
+use crate::rotation::Rotation;
+use crate::system::{AsSystem, State, System, Tangent};
+use crate::vector::Vector;
+
+/// A system with bodies in it: outputs, initial states and relative equilibria.
+pub trait Scene: System + Send {
+    /// Number of scalar output columns: components of all [`Model::outputs`](super::Model::outputs) in their order.
+    fn output_columns(&self) -> usize;
+
+    /// Whether an output needs accelerations (reactions do).
+    fn outputs_need_acceleration(&self) -> bool;
+
+    /// Values of all outputs, SI, at a state.
+    fn outputs(&mut self, state: &State, out: &mut [f64]);
+
+    /// The flexible bodies whose section states are told, in the order of [`Scene::section_states`].
+    fn section_bodies(&self) -> Vec<SectionBody> {
+        Vec::new()
+    }
+
+    /// The meshed bodies of the declaration in its order, and how they are described here.
+    fn bodies(&self) -> Vec<DescribedBody> {
+        Vec::new()
+    }
+
+    /// The lines of a picture of the scene, in the order of [`Scene::configuration`].
+    fn curves(&self) -> Vec<Curve> {
+        Vec::new()
+    }
+
+    /// Names of all frames, in the order of [`Configuration::poses`].
+    fn frame_names(&self) -> Vec<String> {
+        Vec::new()
+    }
+
+    /// Where everything is at a state; `out` is overwritten.
+    fn configuration(&mut self, _state: &State, out: &mut Configuration) {
+        *out = Configuration::default();
+    }
+
+    /// What sections of all [`Scene::section_bodies`] carry at a state, body by body from start to end; `out`
+    /// is overwritten.
+    fn section_states(&mut self, _state: &State, out: &mut Vec<SectionState>) {
+        out.clear();
+    }
+
+    /// The same in the uniform motion.
+    fn uniform_section_states(&mut self, _at: &Uniform, _state: &State, out: &mut Vec<SectionState>) {
+        out.clear();
+    }
+
+    /// Undeformed and at rest in the bodies' frames at time `t`; accelerations and multipliers zero.
+    fn rest(&self, t: f64) -> State;
+
+    /// The same bodies in referenced coordinates: positions and velocities of all nodal vectors in
+    /// the bodies' frames, for carrying a state from one formulation to the other.
+    fn frame_state(&mut self, state: &State) -> FrameState;
+
+    /// The state with the nodal vectors of `frame`; accelerations and multipliers zero.
+    fn state_of_frame(&self, frame: &FrameState) -> State;
+
+    /// Whether the unknowns live in the declared frames (RNCF), so that a relative equilibrium is
+    /// an equilibrium of `x`.
+    fn is_referenced(&self) -> bool;
+
+    /// A state from which an equilibrium may be looked for: as [`Scene::rest`] at the time of `at`, what
+    /// moves freely turned on with the prescribed frames since t = 0.
+    fn uniform_guess(&self, at: &Uniform) -> State {
+        self.rest(at.t)
+    }
+
+    /// Sets velocities and accelerations of the uniform motion (THEORY 8.1) from positions and
+    /// orientations: about the axis through c with the angular velocity W (inertial axes)
+    /// `r' = W x (r - c)`, `r'' = W x r'`, `w = A^T W`, `w' = 0`; nodal vectors rest in their frames.
+    fn uniform_state(&mut self, at: &Uniform, state: &mut State);
+
+    /// A state whose free frames are carried on with what turns since t = 0, or `back` to there: at one time, but with
+    /// different angular velocities, states are next to each other only as at t = 0.
+    fn carried(&mut self, _at: &Uniform, state: &State, _back: bool) -> State {
+        state.clone()
+    }
+
+    /// `M a + f`, without constraint forces, in the uniform motion; prescribed frames and loads are
+    /// those of `at`, velocities and accelerations those of [`Scene::uniform_state`].
+    fn uniform_residual(&mut self, at: &Uniform, state: &State, out: &mut [f64]);
+
+    /// Mass, damping and stiffness of small motions about the uniform one (THEORY 8.2), multipliers'
+    /// stiffness included, on [`System::pattern`]. Perturbations y are co-rotating: dr = y in axes that
+    /// turn with W, dpi = y in body axes, hence `dr' = y' + W x y`, `dr'' = y'' + 2 W x y' + W x (W x y)`,
+    /// `dw = y' + w x y`, `dw' = y'' + w x y'`. The stiffness is the derivative of
+    /// [`Scene::uniform_residual`] and of the constraint forces, velocities following positions.
+    fn small_motions(&mut self, at: &Uniform, state: &State, out: &mut Tangent);
+
+    /// Values of all outputs in the uniform motion, SI.
+    fn uniform_outputs(&mut self, at: &Uniform, state: &State, out: &mut [f64]);
+
+    /// Why no equilibrium with this rotation exists near the state, naming the frame, load, joint, force
+    /// or constraint that is not invariant under it (THEORY 8.1), and what to do.
+    fn uniform_obstacle(&mut self, at: &Uniform, state: &State) -> Option<String>;
+
+    /// Motions of the whole system, or of parts that move independently, that change nothing: unit
+    /// directions of the unknowns (right increments) at the state, one after the other. The scene is
+    /// invariant along each.
+    fn neutral_motions(&mut self, _at: &Uniform, _state: &State) -> Vec<Vec<f64>> {
+        Vec::new()
+    }
+
+    /// Sense in which the points of the bodies circulate about the axis of the rotation in a mode with
+    /// complex increments `shape` of the unknowns that grow as exp(i |im| t), seen in co-rotating axes: 1
+    /// where all go round with the spin on circles, -1 against it, 0 on straight lines or without a common
+    /// sense; weighted by the squares of their displacements across the axis. `None` where nothing
+    /// spins or moves across the axis, or where the scene does not know its points.
+    fn circulation(&mut self, _at: &Uniform, _state: &State, _shape: &[[f64; 2]]) -> Option<f64> {
+        None
+    }
+
+    /// Parts of the kinetic energy of a mode about the uniform motion at `state`, by kinds of motion and by bodies; nothing
+    /// where it is not known.
+    fn composition(&mut self, _at: &Uniform, _state: &State, _shape: &[[f64; 2]]) -> Composition {
+        Composition::default()
+    }
+
+    /// Largest angular velocity of a body's frame at `t`, rad/s.
+    fn spin(&self, t: f64) -> f64;
+
+    /// Where the model does not describe its bodies well at a state, one sentence each, naming the body
+    /// and what to do (THEORY 10, T10, T15).
+    fn warnings(&mut self, _state: &State) -> Vec<Warning> {
+        Vec::new()
+    }
+}
+
+impl AsSystem for dyn Scene + '_ {
+    fn as_system(&mut self) -> &mut dyn System {
+        self
+    }
+}
+
+/// Where a model does not describe its bodies well.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Warning {
+    /// One sentence.
+    pub text: String,
+    /// How bad it is: of several sentences that differ in their numbers only, the one with the greatest weight holds.
+    pub weight: f64,
+}
+
+impl Keep for Warning {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        let Self { text, weight } = self;
+        text.keep(archive);
+        weight.keep(archive);
+    }
+}
+
+/// Nodal vectors of all bodies in their declared frames at one time.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FrameState {
+    /// Time, s.
+    pub t: f64,
+    /// Components of all nodal vectors, frame axes.
+    pub q: Vec<f64>,
+    /// Their time derivatives in the frame.
+    pub v: Vec<f64>,
+    /// Poses and velocities of the free frames, ascending; empty: as declared.
+    pub poses: Vec<Pose>,
+}
+
+/// Pose and velocities of a free frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pose {
+    /// Origin, m, inertial axes.
+    pub position: Vector,
+    /// From the frame's axes to the inertial ones.
+    pub rotation: Rotation,
+    /// Angle of a planar or hinged frame, rad, which counts beyond a turn; else 0.
+    pub angle: f64,
+    /// Velocity of the origin, m/s, inertial axes.
+    pub velocity: Vector,
+    /// Angular velocity, rad/s, frame axes.
+    pub spin: Vector,
+}

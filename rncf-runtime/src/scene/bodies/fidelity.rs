@@ -1,0 +1,81 @@
+//! Bodies described otherwise than they are declared: the same model as a ladder of models, chosen at run time.
+
+use crate::emitted::{BodySpec, Fidelity, FrameTie};
+use crate::error::ModelError;
+use crate::model::DescribedBody;
+use crate::scene::MeshScene;
+
+/// Describes bodies, by their names, otherwise than they are declared.
+///
+/// # Errors
+/// A name that no body has or that stands twice, and what cannot be described so, by name. What modes cannot
+/// describe for other reasons (densities, shared nodes, starts, joints) is refused where it is built.
+pub(crate) fn describe(specs: &mut [BodySpec], wanted: &[(String, Fidelity)]) -> Result<(), ModelError> {
+    for (place, (name, fidelity)) in wanted.iter().enumerate() {
+        if wanted[..place].iter().any(|(other, _)| other == name) {
+            return Err(ModelError::new(format!("body `{name}` is described twice")));
+        }
+        let Some(first) = specs.iter().position(|spec| spec.name == name) else {
+            return Err(ModelError::new(unknown(specs, name)));
+        };
+        let declared = specs[first].fidelity;
+        if specs[first].instance.is_some() && *fidelity != declared {
+            return Err(ModelError::new(format!(
+                "body `{name}` is repeated, and repeated bodies have all their nodal vectors: it cannot be `{fidelity}`"
+            )));
+        }
+        if !declared.deforms() && fidelity.deforms() {
+            return Err(ModelError::new(format!(
+                "body `{name}` is declared `{declared}` and has no elements that deform: leave `{declared}` out of its declaration to describe it as `{fidelity}`"
+            )));
+        }
+        if specs[first].tie != FrameTie::Joints && *fidelity != Fidelity::Full {
+            return Err(ModelError::new(format!(
+                "body `{name}` cannot be `{fidelity}` since its frame follows its {}: clamp it in its frame instead of `{}`",
+                specs[first].tie.describe(),
+                specs[first].tie.word()
+            )));
+        }
+        specs[first].fidelity = *fidelity;
+    }
+    Ok(())
+}
+
+fn unknown(specs: &[BodySpec], name: &str) -> String {
+    let mut names: Vec<&str> = specs.iter().map(|spec| spec.name).collect();
+    names.dedup();
+    match &names[..] {
+        [] => format!("there is no body `{name}`: the model has no meshed bodies"),
+        names => format!(
+            "there is no meshed body `{name}`: there {} `{}`",
+            if names.len() == 1 { "is" } else { "are" },
+            names.join("`, `")
+        ),
+    }
+}
+
+impl MeshScene {
+    /// The bodies of the declaration in its order.
+    pub(crate) fn described_bodies(&self) -> Vec<DescribedBody> {
+        let mut all: Vec<DescribedBody> = Vec::new();
+        for body in &self.bodies {
+            let spec = &body.spec;
+            match all
+                .last_mut()
+                .filter(|last| spec.instance.is_some() && last.name == spec.name)
+            {
+                Some(last) => {
+                    last.repetitions = last.repetitions.map(|count| count + 1);
+                    last.elements += spec.count;
+                }
+                None => all.push(DescribedBody {
+                    name: spec.name,
+                    repetitions: spec.instance.map(|_| 1),
+                    fidelity: spec.fidelity,
+                    elements: spec.count,
+                }),
+            }
+        }
+        all
+    }
+}

@@ -1,0 +1,106 @@
+//! Centres of what free frames and rigid bodies carry, where these move freely.
+
+use super::free_frames::{FreeFrame, angle_axis};
+use crate::linalg::Pattern;
+use crate::model::Scene;
+use crate::scene::MeshScene;
+use crate::system::{Lever, System, Turning};
+use crate::vector::{Matrix, Vector, add, apply_transposed, cross, determinant, dot, inverse, scale};
+
+/// Determinant of an inertia over the cube of its trace, below which it counts as that of a line.
+const SLENDER: f64 = 1e-10;
+
+/// Unknowns of a scene: inertia at the start, patterns, the first unknown of the poses.
+struct Inertia<'s> {
+    mass: Vec<f64>,
+    pattern: &'s Pattern,
+    /// Whether it stands in a constraint.
+    is_tied: Vec<bool>,
+    border: usize,
+}
+
+impl MeshScene {
+    /// Poses whose positions stand in no constraint, and the centres of mass that they have at t = 0.
+    pub(crate) fn free_levers(&mut self) -> Vec<Lever> {
+        if self.free.is_empty() {
+            return Vec::new();
+        }
+        let start = self.rest(0.0);
+        let mut mass = vec![0.0; self.pattern.entries()];
+        self.mass(&start, &mut mass);
+        let mut is_tied = vec![false; self.layout.unknowns()];
+        for &unknown in self.constraint_pattern.indices() {
+            is_tied[unknown] = true;
+        }
+        let inertia = Inertia {
+            mass,
+            pattern: &self.pattern,
+            is_tied,
+            border: self.layout.unknowns() - self.layout.border(),
+        };
+        self.free.iter().filter_map(|frame| inertia.lever(frame)).collect()
+    }
+}
+
+impl Inertia<'_> {
+    /// The lever of a frame; `None` where it does not turn or is tied.
+    fn lever(&self, frame: &FreeFrame) -> Option<Lever> {
+        let (first, shifts) = (self.border + frame.first, frame.shifts());
+        let is_tied = self.is_tied[first..first + frame.count()].contains(&true);
+        if shifts == frame.count() || is_tied {
+            return None;
+        }
+        let turning = match (frame.turn, angle_axis(frame.spec.motions), frame.angle()) {
+            (Some(index), ..) => Turning::Orientation { index },
+            (None, Some(axis), Some(place)) => Turning::Angle {
+                unknown: first + place,
+                axis,
+                base: frame.rotation_at_zero(),
+            },
+            _ => return None,
+        };
+        let entry = |row: usize, column: usize| {
+            let place = self.pattern.find(first + row, first + column);
+            place.map_or(0.0, |place| self.mass[place])
+        };
+        // Coupling of positions with a turn t is m R (t x c); (t x c) x t is c without its part along t.
+        let rotation = frame.start.rotation.matrix();
+        let (mass, mut arm) = (if shifts == 0 { 0.0 } else { entry(0, 0) }, [0.0; 3]);
+        for column in shifts..frame.count() {
+            let mut moment: Vector = [0.0; 3];
+            for row in 0..shifts {
+                moment = add(moment, scale(entry(row, column) / mass, frame.directions[row].shift));
+            }
+            arm = add(
+                arm,
+                cross(apply_transposed(&rotation, moment), frame.directions[column].turn),
+            );
+        }
+        let mut inertia = None;
+        if frame.turn.is_some() {
+            // Each part was counted for two turns.
+            arm = scale(0.5, arm);
+            let about_origin: Matrix = std::array::from_fn(|i| std::array::from_fn(|j| entry(shifts + i, shifts + j)));
+            let square = dot(arm, arm);
+            let about_centre = std::array::from_fn(|i| {
+                let steiner = |j: usize| if i == j { square } else { 0.0 } - arm[i] * arm[j];
+                std::array::from_fn(|j| about_origin[i][j] - mass * steiner(j))
+            });
+            inertia = is_regular(&about_centre).then(|| [about_centre, inverse(&about_centre)]);
+        }
+        arm.iter().all(|part| part.is_finite()).then(|| Lever {
+            positions: (0..shifts)
+                .map(|row| (first + row, frame.directions[row].shift))
+                .collect(),
+            turning,
+            arm,
+            inertia,
+        })
+    }
+}
+
+/// Whether no moment of inertia vanishes as that of a line does.
+fn is_regular(inertia: &Matrix) -> bool {
+    let trace = inertia[0][0] + inertia[1][1] + inertia[2][2];
+    determinant(inertia) > SLENDER * trace.powi(3)
+}

@@ -1,0 +1,302 @@
+//! Initial shapes: where and how fast bodies start, and whether their joints let them.
+
+use super::frames::ties::add_rigid;
+use super::mesh_scene::MeshScene;
+use super::numbering::conditions::{directions, joint_data};
+use crate::emitted::{BodySpec, FrameMotion, Interpolant, JointData, JointKind};
+use crate::error::ModelError;
+use crate::model::Warning;
+use crate::vector::{Vector, add, cross, dot, norm, scale, subtract};
+
+/// Relative size of a contradiction between an initial shape and a joint that counts as round-off.
+const ROUND_OFF: f64 = 1e-10;
+/// Distance of a joint's point from the undeformed end, as a part of the body's length, that is not worth telling.
+const AWAY: f64 = 1e-6;
+/// One plus the cosine of directions that count as opposite.
+const OPPOSITE: f64 = 1e-12;
+
+/// Vectors of a place by [`place_of`]: position, slope, section's y and z axes.
+type Vectors = [Vector; 4];
+
+/// Place of a vector among [`Vectors`].
+fn place_of(of: Interpolant, order: usize) -> usize {
+    match of {
+        Interpolant::Position => order,
+        Interpolant::SectionY => 2,
+        Interpolant::SectionZ => 3,
+    }
+}
+
+impl MeshScene {
+    /// Components of all nodal vectors and of their rates at t = 0, in their declared frames: those of starts in
+    /// relative equilibrium, else of initial shapes.
+    pub(crate) fn initial_shape(&self) -> [Vec<f64>; 2] {
+        let (mut q, mut v) = (Vec::new(), Vec::new());
+        for (index, body) in self.bodies.iter().enumerate() {
+            let spec = &body.spec;
+            if let Some(settled) = self.settled.get(index).filter(|settled| !settled.is_empty()) {
+                q.extend(settled);
+                v.resize(q.len(), 0.0);
+                continue;
+            }
+            let first = q.len();
+            for within in 0..spec.vectors() {
+                let (node, local) = spec.locate(within);
+                let [values, rates] = self.initial_vectors(index, spec.fraction(node, local));
+                let place = place_of(spec.nodal[local].of, spec.nodal[local].order);
+                q.extend(spec.axes.iter().map(|&axis| values[place][axis]));
+                v.extend(spec.axes.iter().map(|&axis| rates[place][axis]));
+            }
+            for &(_, motion) in self.taken.iter().filter(|(frame, _)| *frame == spec.frame) {
+                add_rigid(spec, &q[first..], motion, -1.0, &mut v[first..]);
+            }
+        }
+        self.set_normals([&mut q, &mut v]);
+        [q, v]
+    }
+
+    /// Vectors of a body and their rates at t = 0 at the fraction `u` of its axis, frame axes. Sections
+    /// turn with the tangent by the smallest rotation from its undeformed direction, and move without
+    /// shear and without turning about the tangent.
+    pub(crate) fn initial_vectors(&self, body: usize, u: f64) -> [Vectors; 2] {
+        let spec = &self.bodies[body].spec;
+        let (point, tangent) = spec.line.at(u);
+        let [position, velocity] = self.parts.initial(body, spec.line.length() * u);
+        let [at, slope] = position.unwrap_or([point, tangent]);
+        let [rate, slope_rate] = velocity.unwrap_or_default();
+        if !spec.has_section() {
+            return [[at, slope, [0.0; 3], [0.0; 3]], [rate, slope_rate, [0.0; 3], [0.0; 3]]];
+        }
+        let section = spec.section(u);
+        let axes = match position {
+            Some(_) => section.map(|axis| turned(axis, tangent, slope, section[0])),
+            None => section,
+        };
+        let spin = scale(1.0 / dot(slope, slope), cross(slope, slope_rate));
+        let rates = axes.map(|axis| cross(spin, axis));
+        [[at, slope, axes[0], axes[1]], [rate, slope_rate, rates[0], rates[1]]]
+    }
+
+    /// Refuses initial shapes that are not finite, without direction, or elsewhere than where a joint
+    /// holds the body, and joints that hold an end far from where it is undeformed. Comes back with what is to be told of
+    /// those that hold it nearby.
+    pub(crate) fn check_initial(&self) -> Result<Vec<Warning>, ModelError> {
+        for (index, body) in self.bodies.iter().enumerate() {
+            for within in 0..body.spec.vectors() {
+                let (node, local) = body.spec.locate(within);
+                let x = body.spec.line.length() * body.spec.fraction(node, local);
+                check_node(&body.spec, x, self.parts.initial(index, x))?;
+            }
+        }
+        let frames = self.motions(0.0);
+        let found = (0..self.joints.len()).map(|joint| self.check_held(joint, &frames));
+        let found: Result<Vec<Option<Warning>>, ModelError> = found.collect();
+        Ok(found?.into_iter().flatten().collect())
+    }
+
+    fn check_held(&self, index: usize, frames: &[FrameMotion]) -> Result<Option<Warning>, ModelError> {
+        let joint = &self.joints[index];
+        let spec = &self.bodies[joint.body].spec;
+        let u = if joint.at_end { 1.0 } else { 0.0 };
+        let [position, velocity] = self.parts.initial(joint.body, spec.line.length() * u);
+        let held = Held {
+            kind: joint.kind,
+            data: joint_data(joint, spec, frames),
+            directions: directions(joint.kind, spec),
+            length: spec.line.length(),
+        };
+        let [q, v] = self.initial_vectors(joint.body, u);
+        let (q, v) = if joint.frame == spec.frame {
+            (q, v)
+        } else {
+            seen_in(&frames[spec.frame], &frames[joint.frame], q, v)
+        };
+        if position.is_none() && joint.point.is_some() {
+            return self.check_point(index, norm(in_plane(spec, subtract(q[0], held.data.point))));
+        }
+        let (point, tangent) = spec.line.at(u);
+        let [y, z] = spec.section(u);
+        let place = position.and_then(|_| held.misplaced(&q, [point, tangent, y, z]));
+        let rate = velocity.and_then(|_| held.moving(&q, &v));
+        let Some(what) = place.or(rate) else {
+            return Ok(None);
+        };
+        let end = if joint.at_end { "end" } else { "start" };
+        Err(ModelError::new(format!(
+            "the initial shape of body `{}` contradicts joint `{}`: {what}; let the shape at the {end} be what the joint holds there",
+            spec.label(),
+            self.joint_label(index)
+        )))
+    }
+
+    /// What is said of a joint that holds an end at a distance (m) from where it is undeformed: the element there
+    /// starts with this strain.
+    fn check_point(&self, index: usize, distance: f64) -> Result<Option<Warning>, ModelError> {
+        let joint = &self.joints[index];
+        let spec = &self.bodies[joint.body].spec;
+        let at = if joint.at_end { spec.count - 1 } else { 0 };
+        let (length, element) = (spec.line.length(), spec.element_length(at));
+        let end = if joint.at_end { "end" } else { "start" };
+        let text = format!(
+            "joint `{}` holds the {end} of body `{}` {distance:.3e} m from where it is undeformed",
+            self.joint_label(index),
+            spec.label()
+        );
+        if distance > element {
+            return Err(ModelError::new(format!(
+                "{text}, farther than the element there is long ({element:.3e} m): let `at` be where the end is, move the `line`, or give the body an `initial position` that begins there"
+            )));
+        }
+        let strain = distance / element;
+        Ok((distance > AWAY * length).then(|| Warning {
+            text: format!(
+                "{text}: the element there starts with a strain of {strain:.1e}, and the body with a blow; an `initial position` would spread it"
+            ),
+            weight: strain,
+        }))
+    }
+}
+
+/// A vector (frame axes) without the part out of the plane of a planar body, which nothing holds.
+fn in_plane(spec: &BodySpec, vector: Vector) -> Vector {
+    if spec.dimension() == 3 {
+        return vector;
+    }
+    std::array::from_fn(|axis| if spec.axes.contains(&axis) { vector[axis] } else { 0.0 })
+}
+
+/// A vector turned by the smallest rotation that takes the direction of the unit vector `from` to that of
+/// `to`; opposite directions turn about `about`.
+fn turned(vector: Vector, from: Vector, to: Vector, about: Vector) -> Vector {
+    let to = scale(1.0 / norm(to), to);
+    let (axis, cosine) = (cross(from, to), dot(from, to));
+    if 1.0 + cosine < OPPOSITE {
+        return subtract(scale(2.0 * dot(about, vector), about), vector);
+    }
+    let first = cross(axis, vector);
+    add(add(vector, first), scale(1.0 / (1.0 + cosine), cross(axis, first)))
+}
+
+fn check_node(spec: &BodySpec, x: f64, initial: [Option<[Vector; 2]>; 2]) -> Result<(), ModelError> {
+    let is_finite = initial
+        .iter()
+        .flatten()
+        .flatten()
+        .flatten()
+        .all(|value| value.is_finite());
+    let has_slope = initial[0].is_none_or(|[_, slope]| norm(slope) > 0.0);
+    if is_finite && has_slope {
+        return Ok(());
+    }
+    let what = if is_finite { "has no direction" } else { "is not finite" };
+    Err(ModelError::new(format!(
+        "the initial shape of body `{}` {what} at x = {x} m: give a smooth shape whose derivative by x is finite and not zero",
+        spec.label()
+    )))
+}
+
+/// Vectors of a place and their rates of one frame as seen in another one.
+fn seen_in(own: &FrameMotion, other: &FrameMotion, q: Vectors, v: Vectors) -> (Vectors, Vectors) {
+    let point = subtract(own.point_to_inertial(q[0]), other.position);
+    let velocity = add(own.velocity, own.rate_to_inertial(q[0], v[0]));
+    let inertial: Vectors = std::array::from_fn(|i| if i == 0 { point } else { own.direction_to_inertial(q[i]) });
+    let places = inertial.map(|vector| other.direction_to_frame(vector));
+    let rates = std::array::from_fn(|i| {
+        let rate = if i == 0 {
+            subtract(velocity, other.velocity)
+        } else {
+            own.rate_to_inertial(q[i], v[i])
+        };
+        other.rate_to_frame(inertial[i], rate)
+    });
+    (places, rates)
+}
+
+/// What a joint holds at t = 0, axes of its frame.
+struct Held {
+    kind: JointKind,
+    data: JointData,
+    /// What it holds besides the position.
+    directions: &'static [(Interpolant, usize)],
+    length: f64,
+}
+
+impl Held {
+    /// Place, name and direction of the vectors that it holds besides the position.
+    fn directions(&self) -> impl Iterator<Item = (usize, &'static str, Vector)> {
+        const NAMES: [&str; 4] = ["position", "slope", "section's y axis", "section's z axis"];
+        let along = [self.data.tangent, self.data.second];
+        let places = self.directions.iter().map(|&(of, order)| place_of(of, order));
+        places.zip(along).map(|(place, along)| (place, NAMES[place], along))
+    }
+
+    /// How the vectors differ from what is held, in words.
+    fn misplaced(&self, q: &Vectors, undeformed: Vectors) -> Option<String> {
+        let gap = norm(subtract(q[0], self.data.point));
+        let away =
+            || (gap > ROUND_OFF * self.length).then(|| format!("it starts {gap:.3e} m away from the joint's point"));
+        match self.kind {
+            JointKind::Pin => away(),
+            JointKind::Clamp => away().or_else(|| {
+                self.directions().find_map(|(place, name, along)| {
+                    let angle = norm(cross(along, q[place])).atan2(dot(along, q[place]));
+                    (angle > ROUND_OFF)
+                        .then(|| format!("its {name} starts at {angle:.3e} rad to the joint's direction"))
+                })
+            }),
+            JointKind::ClampFull => away().or_else(|| {
+                self.directions().find_map(|(place, name, along)| {
+                    let gap = norm(subtract(q[place], along));
+                    (gap > ROUND_OFF).then(|| format!("its {name} starts {gap:.3e} away from the joint's"))
+                })
+            }),
+            JointKind::Hold { of, order, axis } => {
+                let place = place_of(of, order);
+                let (found, wanted) = (q[place][axis], undeformed[place][axis]);
+                let size = if place == 0 { self.length } else { 1.0 };
+                ((found - wanted).abs() > ROUND_OFF * size)
+                    .then(|| format!("what it holds starts at {found:.6e} instead of {wanted:.6e}"))
+            }
+        }
+    }
+
+    /// How fast what is held moves, in words.
+    fn moving(&self, q: &Vectors, v: &Vectors) -> Option<String> {
+        let most = |rate: &dyn Fn(usize, Vector) -> f64| {
+            let rates = self.directions().map(|(place, _, along)| rate(place, along));
+            rates.fold(norm(v[0]), f64::max)
+        };
+        let across = match self.kind {
+            JointKind::Hold { of, order, axis } => v[place_of(of, order)][axis].abs(),
+            JointKind::Pin => norm(v[0]),
+            // The norms may change.
+            JointKind::Clamp => most(&|place, along| norm(cross(along, v[place])) / norm(q[place])),
+            JointKind::ClampFull => most(&|place, _| norm(v[place])),
+        };
+        let size = 1.0 + norm(v[0]) + norm(v[1]);
+        (across > ROUND_OFF * size).then(|| format!("what it holds starts with the rate {across:.3e}"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::scene::initial::*;
+
+    #[test]
+    fn the_smallest_rotation_takes_one_direction_to_the_other_and_nothing_else() {
+        let near =
+            |found: Vector, wanted: Vector| assert!(norm(subtract(found, wanted)) < 1e-15, "{found:?} {wanted:?}");
+        let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        // From x towards z: about -y, whatever the length.
+        let along = [0.6, 0.0, 0.8];
+        let at = |vector| turned(vector, x, scale(3.0, along), y);
+        near(at(x), along);
+        near(at(y), y);
+        near(at(z), [-0.8, 0.0, 0.6]);
+        near(turned(z, x, x, y), z);
+        // Opposite directions turn about the given axis.
+        near(turned(x, x, [-2.0, 0.0, 0.0], y), [-1.0, 0.0, 0.0]);
+        near(turned(y, x, [-2.0, 0.0, 0.0], y), y);
+        near(turned(z, x, [-2.0, 0.0, 0.0], y), [0.0, 0.0, -1.0]);
+    }
+}

@@ -1,0 +1,124 @@
+//! Whether prescribed motions are continuous over a kink: frames, and what drives and other constraints prescribe.
+
+use super::frames::free_frames::declared_free;
+use super::mesh_scene::MeshScene;
+use crate::emitted::FrameMotion;
+use crate::system::{ConstraintLevel, Jump, State, System};
+use crate::vector::{add, norm, scale, subtract};
+
+/// Change of a position over the size of the model, or of an angle (rad), that counts as round-off.
+const ROUND_OFF: f64 = 1e-6;
+/// The same of a position over its distance from the origin.
+const FAR: f64 = 1e-12;
+
+impl MeshScene {
+    /// The first frame that jumps, else the first constraint; positions before velocities.
+    pub(crate) fn jumps_between(&mut self, state: &State, behind: f64) -> Vec<Jump> {
+        let size = self.sizes.iter().copied().fold(0.0, f64::max);
+        let frame = self.jump_of_frames(state.t, behind, size);
+        if frame.as_ref().is_some_and(|jump| jump.of_position) {
+            return frame.into_iter().collect();
+        }
+        let found = self.jump_of_constraint(ConstraintLevel::Position, state, behind, size);
+        if let Some((row, change)) = found {
+            return vec![Jump {
+                text: format!(
+                    "what {} prescribes jumps by {change:.3e}",
+                    self.describe_constraint(row)
+                ),
+                of_position: true,
+            }];
+        }
+        if frame.is_some() {
+            return frame.into_iter().collect();
+        }
+        let found = self.jump_of_constraint(ConstraintLevel::Velocity, state, behind, size);
+        let jump = found.map(|(row, change)| Jump {
+            text: format!(
+                "the rate that {} prescribes jumps by {change:.3e} 1/s",
+                self.describe_constraint(row)
+            ),
+            of_position: false,
+        });
+        jump.into_iter().collect()
+    }
+
+    /// The first prescribed frame whose pose jumps, else whose velocity does.
+    fn jump_of_frames(&self, t: f64, behind: f64, size: f64) -> Option<Jump> {
+        let free = declared_free(&*self.parts);
+        let at = |t: f64| {
+            let mut motions = vec![FrameMotion::INERTIAL; free.len()];
+            self.parts.frames(t, &mut motions);
+            motions
+        };
+        let (before, after) = (at(t), at(behind));
+        let prescribed: Vec<usize> = (1..free.len()).filter(|&frame| !free[frame]).collect();
+        let name = |frame: usize| self.parts.frame_name(frame);
+        for &frame in &prescribed {
+            let (a, b) = (&before[frame], &after[frame]);
+            // Over the time between the two it moves by itself.
+            let moved = norm(subtract(b.position, add(a.position, scale(behind - t, a.velocity))));
+            let turned = (0..3)
+                .map(|row| norm(subtract(b.rotation[row], a.rotation[row])))
+                .fold(0.0, f64::max);
+            let turning = 2.0 * (behind - t) * norm(a.spin).max(norm(b.spin));
+            if moved > ROUND_OFF * size + FAR * norm(a.position) {
+                return Some(Jump {
+                    text: format!("the origin of frame `{}` jumps by {moved:.3e} m", name(frame)),
+                    of_position: true,
+                });
+            }
+            if turned > ROUND_OFF + turning {
+                return Some(Jump {
+                    text: format!(
+                        "frame `{}` jumps by {:.3e} deg or more",
+                        name(frame),
+                        turned.to_degrees()
+                    ),
+                    of_position: true,
+                });
+            }
+        }
+        for &frame in &prescribed {
+            let (a, b) = (&before[frame], &after[frame]);
+            for (a, b, least, what, unit) in [
+                (a.velocity, b.velocity, size, "velocity", "m/s"),
+                (a.spin, b.spin, 1.0, "angular velocity", "rad/s"),
+            ] {
+                let change = norm(subtract(b, a));
+                if change > ROUND_OFF * (norm(a).max(norm(b)) + 1e-3 * least) {
+                    return Some(Jump {
+                        text: format!("the {what} of frame `{}` jumps by {change:.3e} {unit}", name(frame)),
+                        of_position: false,
+                    });
+                }
+            }
+        }
+        None
+    }
+
+    /// The constraint whose value changes most between the two times with the same unknowns, and by how much.
+    fn jump_of_constraint(
+        &mut self,
+        level: ConstraintLevel,
+        state: &State,
+        behind: f64,
+        size: f64,
+    ) -> Option<(usize, f64)> {
+        let m = self.constraints();
+        let (mut before, mut after) = (vec![0.0; m], vec![0.0; m]);
+        let mut later = state.clone();
+        self.constraint(level, state, &mut before);
+        later.t = behind;
+        self.constraint(level, &later, &mut after);
+        let jump = |row: usize| {
+            let change = (after[row] - before[row]).abs();
+            let limit = match level {
+                ConstraintLevel::Position => ROUND_OFF * size,
+                _ => ROUND_OFF * (before[row].abs().max(after[row].abs()) + 1e-3 * size),
+            };
+            (change > limit).then_some((row, change))
+        };
+        (0..m).filter_map(jump).max_by(|a, b| a.1.total_cmp(&b.1))
+    }
+}

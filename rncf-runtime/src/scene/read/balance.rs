@@ -1,0 +1,179 @@
+//! Mass, momentum, angular momentum, centre of mass and energies of bodies, of rigid bodies and of all. They are sums over
+//! nodal vectors with the constants M^ab, relative to the origin of each body's frame, so that far away nothing cancels.
+
+use crate::emitted::{About, BalanceQuantity, Fidelity, MAX_SIZE, Owner};
+use crate::error::ModelError;
+use crate::scene::MeshScene;
+use crate::scene::terms::inertia::{Padded, spread};
+use crate::vector::{Vector, add, apply, cross, dot, scale, subtract};
+
+/// Sums over what moves, in inertial axes; places and the angular momentum from a reference point at rest.
+#[derive(Clone, Copy, Default)]
+struct Balance {
+    /// kg.
+    mass: f64,
+    /// First moment, kg m.
+    moment: Vector,
+    /// kg m/s.
+    momentum: Vector,
+    /// kg m^2/s.
+    spin: Vector,
+    /// J.
+    kinetic: f64,
+}
+
+impl Balance {
+    fn plus(self, other: Self) -> Self {
+        Self {
+            mass: self.mass + other.mass,
+            moment: add(self.moment, other.moment),
+            momentum: add(self.momentum, other.momentum),
+            spin: add(self.spin, other.spin),
+            kinetic: self.kinetic + other.kinetic,
+        }
+    }
+
+    /// The same of what is seen from a point that is `arm` from the reference and moves with `velocity`, here given with
+    /// places and velocities relative to that point.
+    fn carried(self, arm: Vector, velocity: Vector) -> Self {
+        let momentum = add(self.momentum, scale(self.mass, velocity));
+        Self {
+            mass: self.mass,
+            moment: add(self.moment, scale(self.mass, arm)),
+            momentum,
+            spin: add(self.spin, add(cross(arm, momentum), cross(self.moment, velocity))),
+            kinetic: self.kinetic + dot(velocity, self.momentum) + 0.5 * self.mass * dot(velocity, velocity),
+        }
+    }
+}
+
+impl MeshScene {
+    /// Refuses balances of what has none.
+    ///
+    /// # Errors
+    /// A body whose momentum is not that of its motion, by name.
+    pub(crate) fn check_balance(&self, of: Owner, what: BalanceQuantity) -> Result<(), ModelError> {
+        let Some(body) = self
+            .bodies_of(of)
+            .find(|&body| matches!(self.bodies[body].spec.fidelity, Fidelity::Small(_)))
+        else {
+            return Ok(());
+        };
+        if what == BalanceQuantity::Mass {
+            return Ok(());
+        }
+        Err(ModelError::new(format!(
+            "an output asks for the {} of body `{}`, which `small` describes: its inertia is that of the undeformed shape, and what it keeps is not that of its motion; describe it by `modal` or by all its nodal vectors",
+            what.describe(),
+            self.bodies[body].spec.label()
+        )))
+    }
+
+    fn bodies_of(&self, of: Owner) -> std::ops::Range<usize> {
+        match of {
+            Owner::All => 0..self.bodies.len(),
+            Owner::Body(body) => body..body + 1,
+            Owner::Frame(_) => 0..0,
+        }
+    }
+
+    /// Value at the loaded state.
+    pub(crate) fn balance_of(&self, of: Owner, what: BalanceQuantity, t: f64, component: usize) -> f64 {
+        let origin = [0.0; 3];
+        match what {
+            BalanceQuantity::Mass => self.balance(of, origin).mass,
+            BalanceQuantity::Momentum => self.balance(of, origin).momentum[component],
+            BalanceQuantity::CenterOfMass => self.center_of(of)[component],
+            BalanceQuantity::AngularMomentum(about) => {
+                let reference = match about {
+                    About::Origin => origin,
+                    About::Marker(marker) => self.jet(&self.markers[marker])[0],
+                    About::CenterOf(of) => self.center_of(of),
+                };
+                self.balance(of, reference).spin[component]
+            }
+            BalanceQuantity::KineticEnergy => self.balance(of, origin).kinetic,
+            BalanceQuantity::StrainEnergy => self.strain_energy(of),
+            BalanceQuantity::GravityEnergy => -dot(self.gravity(t), self.balance(of, origin).moment),
+        }
+    }
+
+    fn center_of(&self, of: Owner) -> Vector {
+        let Balance { mass, moment, .. } = self.balance(of, [0.0; 3]);
+        scale(1.0 / mass, moment)
+    }
+
+    fn balance(&self, of: Owner, reference: Vector) -> Balance {
+        let mut sum = Balance::default();
+        for body in self.bodies_of(of) {
+            sum = sum.plus(self.balance_of_body(body, reference));
+        }
+        let counts = |frame: usize| of == Owner::All || of == Owner::Frame(frame);
+        for frame in self.free.iter().filter(|frame| counts(frame.spec.frame)) {
+            let (rigid, motion) = (&frame.spec.rigid, &self.buffers.frames[frame.spec.frame]);
+            let moment = motion.direction_to_inertial(rigid.moment);
+            let spin = motion.direction_to_inertial(motion.spin);
+            let turning = apply(&rigid.inertia, motion.spin);
+            let own = Balance {
+                mass: rigid.mass,
+                moment,
+                momentum: cross(spin, moment),
+                spin: motion.direction_to_inertial(turning),
+                kinetic: 0.5 * dot(motion.spin, turning),
+            };
+            sum = sum.plus(own.carried(subtract(motion.position, reference), motion.velocity));
+        }
+        sum
+    }
+
+    fn balance_of_body(&self, index: usize, reference: Vector) -> Balance {
+        let body = &self.bodies[index];
+        let (mass, frame) = (&body.whole_mass, &self.buffers.frames[body.frame]);
+        let first = self.layout.offset(body.first_vector);
+        let vector = |full: &[f64], place: usize| -> Vector {
+            let [x, y, z, _]: Padded = spread(body.spec.axes, &full[first..], place);
+            [x, y, z]
+        };
+        // Places and velocities relative to the frame's origin, inertial axes.
+        let moved = (0..mass.vectors()).map(|place| {
+            let (mut q, v) = (vector(&self.buffers.q, place), vector(&self.buffers.v, place));
+            if mass.is_position(place) {
+                q = add(q, body.offset);
+            }
+            [frame.direction_to_inertial(q), frame.rate_to_inertial(q, v)]
+        });
+        let moved: Vec<[Vector; 2]> = moved.collect();
+        let rates: Vec<[Padded; 1]> = moved.iter().map(|[_, [x, y, z]]| [[*x, *y, *z, 0.0]]).collect();
+        let mut own = Balance::default();
+        for (place, [at, rate]) in moved.iter().enumerate() {
+            let [[x, y, z, _]] = mass.product(place, &rates);
+            let momentum = [x, y, z];
+            if mass.is_position(place) {
+                own.mass += mass.first(place);
+            }
+            own.moment = add(own.moment, scale(mass.first(place), *at));
+            own.momentum = add(own.momentum, scale(mass.first(place), *rate));
+            own.spin = add(own.spin, cross(*at, momentum));
+            own.kinetic += 0.5 * dot(*rate, momentum);
+        }
+        own.carried(subtract(frame.position, reference), frame.velocity)
+    }
+
+    /// Elastic energy of elements, J; none where a body does not deform.
+    fn strain_energy(&self, of: Owner) -> f64 {
+        let mut energy = 0.0;
+        for index in self.bodies_of(of) {
+            let body = &self.bodies[index];
+            if !body.spec.fidelity.deforms() {
+                continue;
+            }
+            let size = body.spec.element_size();
+            for element in 0..body.spec.count {
+                let mut q = [0.0; MAX_SIZE];
+                body.connectivity.gather(element, &self.buffers.q, &mut q[..size]);
+                energy += self.parts.energy(index, element, &q[..size]);
+            }
+        }
+        energy
+    }
+}

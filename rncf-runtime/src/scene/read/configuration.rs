@@ -1,0 +1,82 @@
+//! Pictures of a scene: the lines of its bodies in their frames, and where the frames are.
+
+use crate::model::{Configuration, Curve};
+use crate::rotation::Rotation;
+use crate::scene::evaluate::weighted;
+use crate::scene::mesh_scene::{MeshScene, PlaceVector, point_of};
+use crate::scene::terms::linked::Marker;
+use crate::vector::{Vector, add, norm};
+
+/// Straight pieces that a body is drawn with at least, where it has fewer elements.
+const PIECES: usize = 16;
+/// Most straight pieces of one element.
+const MOST: usize = 8;
+
+/// Pieces of an element of a body with so many of them.
+fn pieces(elements: usize) -> usize {
+    PIECES.div_ceil(elements).min(MOST)
+}
+
+impl MeshScene {
+    /// The lines of this scene.
+    pub(crate) fn drawn(&self) -> Vec<Curve> {
+        let flexible = self.bodies.iter().map(|body| Curve {
+            name: body.spec.label(),
+            frame: body.frame,
+            points: body.spec.count * pieces(body.spec.count) + 1,
+            is_flexible: true,
+        });
+        let fixed = (0..self.free.len()).map(|free| Curve {
+            name: self.parts.frame_name(self.free[free].spec.frame).to_string(),
+            frame: self.free[free].spec.frame,
+            points: self.attached(free).len(),
+            is_flexible: false,
+        });
+        flexible.chain(fixed.filter(|curve| curve.points > 0)).collect()
+    }
+
+    /// Places that joints, springs and outputs use of a free frame, each with the origin before and behind it.
+    fn attached(&self, free: usize) -> Vec<Vector> {
+        let frame = self.free[free].spec.frame;
+        let mut places: Vec<Vector> = Vec::new();
+        for marker in &self.markers {
+            match *marker {
+                Marker::Fixed {
+                    frame: of,
+                    at,
+                    is_point: true,
+                } if of == frame && norm(at) > 0.0 && !places.contains(&at) => places.push(at),
+                _ => {}
+            }
+        }
+        places.iter().flat_map(|&place| [[0.0; 3], place, [0.0; 3]]).collect()
+    }
+
+    /// The picture at the loaded state.
+    pub(crate) fn draw(&self, out: &mut Configuration) {
+        out.points.clear();
+        for (index, body) in self.bodies.iter().enumerate() {
+            let count = body.spec.count;
+            let pieces = pieces(count);
+            let places: Vec<_> = (0..=pieces)
+                .map(|piece| point_of(&*self.parts, &body.spec, index, 0, piece as f64 / pieces as f64))
+                .collect();
+            for element in 0..count {
+                let last = usize::from(element + 1 == count);
+                for place in &places[..pieces + last] {
+                    let components = body.connectivity.element(element);
+                    let weights = place.weights(PlaceVector::Position);
+                    let place = weighted(&self.buffers.q, components, body.spec.dimension(), weights);
+                    out.points.push(add(body.offset, body.spread(place)));
+                }
+            }
+        }
+        for free in 0..self.free.len() {
+            out.points.extend(self.attached(free));
+        }
+        out.poses.clear();
+        let poses = self.buffers.frames.iter();
+        out.poses
+            .extend(poses.map(|frame| (frame.position, Rotation::from_matrix(&frame.rotation))));
+    }
+}

@@ -1,0 +1,13 @@
+//! What is read off a state: outputs, pictures, what sections carry, and where a description does not hold.
+
+pub(crate) mod balance;
+pub(crate) mod compression;
+pub(crate) mod configuration;
+pub(crate) mod outputs;
+pub(crate) mod overstretch;
+pub(crate) mod point_forces;
+pub(crate) mod sampled;
+pub(crate) mod sampling;
+pub(crate) mod section;
+pub(crate) mod stress;
+pub(crate) mod thick;

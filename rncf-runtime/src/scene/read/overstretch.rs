@@ -1,0 +1,53 @@
+//! Axes that are stretched as no material is: a load is far too large, or a stiffness far too small. The law of the
+//! material goes on, and a run alone does not tell.
+
+use crate::emitted::{Fidelity, Interpolant};
+use crate::model::Warning;
+use crate::scene::MeshScene;
+use crate::scene::evaluate::weighted;
+use crate::vector::norm;
+
+/// Stretch that no material bears: natural rubber breaks at 8 or 9.
+const MOST: f64 = 10.0;
+/// Middle and ends of an element.
+const PLACES: [f64; 3] = [0.0, 0.5, 1.0];
+
+impl MeshScene {
+    /// Bodies whose axes are stretched too far at the loaded state.
+    pub(crate) fn overstretched(&self) -> Vec<Warning> {
+        let told = |&body: &usize| matches!(self.bodies[body].spec.fidelity, Fidelity::Full | Fidelity::Modal(_));
+        let bodies = (0..self.bodies.len()).filter(told);
+        let found = bodies.filter_map(|body| {
+            let (stretch, x) = self.most_stretched(body);
+            (stretch > MOST).then(|| Warning {
+                text: format!(
+                    "body `{}`: its axis is stretched to {stretch:.0} times its length at x = {x:.4} m, as no material is: look for a load that is far too large, or an `area` or `young` that is far too small",
+                    self.bodies[body].spec.label()
+                ),
+                weight: stretch,
+            })
+        });
+        found.collect()
+    }
+
+    /// The largest stretch of a body's axis, and the arclength (m) where it is.
+    fn most_stretched(&self, body: usize) -> (f64, f64) {
+        let (spec, connectivity) = (&self.bodies[body].spec, &self.bodies[body].connectivity);
+        let mut slope = vec![0.0; spec.nodal.len()];
+        let mut most = (0.0, 0.0);
+        for xi in PLACES {
+            for element in 0..spec.count {
+                if element == 0 || !spec.stations.is_empty() {
+                    self.parts
+                        .shapes(body, element, Interpolant::Position, 1, xi, &mut slope);
+                }
+                let components = connectivity.element(element);
+                let stretch = norm(weighted(&self.buffers.q, components, spec.dimension(), &slope));
+                if stretch > most.0 {
+                    most = (stretch, spec.arclength(element, xi));
+                }
+            }
+        }
+        most
+    }
+}

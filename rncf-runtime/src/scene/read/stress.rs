@@ -1,0 +1,304 @@
+//! Largest von Mises stress over a section from the forces and moments on it: `sqrt(s^2 + 3 t^2)` at the
+//! points where it can be largest. Normal stresses are `N/A + M_y Z/I_yy - M_z Y/I_zz`, shear stresses those
+//! of Saint-Venant's torsion and, at the neutral axis, of the shear forces.
+
+use std::f64::consts::PI;
+
+use crate::emitted::{SectionShape, SectionSpec};
+
+/// Forces (N, Q_y, Q_z) and moments (T, M_y, M_z) on a section with its constants.
+struct Loaded<'a> {
+    section: &'a SectionSpec,
+    forces: [f64; 3],
+    moments: [f64; 3],
+}
+
+/// The largest von Mises stress, Pa; `None` where what is needed of the section is not known: an extent,
+/// in a plane that along y alone, or a constant. That of a general section is an upper bound for solid
+/// ones: all that bends at one corner of its extents, the torsion of a strip as thick as its lesser extent.
+pub fn largest_stress(section: &SectionSpec, is_planar: bool, forces: [f64; 3], moments: [f64; 3]) -> Option<f64> {
+    let loaded = Loaded {
+        section,
+        forces,
+        moments,
+    };
+    let stress = match section.shape {
+        SectionShape::Circle { radius } => loaded.round(radius, 4.0 / 3.0),
+        // Thin: twice the mean shear stress.
+        SectionShape::Tube { radius, .. } => loaded.round(radius, 2.0),
+        SectionShape::Rectangle { sizes } => loaded.rectangle(sizes),
+        SectionShape::General { extent: [y, z] } => {
+            let z = if is_planar { Some(z.unwrap_or(0.0)) } else { z };
+            loaded.general([y?, z?])
+        }
+    };
+    stress.filter(|stress| stress.is_finite())
+}
+
+fn von_mises(normal: f64, shear: f64) -> f64 {
+    normal.hypot(3.0f64.sqrt() * shear)
+}
+
+impl Loaded<'_> {
+    /// `load / constant`; `None` where the constant is not known.
+    fn over(load: f64, constant: f64) -> Option<f64> {
+        if load == 0.0 {
+            return Some(0.0);
+        }
+        (constant > 0.0).then(|| load / constant)
+    }
+
+    /// Normal stress on the axis; its derivatives along y and z; and T/J.
+    fn gradients(&self) -> Option<[f64; 4]> {
+        let [torque, moment_y, moment_z] = self.moments;
+        let [about_y, about_z] = self.section.second_moments;
+        Some([
+            Self::over(self.forces[0], self.section.area)?,
+            -Self::over(moment_z, about_z)?,
+            Self::over(moment_y, about_y)?,
+            Self::over(torque, self.section.torsion_constant)?,
+        ])
+    }
+
+    /// Mean shear stresses along y and z.
+    fn mean_shears(&self) -> Option<[f64; 2]> {
+        let [_, y, z] = self.forces;
+        Some([Self::over(y, self.section.area)?, Self::over(z, self.section.area)?])
+    }
+
+    /// A circle or tube: the rim where it bends most, and where the shear force acts most; `factor` is the
+    /// shear stress there over the mean one.
+    fn round(&self, radius: f64, factor: f64) -> Option<f64> {
+        let [axial, by_y, by_z, twist] = self.gradients()?;
+        let torsion = radius * twist;
+        let outermost = von_mises(axial.abs() + radius * by_y.hypot(by_z), torsion);
+        let [y, z] = self.mean_shears()?;
+        let shear = y.hypot(z);
+        if shear == 0.0 {
+            return Some(outermost);
+        }
+        // Both ends of the diameter normal to the shear force; torsion adds at one and subtracts at the other.
+        let at = |side: f64| {
+            let place = [-side * radius * z / shear, side * radius * y / shear];
+            let normal = axial + by_y * place[0] + by_z * place[1];
+            von_mises(normal, factor * shear - side * torsion)
+        };
+        Some(outermost.max(at(1.0)).max(at(-1.0)))
+    }
+
+    /// A rectangle: corners, middles of the sides, and the middle.
+    fn rectangle(&self, [height, width]: [f64; 2]) -> Option<f64> {
+        let [axial, by_y, by_z, twist] = self.gradients()?;
+        let [y, z] = self.mean_shears()?.map(|shear| 1.5 * shear);
+        let [at_y, at_z] = torsion_of_sides([height, width]).map(|factor| factor * twist);
+        let (up, aside) = (0.5 * height * by_y, 0.5 * width * by_z);
+        let mut largest = (axial.abs() + up.abs() + aside.abs()).max(von_mises(axial, y.hypot(z)));
+        for side in [1.0, -1.0] {
+            largest = largest
+                .max(von_mises(axial + side * up, z + side * at_y))
+                .max(von_mises(axial + side * aside, y - side * at_z));
+        }
+        Some(largest)
+    }
+
+    fn general(&self, [y, z]: [f64; 2]) -> Option<f64> {
+        let [axial, by_y, by_z, twist] = self.gradients()?;
+        let [shear_y, shear_z] = self.mean_shears()?.map(|shear| 1.5 * shear);
+        let torsion = (2.0 * y.min(z) * twist).abs();
+        let outermost = axial.abs() + y * by_y.abs() + z * by_z.abs();
+        let middle = von_mises(axial, shear_y.hypot(shear_z) + torsion);
+        Some(von_mises(outermost, torsion).max(middle))
+    }
+}
+
+/// Shear stress over T/J in the middles of the sides at `+-h/2` along y and `+-w/2` along z of a rectangle
+/// (h, w), m: series of Saint-Venant's torsion (Timoshenko and Goodier, Theory of Elasticity, section 109).
+fn torsion_of_sides([height, width]: [f64; 2]) -> [f64; 2] {
+    let (long, short) = (height.max(width), height.min(width));
+    let (mut on_long, mut on_short) = (1.0, 0.0);
+    let mut sign = 1.0;
+    for n in (1..TERMS).step_by(2).map(f64::from) {
+        let argument = 0.5 * n * PI * long / short;
+        // 8 / (n pi)^2
+        let weight = 8.0 / (n * PI).powi(2);
+        on_long -= weight / argument.cosh();
+        on_short += sign * weight * argument.tanh();
+        sign = -sign;
+    }
+    // The side at +-h/2 along y has the length w.
+    if width >= height {
+        [short * on_long, short * on_short]
+    } else {
+        [short * on_short, short * on_long]
+    }
+}
+
+/// Terms of alternating series that fall with 1/n^2: an error below 1e-5.
+const TERMS: i32 = 400;
+
+#[cfg(test)]
+mod tests {
+    use crate::scene::read::stress::*;
+
+    fn section(shape: SectionShape, area: f64, second_moments: [f64; 2], torsion_constant: f64) -> SectionSpec {
+        SectionSpec {
+            shape,
+            area,
+            second_moments,
+            torsion_constant,
+            yield_stress: None,
+            material: "steel",
+        }
+    }
+
+    fn circle(radius: f64) -> SectionSpec {
+        let fourth = 0.25 * PI * radius.powi(4);
+        section(
+            SectionShape::Circle { radius },
+            PI * radius * radius,
+            [fourth; 2],
+            2.0 * fourth,
+        )
+    }
+
+    fn rectangle(h: f64, w: f64, torsion_constant: f64) -> SectionSpec {
+        let sizes = [h, w];
+        let moments = [h * w.powi(3) / 12.0, w * h.powi(3) / 12.0];
+        section(SectionShape::Rectangle { sizes }, h * w, moments, torsion_constant)
+    }
+
+    fn stress(section: &SectionSpec, forces: [f64; 3], moments: [f64; 3]) -> f64 {
+        largest_stress(section, false, forces, moments).expect("all is known")
+    }
+
+    fn near(found: f64, wanted: f64, relative: f64) {
+        assert!((found / wanted - 1.0).abs() < relative, "{found} instead of {wanted}");
+    }
+
+    #[test]
+    fn a_shaft_under_bending_and_torsion_has_the_stress_of_handbooks() {
+        // d = 40 mm: s = 32 M/(pi d^3), t = 16 T/(pi d^3).
+        let d: f64 = 0.04;
+        let (m, t) = (300.0, 400.0);
+        let (normal, shear) = (32.0 * m / (PI * d.powi(3)), 16.0 * t / (PI * d.powi(3)));
+        let wanted = (normal * normal + 3.0 * shear * shear).sqrt();
+        near(stress(&circle(0.02), [0.0; 3], [t, 0.0, m]), wanted, 1e-14);
+        near(stress(&circle(0.02), [0.0; 3], [-t, 0.6 * m, -0.8 * m]), wanted, 1e-14);
+        // Tension adds on one side, compression on the other.
+        let area = PI * d * d / 4.0;
+        for pull in [5e3, -5e3] {
+            near(
+                stress(&circle(0.02), [pull, 0.0, 0.0], [0.0, m, 0.0]),
+                normal + 5e3 / area,
+                1e-14,
+            );
+        }
+    }
+
+    #[test]
+    fn shear_counts_at_the_neutral_axis_and_adds_to_torsion() {
+        let r: f64 = 0.01;
+        let (q, area) = (2e3, PI * 1e-4);
+        near(
+            stress(&circle(r), [0.0, q, 0.0], [0.0; 3]),
+            3.0f64.sqrt() * 4.0 / 3.0 * q / area,
+            1e-14,
+        );
+        let torsion = 2.0 * 5.0 / (PI * r.powi(3));
+        for torque in [5.0, -5.0] {
+            let wanted = 3.0f64.sqrt() * (4.0 / 3.0 * q / area + torsion);
+            near(
+                stress(&circle(r), [0.0, 0.6 * q, -0.8 * q], [torque, 0.0, 0.0]),
+                wanted,
+                1e-14,
+            );
+        }
+        let tube = SectionShape::Tube {
+            radius: 0.05,
+            thickness: 1e-3,
+        };
+        let tube = section(tube, 3.1e-4, [3.8e-7; 2], 7.6e-7);
+        near(
+            stress(&tube, [0.0, 0.0, 100.0], [0.0; 3]),
+            3.0f64.sqrt() * 200.0 / 3.1e-4,
+            1e-14,
+        );
+    }
+
+    #[test]
+    fn a_rectangle_bends_at_its_corners_and_twists_at_its_longer_sides() {
+        let (h, w) = (0.03, 0.02);
+        let strip = rectangle(h, w, 1.0);
+        let wanted = 6.0 * 10.0 / (w * h * h) + 6.0 * 7.0 / (h * w * w) + 100.0 / (h * w);
+        near(stress(&strip, [-100.0, 0.0, 0.0], [0.0, -7.0, 10.0]), wanted, 1e-14);
+        near(
+            stress(&strip, [0.0, 0.0, 90.0], [0.0; 3]),
+            3.0f64.sqrt() * 1.5 * 90.0 / (h * w),
+            1e-14,
+        );
+        // Handbook: t = T/(c1 a b^2), J = c2 a b^3, a/b = 1.5: c1 = 0.2310, c2 = 0.1958; short sides 0.859 of it.
+        let strip = rectangle(h, w, 0.1958 * h * w.powi(3));
+        let on_long = 5.0 / (0.2310 * h * w * w);
+        near(stress(&strip, [0.0; 3], [5.0, 0.0, 0.0]), 3.0f64.sqrt() * on_long, 1e-3);
+        let [short, long] = torsion_of_sides([h, w]);
+        near(short / long, 0.859, 1e-3);
+        let [short, long] = torsion_of_sides([w, h]);
+        near(long / short, 0.859, 1e-3);
+        let [first, second] = torsion_of_sides([1.0, 1.0]);
+        near(first, 0.6753, 1e-4);
+        near(second, first, 1e-4);
+    }
+
+    #[test]
+    fn bending_at_the_side_of_a_rectangle_combines_with_torsion_there() {
+        // Wider than high: torsion is largest at +-h/2, where M_z bends.
+        let (h, w) = (0.01, 0.04);
+        let strip = rectangle(h, w, 0.2808 * w * h.powi(3));
+        let normal = 6.0 * 3.0 / (w * h * h);
+        let shear = 4.0 / (0.282 * w * h * h);
+        let wanted = normal.hypot(3.0f64.sqrt() * shear);
+        near(stress(&strip, [0.0; 3], [4.0, 0.0, 3.0]), wanted, 2e-3);
+    }
+
+    #[test]
+    fn what_is_not_known_of_a_section_is_not_guessed() {
+        let odd = |y, z| section(SectionShape::General { extent: [y, z] }, 2e-4, [1e-9, 3e-9], 0.0);
+        let bent = |of: &SectionSpec, is_planar| largest_stress(of, is_planar, [10.0, 0.0, 0.0], [0.0, 0.0, 6.0]);
+        assert_eq!(bent(&odd(None, Some(0.01)), false), None);
+        assert_eq!(bent(&odd(Some(0.01), None), false), None);
+        near(
+            bent(&odd(Some(0.01), None), true).unwrap(),
+            10.0 / 2e-4 + 6.0 * 0.01 / 3e-9,
+            1e-14,
+        );
+        // A torque without a torsion constant.
+        assert_eq!(
+            largest_stress(&odd(Some(0.01), Some(0.01)), false, [0.0; 3], [1.0, 0.0, 0.0]),
+            None
+        );
+        assert_eq!(
+            largest_stress(&circle(0.01), false, [f64::NAN, 0.0, 0.0], [0.0; 3]),
+            None
+        );
+    }
+
+    #[test]
+    fn the_bound_of_a_general_section_is_above_a_circle_and_a_square() {
+        for (exact, extent) in [
+            (circle(0.01), 0.01),
+            (rectangle(0.02, 0.02, 0.1406 * 0.02f64.powi(4)), 0.01),
+        ] {
+            let mut general = exact;
+            general.shape = SectionShape::General {
+                extent: [Some(extent); 2],
+            };
+            for (forces, moments) in [
+                ([10.0, 0.0, 0.0], [3.0, 0.0, 0.0]),
+                ([0.0, 500.0, 300.0], [0.0, 1.0, -2.0]),
+                ([5.0, 50.0, 0.0], [2.0, 1.0, 2.0]),
+            ] {
+                assert!(stress(&general, forces, moments) >= 0.999 * stress(&exact, forces, moments));
+            }
+        }
+    }
+}

@@ -1,0 +1,247 @@
+//! Rigid fixtures on flexible bodies (THEORY 5.4): constants on position and slope of their place, with a
+//! section also on its axes. Of a section that they make rigid the normal stands for the slope, which shears.
+
+use super::inertia::Transport;
+use super::inertia_tangent::Combination;
+use super::rigid_sections::{makes_rigid, needs_normal};
+use crate::emitted::{BodySpec, FixtureSpec};
+use crate::model::Warning;
+use crate::scene::evaluate::weighted;
+use crate::scene::mesh_scene::{MeshPoint, MeshScene, PlaceVector};
+use crate::vector::Vector;
+
+/// A fixture at its place.
+pub(crate) struct Fixture {
+    pub spec: FixtureSpec,
+    pub point: MeshPoint,
+    vectors: &'static [PlaceVector],
+    /// Whether its section is rigid.
+    pub is_rigid: bool,
+    /// Vector, counted in the body, that is the normal of its section, where that stands for the slope.
+    pub normal: Option<usize>,
+    /// Mass of an element's vectors that the fixture adds, rows first.
+    mass: Vec<f64>,
+}
+
+/// Largest strain of the section below a rigid fixture of which nothing is said: its moments of inertia are then off
+/// by two times as much.
+const RIGID_ENOUGH: f64 = 1e-4;
+
+/// Most components of the vectors of a place.
+const MOST: usize = 12;
+
+/// The vectors of a place that a fixture acts on, in the order of its constants.
+fn vectors_of(spec: &BodySpec) -> &'static [PlaceVector] {
+    const ALL: &[PlaceVector] = &[
+        PlaceVector::Position,
+        PlaceVector::Slope,
+        PlaceVector::SectionY,
+        PlaceVector::SectionZ,
+    ];
+    &ALL[..1 + spec.interpolants()]
+}
+
+impl Fixture {
+    /// A fixture at its place on a body.
+    pub fn new(spec: FixtureSpec, point: MeshPoint, body: &BodySpec) -> Self {
+        let is_rigid = makes_rigid(&spec, body);
+        let own = (point.element, point.xi);
+        let normal = body.normals.iter().position(|&normal| normal == own);
+        let normal = normal.filter(|_| is_rigid && needs_normal(&spec, body));
+        let mut fixture = Self {
+            spec,
+            point,
+            vectors: vectors_of(body),
+            is_rigid,
+            normal: normal.map(|normal| body.meshed_vectors() + normal),
+            mass: Vec::new(),
+        };
+        fixture.mass = fixture.element_mass();
+        fixture
+    }
+
+    /// Masses of the vectors of the place (THEORY 5.4): mass, first and second moments. Of a rigid section all that is along
+    /// its normal belongs to the normal; where it has none, it is round-off or, in a plane, as much along the section's axis.
+    pub fn block(&self) -> [[f64; 4]; 4] {
+        let [mass, x, y, z, xx, yy, zz, xy, xz, yz] = self.spec.constants;
+        if self.is_rigid && self.normal.is_none() {
+            let all = if self.vectors.len() == 3 { xx + yy } else { yy };
+            return [[mass, 0.0, y, z], [0.0; 4], [y, 0.0, all, yz], [z, 0.0, yz, zz]];
+        }
+        [[mass, x, y, z], [x, xx, xy, xz], [y, xy, yy, yz], [z, xz, yz, zz]]
+    }
+
+    /// The vectors of the place that are interpolated, with their places among the constants, and weights of the
+    /// element's vectors in them.
+    fn weights(&self) -> impl Iterator<Item = (usize, &[f64])> {
+        let vectors = self.vectors.iter().enumerate();
+        let own = vectors.filter(|(place, _)| *place != 1 || self.normal.is_none());
+        own.map(|(place, &of)| (place, self.point.weights(of)))
+    }
+
+    /// Masses in the rows and columns of the section's normal, where that is a vector of its own: vectors, counted in the
+    /// body.
+    pub fn entries_of_normal(&self, spec: &BodySpec) -> Vec<([usize; 2], f64)> {
+        let Some(normal) = self.normal else {
+            return Vec::new();
+        };
+        let row = self.block()[1];
+        let mut entries = vec![([normal, normal], row[1])];
+        for (place, weights) in self.weights() {
+            for (local, weight) in weights.iter().enumerate() {
+                let (other, value) = (
+                    self.point.element * spec.stride + spec.connectivity[local],
+                    row[place] * weight,
+                );
+                if value != 0.0 {
+                    entries.extend([([normal, other], value), ([other, normal], value)]);
+                }
+            }
+        }
+        entries
+    }
+
+    /// Number of vectors of the element.
+    fn count(&self) -> usize {
+        self.point.weights(PlaceVector::Position).len()
+    }
+
+    /// Mass of an element's vectors that the fixture adds, rows first.
+    pub fn mass(&self) -> &[f64] {
+        &self.mass
+    }
+
+    fn element_mass(&self) -> Vec<f64> {
+        let (count, block) = (self.count(), self.block());
+        let mut result = vec![0.0; count * count];
+        for (i, rows) in self.weights() {
+            for (j, columns) in self.weights() {
+                for (place, sum) in result.iter_mut().enumerate() {
+                    *sum += rows[place / count] * block[i][j] * columns[place % count];
+                }
+            }
+        }
+        result
+    }
+}
+
+impl MeshScene {
+    /// The vectors of a fixture's place.
+    fn fixture_place(&self, fixture: &Fixture) -> [f64; MOST] {
+        let body = &self.bodies[fixture.point.body];
+        let dimension = body.spec.dimension();
+        let components = body.connectivity.element(fixture.point.element);
+        let mut place = [0.0; MOST];
+        for (vector, weights) in fixture.weights() {
+            let part = &mut place[vector * dimension..(vector + 1) * dimension];
+            part.copy_from_slice(&weighted(&self.buffers.q, components, dimension, weights)[..dimension]);
+        }
+        if let Some(normal) = fixture.normal {
+            let first = self.layout.offset(body.first_vector + normal);
+            place[dimension..2 * dimension].copy_from_slice(&self.buffers.q[first..first + dimension]);
+        }
+        place
+    }
+
+    /// Masses beside the normals of sections: body, first components of both vectors, mass.
+    pub(crate) fn masses_of_normals(&self) -> Vec<(usize, [usize; 2], f64)> {
+        let of = |fixture: &Fixture| {
+            let (index, body) = (fixture.point.body, &self.bodies[fixture.point.body]);
+            let entries = fixture.entries_of_normal(&body.spec).into_iter();
+            let offset = |vector: usize| self.layout.offset(body.first_vector + vector);
+            let own: Vec<_> = entries
+                .map(|(vectors, value)| (index, vectors.map(offset), value))
+                .collect();
+            own
+        };
+        self.fixtures.iter().flat_map(of).collect()
+    }
+
+    /// Adds the derivatives of the inertia forces of all fixtures on nodal vectors, but for their mass, which is
+    /// constant.
+    pub(crate) fn add_fixture_tangents(&self, combination: &Combination, values: &mut [f64]) {
+        for fixture in &self.fixtures {
+            let body = &self.bodies[fixture.point.body];
+            let axes = body.spec.axes;
+            let transport = Transport::new(&self.buffers.frames[body.frame], axes, [0.0; 3]);
+            let block = combination.block(&transport);
+            if block == [[0.0; 3]; 3] {
+                continue;
+            }
+            let (d, size, count) = (axes.len(), body.spec.element_size(), fixture.count());
+            let mass = fixture.mass();
+            let entry = |place: usize| {
+                let (row, column) = (place / size, place % size);
+                mass[row / d * count + column / d] * block[axes[row % d]][axes[column % d]]
+            };
+            body.scatter.add_by(fixture.point.element, entry, values);
+        }
+        for (body, [row, column], mass) in self.masses_of_normals() {
+            let body = &self.bodies[body];
+            let axes = body.spec.axes;
+            let transport = Transport::new(&self.buffers.frames[body.frame], axes, [0.0; 3]);
+            let block = combination.block(&transport);
+            for (i, &a) in axes.iter().enumerate() {
+                for (j, &b) in axes.iter().enumerate() {
+                    for (entry, factor) in self.entries_of(row + i, column + j) {
+                        values[entry] += factor * mass * block[a][b];
+                    }
+                }
+            }
+        }
+    }
+
+    /// Fixtures whose section is not rigid at the loaded state, in words: their inertia pulls at its axes, which are elastic.
+    pub(crate) fn strained_fixtures(&self) -> Vec<Warning> {
+        let told = |fixture: &Fixture| {
+            let body = &self.bodies[fixture.point.body];
+            let dimension = body.spec.dimension();
+            let strains = body.spec.has_section() && body.spec.fidelity.deforms() && !fixture.is_rigid;
+            if !strains || fixture.spec.elastic || fixture.spec.constants[4..] == [0.0; 6] {
+                return None;
+            }
+            let place = self.fixture_place(fixture);
+            let axes: Vec<&[f64]> = place
+                .chunks_exact(dimension)
+                .take(fixture.vectors.len())
+                .skip(2)
+                .collect();
+            let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+            let stretches = axes.iter().map(|axis| 0.5 * (product(axis, axis) - 1.0));
+            let shear = if let [y, z] = axes[..] {
+                0.5 * product(y, z)
+            } else {
+                0.0
+            };
+            let strain = stretches
+                .chain([shear])
+                .fold(0.0, |most: f64, strain| most.max(strain.abs()));
+            (strain > RIGID_ENOUGH).then(|| Warning {
+                weight: strain,
+                text: format!(
+                    "fixture `{}` is rigid, and the section of body `{}` that carries it strains by {:.2} %: its inertia is off by twice as much; describe the body by all its nodal vectors, or take a `rigid` body and a `weld`",
+                    fixture.spec.name,
+                    body.spec.label(),
+                    100.0 * strain
+                ),
+            })
+        };
+        self.fixtures.iter().filter_map(told).collect()
+    }
+
+    /// Potential of a fixture in the gravity `g` (inertial axes), J, without what its frame's origin adds.
+    pub(crate) fn fixture_potential(&self, fixture: &Fixture, gravity: Vector) -> f64 {
+        let body = &self.bodies[fixture.point.body];
+        let dimension = body.spec.dimension();
+        let pull = self.buffers.frames[body.frame].direction_to_frame(gravity);
+        let q = self.fixture_place(fixture);
+        // First moments: of the mass itself, and along the other vectors.
+        let moments = fixture.spec.constants;
+        let vectors = q.chunks_exact(dimension).zip(&moments).take(fixture.vectors.len());
+        let along = |(vector, moment): (&[f64], &f64)| -> f64 {
+            let pulled = vector.iter().zip(body.spec.axes).map(|(q, &axis)| q * pull[axis]);
+            -moment * pulled.sum::<f64>()
+        };
+        vectors.map(along).sum()
+    }
+}

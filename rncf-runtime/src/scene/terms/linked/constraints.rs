@@ -1,0 +1,267 @@
+//! Constraints on markers: values, Jacobians, and what their forces add to the stiffness.
+
+use super::Linked;
+use crate::scene::MeshScene;
+use crate::scene::terms::linked::jets::{Column, Marker};
+use crate::system::{ConstraintLevel, Sums};
+use crate::vector::{Vector, add, cross, dot, scale};
+
+/// The three numbers of marker `place` in a row of `3 k`.
+pub(super) fn part(row: &[f64], place: usize) -> Vector {
+    std::array::from_fn(|i| row[3 * place + i])
+}
+
+/// `a . H b` with the block (`m`, `n`) of a matrix of `3 k` columns.
+pub(super) fn block_product(matrix: &[f64], markers: usize, m: usize, n: usize, a: Vector, b: Vector) -> f64 {
+    let width = 3 * markers;
+    (0..3)
+        .map(|i| {
+            let row = &matrix[(3 * m + i) * width + 3 * n..][..3];
+            a[i] * (row[0] * b[0] + row[1] * b[1] + row[2] * b[2])
+        })
+        .sum()
+}
+
+/// Whether the block (`m`, `n`) of a matrix of `3 k` columns is zero.
+fn is_zero_block(matrix: &[f64], markers: usize, m: usize, n: usize) -> bool {
+    let row = |i: usize| &matrix[(3 * m + i) * 3 * markers + 3 * n..][..3];
+    (0..3).all(|i| row(i).iter().all(|&entry| entry == 0.0))
+}
+
+impl MeshScene {
+    fn constraint_marker(&self, linked: &Linked, place: usize) -> &Marker {
+        &self.markers[linked.spec.markers[place]]
+    }
+
+    /// Values of the markers of a constraint and of their velocities.
+    fn arguments(&self, linked: &Linked) -> [Vec<Vector>; 2] {
+        let jets = linked
+            .spec
+            .markers
+            .iter()
+            .map(|&marker| self.jet_from(&self.markers[marker], linked.anchor));
+        let (values, velocities) = jets.map(|jet| (jet[0], jet[1])).unzip();
+        [values, velocities]
+    }
+
+    fn all_columns(&self, linked: &Linked) -> Vec<Vec<Column>> {
+        let markers = linked.spec.markers.iter();
+        markers.map(|&marker| self.columns(&self.markers[marker])).collect()
+    }
+
+    /// dC/dz at the loaded state: rows x 3 k.
+    fn gradient(&self, linked: &Linked, t: f64, values: &[Vector]) -> Vec<f64> {
+        let mut gradient = vec![0.0; linked.spec.rows.len() * 3 * values.len()];
+        self.parts
+            .marker_constraint_gradient(linked.index, t, values, &mut gradient);
+        gradient
+    }
+
+    /// dC/dz of one constraint at the loaded state: rows x 3 k.
+    pub(super) fn gradient_of(&self, linked: &Linked, t: f64) -> Vec<f64> {
+        let [values, _] = self.arguments(linked);
+        self.gradient(linked, t, &values)
+    }
+
+    /// Rows of all constraints on markers at the loaded state.
+    pub(crate) fn marker_constraints(&self, level: ConstraintLevel, t: f64, out: &mut [f64]) {
+        let mut first = 0;
+        for linked in &self.constraints {
+            let jets: Vec<[Vector; 4]> = linked
+                .spec
+                .markers
+                .iter()
+                .map(|&marker| self.jet_from(&self.markers[marker], linked.anchor))
+                .collect();
+            let count = linked.spec.rows.len();
+            let rows = &mut out[first..first + count];
+            rows.fill(0.0);
+            self.parts.marker_constraint(linked.index, level, t, &jets, rows);
+            first += count;
+        }
+    }
+
+    /// Adds the Jacobians of all constraints on markers from column `first` on.
+    pub(crate) fn marker_jacobians(&self, t: f64, mut first: usize, values: &mut [f64]) {
+        for linked in &self.constraints {
+            let [z, _] = self.arguments(linked);
+            let gradient = self.gradient(linked, t, &z);
+            let width = 3 * z.len();
+            for (place, columns) in self.all_columns(linked).iter().enumerate() {
+                for (row, gradient) in gradient.chunks_exact(width).enumerate() {
+                    let gradient = part(gradient, place);
+                    for column in columns {
+                        self.add_constraint(column.component, first + row, dot(gradient, column.value), values);
+                    }
+                }
+            }
+            first += linked.spec.rows.len();
+        }
+    }
+
+    /// Adds `(d(C_x v + C_t)/dx)^T` of all constraints on markers from column `first` on.
+    pub(crate) fn marker_rate_tangents(&self, t: f64, mut first: usize, values: &mut [f64]) {
+        for linked in &self.constraints {
+            let [z, velocity] = self.arguments(linked);
+            let gradient = self.gradient(linked, t, &z);
+            let mut rates = vec![0.0; gradient.len()];
+            self.parts
+                .marker_constraint_rate_gradient(linked.index, t, &z, &velocity, &mut rates);
+            let width = 3 * z.len();
+            for (place, columns) in self.all_columns(linked).iter().enumerate() {
+                for row in 0..linked.spec.rows.len() {
+                    let line = row * width..(row + 1) * width;
+                    let (gradient, rate) = (part(&gradient[line.clone()], place), part(&rates[line], place));
+                    for column in columns {
+                        let value = dot(rate, column.value) + dot(gradient, column.rate);
+                        self.add_constraint(column.component, first + row, value, values);
+                    }
+                }
+            }
+            first += linked.spec.rows.len();
+        }
+    }
+
+    fn add_constraint(&self, component: usize, column: usize, value: f64, values: &mut [f64]) {
+        for (unknown, factor) in self.layout.unknowns_at(component) {
+            if let Some(entry) = self.constraint_pattern.find(unknown, column) {
+                values[entry] += factor * value;
+            }
+        }
+    }
+
+    /// `(dC/dz)^T lambda` of a constraint whose multipliers begin at `first`: 3 k numbers.
+    fn pulls(&self, linked: &Linked, t: f64, z: &[Vector], lambda: &[f64]) -> Vec<f64> {
+        let gradient = self.gradient(linked, t, z);
+        let width = 3 * z.len();
+        let mut pulls = vec![0.0; width];
+        for (row, multiplier) in gradient.chunks_exact(width).zip(lambda) {
+            for (sum, value) in pulls.iter_mut().zip(row) {
+                *sum += multiplier * value;
+            }
+        }
+        pulls
+    }
+
+    /// Adds `d(C_x^T lambda)/dx` of all constraints on markers.
+    pub(crate) fn marker_constraint_stiffness(&self, t: f64, lambda: &[f64], out: &mut impl Sums) {
+        let mut first = self.first_linked();
+        for linked in &self.constraints {
+            let rows = linked.spec.rows.len();
+            let lambda = &lambda[first..first + rows];
+            first += rows;
+            if lambda.iter().all(|&multiplier| multiplier == 0.0) {
+                continue;
+            }
+            let [z, _] = self.arguments(linked);
+            let count = z.len();
+            let mut hessian = vec![0.0; 9 * count * count];
+            self.parts
+                .marker_constraint_hessian(linked.index, t, &z, lambda, &mut hessian);
+            let pulls = self.pulls(linked, t, &z, lambda);
+            let columns = self.all_columns(linked);
+            for m in 0..count {
+                let frame = self.marker_frame(self.constraint_marker(linked, m));
+                let pull = self.buffers.frames[frame].direction_to_frame(part(&pulls, m));
+                let curvature = self.curvature(self.constraint_marker(linked, m), pull);
+                for i in &columns[m] {
+                    for (n, others) in columns.iter().enumerate() {
+                        if m != n && is_zero_block(&hessian, count, m, n) {
+                            continue;
+                        }
+                        for j in others {
+                            let mut value = block_product(&hessian, count, m, n, i.value, j.value);
+                            if m == n {
+                                value += i.second(j, pull, curvature.as_ref());
+                            }
+                            for (entry, factor) in self.entries_of(i.component, j.component) {
+                                out.stiffness(entry, factor * value);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// Entries of two components on the pattern, each with the factor of what is added there.
+    pub(crate) fn entries_of(&self, row: usize, column: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
+        self.layout.unknowns_at(row).flat_map(move |(i, a)| {
+            let columns = self.layout.unknowns_at(column);
+            columns.filter_map(move |(j, b)| Some((self.pattern.find(i, j)?, a * b)))
+        })
+    }
+
+    /// Adds `C_x^T lambda` of all constraints on markers to the forces of all components.
+    pub(crate) fn add_marker_constraint_forces(&mut self, t: f64, lambda: &[f64]) {
+        let mut first = self.first_linked();
+        for index in 0..self.constraints.len() {
+            let linked = &self.constraints[index];
+            let rows = linked.spec.rows.len();
+            let [z, _] = self.arguments(linked);
+            let pulls = self.pulls(linked, t, &z, &lambda[first..first + rows]);
+            let columns = self.all_columns(linked);
+            for (place, columns) in columns.iter().enumerate() {
+                for column in columns {
+                    self.buffers.force[column.component] += dot(part(&pulls, place), column.value);
+                }
+            }
+            first += rows;
+        }
+    }
+
+    /// Calls with every marker of a constraint and what the constraint exerts on it, inertial axes.
+    pub(super) fn each_constraint_force(&self, t: f64, lambda: &[f64], mut call: impl FnMut(&Marker, Vector)) {
+        let mut first = self.first_linked();
+        for linked in &self.constraints {
+            let rows = linked.spec.rows.len();
+            let [z, _] = self.arguments(linked);
+            let pulls = self.pulls(linked, t, &z, &lambda[first..first + rows]);
+            for place in 0..z.len() {
+                call(self.constraint_marker(linked, place), scale(-1.0, part(&pulls, place)));
+            }
+            first += rows;
+        }
+    }
+
+    /// First row of a constraint on markers among all constraints.
+    pub(crate) fn first_row(&self, position: usize) -> usize {
+        let before = self.constraints[..position].iter().map(|linked| linked.spec.rows.len());
+        self.first_linked() + before.sum::<usize>()
+    }
+
+    /// Force and moment (inertial axes) of a constraint on its first party at the loaded state; the
+    /// moment is about the first point among its markers there.
+    pub(crate) fn constraint_reaction(&self, position: usize, t: f64, lambda: &[f64]) -> [Vector; 2] {
+        let linked = &self.constraints[position];
+        let first = self.first_row(position);
+        let [z, _] = self.arguments(linked);
+        let pulls = self.pulls(linked, t, &z, &lambda[first..first + linked.spec.rows.len()]);
+        let markers = 0..linked.spec.first_party.min(z.len());
+        let about = markers
+            .clone()
+            .find(|&place| self.constraint_marker(linked, place).is_point())
+            .map_or([0.0; 3], |place| z[place]);
+        let [mut force, mut moment] = [[0.0; 3]; 2];
+        for place in markers {
+            let pull = scale(-1.0, part(&pulls, place));
+            let marker = self.constraint_marker(linked, place);
+            let turning = match marker {
+                _ if marker.is_point() => {
+                    force = add(force, pull);
+                    cross(crate::vector::subtract(z[place], about), pull)
+                }
+                Marker::Turn { .. } | Marker::SectionTurn { .. } => pull,
+                Marker::Angle { free } => {
+                    let frame = &self.free[*free];
+                    let turn = frame.directions[frame.angle().unwrap_or(0)].turn;
+                    let motion = &self.buffers.frames[frame.spec.frame];
+                    scale(pull[0], motion.direction_to_inertial(turn))
+                }
+                _ => cross(z[place], pull),
+            };
+            moment = add(moment, turning);
+        }
+        [force, moment]
+    }
+}

@@ -1,0 +1,50 @@
+//! Round-off of constraints: what rounding of the places that they compare leaves of them.
+
+use super::constraints::part;
+use super::{Linked, Marker};
+use crate::scene::MeshScene;
+use crate::vector::norm;
+
+impl MeshScene {
+    /// Round-off of all constraints on markers at the loaded state, in their units.
+    pub(crate) fn marker_constraint_noise(&self, t: f64, out: &mut [f64]) {
+        let mut first = 0;
+        for linked in &self.constraints {
+            let gradient = self.gradient_of(linked, t);
+            let terms: Vec<f64> = linked
+                .spec
+                .markers
+                .iter()
+                .map(|&marker| self.marker_terms(linked, &self.markers[marker]))
+                .collect();
+            let rows = gradient.chunks_exact(3 * terms.len());
+            for (out, row) in out[first..].iter_mut().zip(rows) {
+                let parts = terms.iter().enumerate();
+                *out = f64::EPSILON * parts.map(|(place, terms)| norm(part(row, place)) * terms).sum::<f64>();
+            }
+            first += linked.spec.rows.len();
+        }
+    }
+
+    /// Sum of the sizes of what a marker of a constraint is made of.
+    fn marker_terms(&self, linked: &Linked, marker: &Marker) -> f64 {
+        let own = norm(self.within(marker)[0]);
+        if !marker.is_point() {
+            return own;
+        }
+        let frame = self.marker_frame(marker);
+        let anchor = linked.anchor.map(|anchor| &self.free[anchor]);
+        let t = self.buffers.t;
+        let origin = match self.free_of[frame].map(|free| &self.free[free]) {
+            Some(free) if free.shifts() > 0 => {
+                let first = self.layout.vector_components() + free.first;
+                free.terms(anchor, t, &self.buffers.q[first..])
+            }
+            _ => {
+                let position = norm(self.buffers.frames[frame].position);
+                position + anchor.map_or(0.0, |anchor| anchor.terms(None, t, &[]))
+            }
+        };
+        origin + own
+    }
+}

@@ -1,0 +1,503 @@
+//! Sections that fixtures keep rigid (THEORY 5.4). Lengths of its axes and the angle between them stay what they start with,
+//!
+//! ```text
+//! r_y . r_y / 2 = c,   r_z . r_z / 2 = c,   r_y . r_z = c
+//! ```
+//!
+//! and where a fixture has moments along the normal n of the section, n is a nodal vector of its own with `n . n / 2 = c`,
+//! `n . r_y = c`, `n . r_z = c`: the slope shears. So the inertia of the fixture is constant on r, n, r_y, r_z. In a plane there
+//! is no r_z. The rows are inner products: they exert nothing on the frame, and no moment between two states.
+
+use super::fixtures::Fixture;
+use super::linked::Marker;
+use crate::emitted::{BodySpec, Fidelity, FixtureSpec, JointKind, Parts};
+use crate::error::ModelError;
+use crate::scene::mesh_scene::{MeshPoint, MeshScene, PlaceVector, element_at, point_of};
+use crate::system::{ConstraintLevel, Sums, Tangent};
+use crate::vector::{Vector, cross, dot};
+
+/// Part of the second moments across the axis below which one along it is the round-off of their difference: that of a
+/// lamina.
+const LAMINA: f64 = 1e-12;
+
+/// Whether a fixture makes its section rigid: not a mass on the axis alone, and not where modes describe the body.
+pub(crate) fn makes_rigid(fixture: &FixtureSpec, body: &BodySpec) -> bool {
+    let is_spread = fixture.constants[1..].iter().any(|moment| *moment != 0.0);
+    body.has_section() && body.fidelity == Fidelity::Full && !fixture.elastic && is_spread
+}
+
+/// Whether a rigid fixture has moments along the normal. In a plane a second moment there is as good as one across.
+pub(crate) fn needs_normal(fixture: &FixtureSpec, body: &BodySpec) -> bool {
+    let [_, x, _, _, xx, yy, zz, xy, xz, _] = fixture.constants;
+    let is_thick = xx.abs() > LAMINA * (yy + zz) || xy != 0.0 || xz != 0.0;
+    x != 0.0 || body.dimension() == 3 && is_thick
+}
+
+/// Adds the normals that fixtures need to the vectors of their bodies.
+///
+/// # Errors
+/// A fixture beyond the ends of its body, by name.
+pub(crate) fn declare_normals(parts: &dyn Parts, specs: &mut [BodySpec]) -> Result<(), ModelError> {
+    for fixture in parts.fixtures() {
+        let spec = &mut specs[fixture.body];
+        if makes_rigid(&fixture, spec) && needs_normal(&fixture, spec) {
+            let place = element_at(spec, fixture.at, fixture.name)?;
+            if !spec.normals.contains(&place) {
+                spec.normals.push(place);
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The axes r_y and r_z and the normal of a section, frame axes.
+type Axes = [Vector; 3];
+
+/// Places among the [`Axes`] of the two whose inner product a row keeps; of an axis with itself half of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Kept([usize; 2]);
+
+impl Kept {
+    const NORMAL: usize = 2;
+
+    /// Whether it is a row of the normal.
+    fn is_of_normal(self) -> bool {
+        self.0[1] == Self::NORMAL
+    }
+
+    /// Its gradient, linear in the axes: with another one in their place their bilinear form.
+    fn gradient(self, at: &Axes) -> Axes {
+        let mut gradient = [[0.0; 3]; 3];
+        let Self([first, second]) = self;
+        gradient[first] = at[second];
+        gradient[second] = at[first];
+        gradient
+    }
+
+    fn value(self, at: &Axes) -> f64 {
+        0.5 * inner(&self.gradient(at), at)
+    }
+}
+
+fn inner(a: &Axes, b: &Axes) -> f64 {
+    a.iter().zip(b).map(|(a, b)| dot(*a, *b)).sum()
+}
+
+/// What a component of the full arrays does to the axes of a section.
+#[derive(Clone, Copy, Debug)]
+struct Column {
+    component: usize,
+    /// Number among the [`Axes`], and frame axis.
+    vector: usize,
+    axis: usize,
+    weight: f64,
+}
+
+/// The section below one or several rigid fixtures.
+pub(crate) struct RigidSection {
+    /// Name of the first of them.
+    pub name: &'static str,
+    pub point: MeshPoint,
+    rows: Vec<Kept>,
+    /// What they start with.
+    references: Vec<f64>,
+    columns: Vec<Column>,
+    /// N m: makes the leading block of matrices regular where the normal has no stiffness. It stands before squares of the rows'
+    /// gradients and changes nothing but multipliers, by what the rows are off.
+    stiffness: f64,
+}
+
+impl RigidSection {
+    /// Number of its constraints.
+    pub fn rows(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// What a row keeps, in words.
+    pub fn describe(&self, row: usize) -> &'static str {
+        match self.rows[row].0 {
+            [0, 0] => "length of the section's y axis",
+            [1, 1] => "length of the section's z axis",
+            [0, 1] => "angle between the section's axes",
+            _ => "normal of the section",
+        }
+    }
+
+    /// Components that a row depends on.
+    pub fn components(&self, row: usize) -> impl Iterator<Item = usize> + '_ {
+        let Kept(axes) = self.rows[row];
+        let own = self.columns.iter().filter(move |column| axes.contains(&column.vector));
+        own.map(|column| column.component)
+    }
+
+    /// The axes, or their rates, from the full arrays.
+    fn axes(&self, full: &[f64]) -> Axes {
+        let mut axes = [[0.0; 3]; 3];
+        for column in &self.columns {
+            axes[column.vector][column.axis] += column.weight * full[column.component];
+        }
+        axes
+    }
+
+    /// Calls with every component and what a gradient by the axes is by it.
+    fn each(&self, gradient: &Axes, mut call: impl FnMut(usize, f64)) {
+        for column in &self.columns {
+            call(column.component, column.weight * gradient[column.vector][column.axis]);
+        }
+    }
+
+    /// Sum of the rows' gradients with multipliers.
+    fn pull(&self, at: &Axes, lambda: &[f64]) -> Axes {
+        let mut sum = [[0.0; 3]; 3];
+        for (kept, multiplier) in self.rows.iter().zip(lambda) {
+            let gradient = kept.gradient(at);
+            for (sum, value) in sum.iter_mut().flatten().zip(gradient.iter().flatten()) {
+                *sum += multiplier * value;
+            }
+        }
+        sum
+    }
+}
+
+impl MeshScene {
+    /// Sets the normals of sections, and their rates, to those of the axes there.
+    pub(crate) fn set_normals(&self, [q, v]: [&mut Vec<f64>; 2]) {
+        for (index, body) in self.bodies.iter().enumerate() {
+            for (place, &(element, xi)) in body.spec.normals.iter().enumerate() {
+                let point = point_of(&*self.parts, &body.spec, index, element, xi);
+                let plane = body.spec.plane_normal();
+                let [y, z] = [PlaceVector::SectionY, PlaceVector::SectionZ].map(|of| self.at_point(&point, of, q));
+                let z = plane.unwrap_or(z);
+                let first = self
+                    .layout
+                    .offset(body.first_vector + body.spec.meshed_vectors() + place);
+                let set = |full: &mut Vec<f64>, value: Vector| {
+                    for (component, &axis) in body.spec.axes.iter().enumerate() {
+                        full[first + component] = value[axis];
+                    }
+                };
+                set(q, cross(y, z));
+                if !v.is_empty() {
+                    let [dy, dz] =
+                        [PlaceVector::SectionY, PlaceVector::SectionZ].map(|of| self.at_point(&point, of, v));
+                    let [first, second] = [cross(dy, z), cross(y, dz)];
+                    set(v, std::array::from_fn(|i| first[i] + second[i]));
+                }
+            }
+        }
+    }
+
+    /// Finds the sections below rigid fixtures.
+    pub(crate) fn find_rigid_sections(&mut self) {
+        let mut found: Vec<RigidSection> = Vec::new();
+        // Unknowns and factors of the axes that are kept already: bodies with a common end have one section there.
+        let mut kept: Vec<Vec<(usize, usize, usize, f64)>> = Vec::new();
+        for fixture in self.fixtures.iter().filter(|fixture| fixture.is_rigid) {
+            let at = |point: &MeshPoint| (point.body, point.element, point.xi);
+            let position = found
+                .iter()
+                .position(|section| at(&section.point) == at(&fixture.point));
+            let place = position.unwrap_or_else(|| {
+                let section = self.rigid_section(fixture);
+                found.push(section);
+                found.len() - 1
+            });
+            let section = &mut found[place];
+            let has_normal = section.columns.iter().any(|column| column.vector == 2);
+            if let Some(normal) = fixture.normal.filter(|_| !has_normal) {
+                let body = &self.bodies[fixture.point.body];
+                let first = self.layout.offset(body.first_vector + normal);
+                for (component, &axis) in body.spec.axes.iter().enumerate() {
+                    section.columns.push(Column {
+                        component: first + component,
+                        vector: 2,
+                        axis,
+                        weight: 1.0,
+                    });
+                }
+                let axes = 0..body.spec.dimension() - 1;
+                let normal = axes.chain([Kept::NORMAL]).map(|axis| Kept([axis, Kept::NORMAL]));
+                section.rows.extend(normal);
+            }
+            if position.is_some() {
+                continue;
+            }
+            let own = self.unknowns_of_axes(section);
+            if kept.contains(&own) || self.is_held_whole(section) {
+                section.rows.retain(|row| row.is_of_normal());
+            }
+            kept.push(own);
+        }
+        found.retain(|section| section.rows() > 0);
+        self.rigid_sections = found;
+    }
+
+    /// The section below a fixture, without a normal.
+    fn rigid_section(&self, fixture: &Fixture) -> RigidSection {
+        let point = &fixture.point;
+        let body = &self.bodies[point.body];
+        let dimension = body.spec.dimension();
+        let mut columns = Vec::new();
+        for (vector, &of) in PlaceVector::section(dimension).iter().enumerate() {
+            let components = body.connectivity.element(point.element).chunks_exact(dimension);
+            for (components, &weight) in components.zip(point.weights(of)).filter(|(_, weight)| **weight != 0.0) {
+                let own = components.iter().zip(body.spec.axes);
+                columns.extend(own.map(|(&component, &axis)| Column {
+                    component,
+                    vector,
+                    axis,
+                    weight,
+                }));
+            }
+        }
+        let rows = match dimension {
+            2 => vec![Kept([0, 0])],
+            _ => vec![Kept([0, 0]), Kept([1, 1]), Kept([0, 1])],
+        };
+        RigidSection {
+            name: fixture.spec.name,
+            point: point.clone(),
+            rows,
+            references: Vec::new(),
+            columns,
+            stiffness: 0.0,
+        }
+    }
+
+    /// Unknowns of the axes of a section, each with axis, frame axis and factor.
+    fn unknowns_of_axes(&self, section: &RigidSection) -> Vec<(usize, usize, usize, f64)> {
+        let mut own = Vec::new();
+        for column in section.columns.iter().filter(|column| column.vector < 2) {
+            for (unknown, factor) in self.layout.unknowns_at(column.component) {
+                own.push((unknown, column.vector, column.axis, factor * column.weight));
+            }
+        }
+        own.sort_by_key(|a| (a.0, a.1, a.2));
+        own
+    }
+
+    /// Whether a joint holds all of the axes of a section, eliminated or by multipliers.
+    fn is_held_whole(&self, section: &RigidSection) -> bool {
+        let own = section.columns.iter().filter(|column| column.vector < 2);
+        let mut own = own.map(|column| column.component).peekable();
+        let body = &self.bodies[section.point.body];
+        let dimension = body.spec.dimension();
+        let held: Vec<usize> = self
+            .conditions
+            .iter()
+            .filter(|condition| self.joints[condition.joint].kind == JointKind::ClampFull && !condition.rows.is_empty())
+            .flat_map(|condition| &condition.vectors)
+            .flat_map(|&vector| self.layout.offset(vector)..self.layout.offset(vector) + dimension)
+            .collect();
+        let is_given = |component: usize| self.layout.unknowns_at(component).next().is_none();
+        let by_joint = own.peek().is_some() && own.all(|component| is_given(component) || held.contains(&component));
+        let is_here = |marker: &usize| match &self.markers[*marker] {
+            Marker::Body { point, of } => {
+                *of == PlaceVector::SectionY
+                    && (point.body, point.element, point.xi)
+                        == (section.point.body, section.point.element, section.point.xi)
+            }
+            _ => false,
+        };
+        // Beside the position the rotation alone, or both axes.
+        let rotation = if dimension == 2 { 1 } else { 3 };
+        let by_constraint = self.constraints.iter().any(|linked| {
+            matches!(linked.spec.kind, "clamp" | "clamp_full")
+                && linked.spec.rows.len() > dimension + rotation
+                && linked.spec.markers.iter().any(is_here)
+        });
+        by_joint || by_constraint
+    }
+
+    /// What rigid sections keep is what they start with; at the loaded start.
+    pub(crate) fn refer_rigid_sections(&mut self) {
+        if self.rigid_sections.is_empty() {
+            return;
+        }
+        let stiffnesses = self.stiffnesses_of_axes();
+        let q = &self.buffers.q;
+        for (section, stiffness) in self.rigid_sections.iter_mut().zip(stiffnesses) {
+            let axes = section.axes(q);
+            section.references = section.rows.iter().map(|kept| kept.value(&axes)).collect();
+            section.stiffness = stiffness;
+        }
+    }
+
+    /// Largest stiffness against a change of an axis, for every section, N m.
+    fn stiffnesses_of_axes(&mut self) -> Vec<f64> {
+        let is_needed = |section: &RigidSection| section.columns.iter().any(|column| column.vector == 2);
+        if !self.rigid_sections.iter().any(is_needed) {
+            return vec![0.0; self.rigid_sections.len()];
+        }
+        let mut tangent = Tangent::default();
+        self.full_tangent(0.0, 0.0, &mut tangent);
+        let of = |section: &RigidSection| {
+            let own = section.columns.iter().filter(|column| column.vector < 2);
+            let own = own.flat_map(|column| self.entries_of(column.component, column.component));
+            let largest = own.map(|(entry, _)| tangent.stiffness[entry]).fold(0.0, f64::max);
+            if largest > 0.0 { largest } else { 1.0 }
+        };
+        self.rigid_sections.iter().map(of).collect()
+    }
+
+    /// Pattern entries of the normals with themselves and with the vectors of their elements.
+    pub(crate) fn normal_entries(&self) -> Vec<(usize, usize)> {
+        let mut entries = Vec::new();
+        for body in &self.bodies {
+            for (place, &(element, _)) in body.spec.normals.iter().enumerate() {
+                let first = self
+                    .layout
+                    .offset(body.first_vector + body.spec.meshed_vectors() + place);
+                let own = first..first + body.spec.dimension();
+                let all = own.clone().chain(body.connectivity.element(element).iter().copied());
+                for component in all {
+                    for normal in own.clone() {
+                        for (i, _) in self.layout.unknowns_at(component) {
+                            for (j, _) in self.layout.unknowns_at(normal) {
+                                entries.extend([(i, j), (j, i)]);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        entries
+    }
+
+    /// Rows of all rigid sections at the loaded state.
+    pub(crate) fn rigid_section_rows(&self, level: ConstraintLevel, out: &mut [f64]) {
+        let mut out = out.iter_mut();
+        let buffers = &self.buffers;
+        for section in &self.rigid_sections {
+            let [at, v, a, jerks] = [&buffers.q, &buffers.v, &buffers.a, &buffers.jerks].map(|full| section.axes(full));
+            for ((kept, reference), out) in section.rows.iter().zip(&section.references).zip(&mut out) {
+                let gradient = kept.gradient(&at);
+                let bent = kept.gradient(&v);
+                *out = match level {
+                    ConstraintLevel::Position => kept.value(&at) - reference,
+                    ConstraintLevel::Velocity => inner(&gradient, &v),
+                    ConstraintLevel::Acceleration => inner(&gradient, &a) + inner(&bent, &v),
+                    ConstraintLevel::Jerk => inner(&gradient, &jerks) + 3.0 * inner(&bent, &a),
+                };
+            }
+        }
+    }
+
+    /// Every row with its number among all constraints.
+    fn rigid_rows(&self) -> impl Iterator<Item = (usize, &RigidSection, Kept)> {
+        let rows = self
+            .rigid_sections
+            .iter()
+            .flat_map(|section| section.rows.iter().map(move |&kept| (section, kept)));
+        let first = self.first_rigid();
+        rows.enumerate()
+            .map(move |(row, (section, kept))| (first + row, section, kept))
+    }
+
+    /// Adds derivatives of rows by all components.
+    fn add_rows(&self, values: &mut [f64], gradient: impl Fn(&RigidSection, Kept) -> Axes) {
+        for (row, section, kept) in self.rigid_rows() {
+            section.each(&gradient(section, kept), |component, value| {
+                for (unknown, factor) in self.layout.unknowns_at(component) {
+                    if let Some(entry) = self.constraint_pattern.find(unknown, row) {
+                        values[entry] += factor * value;
+                    }
+                }
+            });
+        }
+    }
+
+    /// Adds the Jacobians of all rigid sections at the loaded state.
+    pub(crate) fn rigid_section_jacobian(&self, values: &mut [f64]) {
+        let q = &self.buffers.q;
+        self.add_rows(values, |section, kept| kept.gradient(&section.axes(q)));
+    }
+
+    /// Makes Jacobians at the loaded state those in the middle between it and the start of the step.
+    pub(crate) fn rigid_section_jacobian_halfway(&self, values: &mut [f64]) {
+        let change = |full: &[f64]| -> Vec<f64> {
+            let begun = self.buffers.begun.iter().zip(full);
+            begun.map(|(begun, now)| 0.5 * (begun - now)).collect()
+        };
+        let way = change(&self.buffers.q);
+        self.add_rows(values, |section, kept| kept.gradient(&section.axes(&way)));
+    }
+
+    /// Adds `(d(C_x v)/dx)^T` of all rigid sections at the loaded state.
+    pub(crate) fn rigid_section_rate_tangent(&self, values: &mut [f64]) {
+        let v = &self.buffers.v;
+        self.add_rows(values, |section, kept| kept.gradient(&section.axes(v)));
+    }
+
+    /// Calls with the entries of `d(C_x^T lambda)/dx` on the pattern.
+    pub(crate) fn add_rigid_section_curvature(&self, lambda: &[f64], mut add: impl FnMut(usize, f64)) {
+        let mut first = self.first_rigid();
+        for section in &self.rigid_sections {
+            let lambda = &lambda[first..first + section.rows()];
+            first += section.rows();
+            for by in &section.columns {
+                let mut change = [[0.0; 3]; 3];
+                change[by.vector][by.axis] = by.weight;
+                section.each(&section.pull(&change, lambda), |component, value| {
+                    if value != 0.0 {
+                        for (entry, factor) in self.entries_of(component, by.component) {
+                            add(entry, factor * value);
+                        }
+                    }
+                });
+            }
+        }
+    }
+
+    /// Adds `d(C_x^T lambda)/dx` of all rigid sections at the loaded state.
+    pub(crate) fn rigid_section_stiffness(&self, lambda: &[f64], out: &mut impl Sums) {
+        if !self.rigid_sections.is_empty() {
+            self.add_rigid_section_curvature(lambda, |entry, value| out.stiffness(entry, value));
+        }
+    }
+
+    /// Makes the block of the normals regular, which have no stiffness, for where inertia has no part in the leading block:
+    /// adds squares of gradients, see [`RigidSection::stiffness`].
+    pub(crate) fn hold_normals(&self, out: &mut impl Sums) {
+        for (_, section, kept) in self.rigid_rows().filter(|(.., kept)| kept.is_of_normal()) {
+            let gradient = kept.gradient(&section.axes(&self.buffers.q));
+            section.each(&gradient, |row, first| {
+                section.each(&gradient, |column, second| {
+                    let value = section.stiffness * first * second;
+                    if value != 0.0 {
+                        for (entry, factor) in self.entries_of(row, column) {
+                            out.stiffness(entry, factor * value);
+                        }
+                    }
+                });
+            });
+        }
+    }
+
+    /// Adds `C_x^T lambda` of all rigid sections to the forces of all components.
+    pub(crate) fn add_rigid_section_forces(&mut self, lambda: &[f64]) {
+        let mut first = self.first_rigid();
+        for section in &self.rigid_sections {
+            let pull = section.pull(&section.axes(&self.buffers.q), &lambda[first..]);
+            first += section.rows();
+            section.each(&pull, |component, value| self.buffers.force[component] += value);
+        }
+    }
+
+    /// Calls with what keeps rigid sections rigid exerts on their axes, axes of the body's frame.
+    pub(crate) fn each_rigid_section_force(
+        &self,
+        lambda: &[f64],
+        mut act: impl FnMut(&MeshPoint, PlaceVector, Vector),
+    ) {
+        let mut first = self.first_rigid();
+        for section in &self.rigid_sections {
+            let pull = section.pull(&section.axes(&self.buffers.q), &lambda[first..]);
+            first += section.rows();
+            let dimension = self.bodies[section.point.body].spec.dimension();
+            for (&of, force) in PlaceVector::section(dimension).iter().zip(pull) {
+                act(&section.point, of, force.map(|component| -component));
+            }
+        }
+    }
+}

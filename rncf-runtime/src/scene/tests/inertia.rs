@@ -1,0 +1,106 @@
+//! Inertia by hand: sums over nodal vectors with a mass matrix, THEORY 2.
+
+use crate::emitted::RigidSpec;
+use crate::scene::frames::carried::FrameAction;
+use crate::vector::{Vector, add, apply, cross, scale};
+
+/// Vectors with masses: `mass` between vectors, `counts[a]` one for positions and zero for slopes.
+pub struct Inertia<'a> {
+    pub mass: &'a [f64],
+    pub counts: &'a [f64],
+    pub dimension: usize,
+}
+
+/// e, w, w' in space: planar ones turn about the third axis.
+fn spatial(dimension: usize, frame: &FrameAction) -> [Vector; 3] {
+    if dimension == 2 {
+        let about = |w: Vector| [0.0, 0.0, w[0]];
+        let [x, y, _] = frame.acceleration;
+        return [[x, y, 0.0], about(frame.spin), about(frame.spin_rate)];
+    }
+    [frame.acceleration, frame.spin, frame.spin_rate]
+}
+
+impl Inertia<'_> {
+    fn vector(&self, q: &[f64], a: usize) -> Vector {
+        let mut vector = [0.0; 3];
+        vector[..self.dimension].copy_from_slice(&q[a * self.dimension..(a + 1) * self.dimension]);
+        vector
+    }
+
+    fn number(&self) -> usize {
+        self.counts.len()
+    }
+
+    fn m(&self, a: usize, b: usize) -> f64 {
+        self.mass[a * self.number() + b]
+    }
+
+    /// d^a
+    fn first(&self, a: usize) -> f64 {
+        (0..self.number()).map(|b| self.m(a, b) * self.counts[b]).sum()
+    }
+
+    /// M^ab u_b
+    fn product(&self, q: &[f64], a: usize) -> Vector {
+        (0..self.number()).fold([0.0; 3], |sum, b| add(sum, scale(self.m(a, b), self.vector(q, b))))
+    }
+
+    /// Inertia parts of R_a, in space.
+    fn rows(&self, frame: &FrameAction, q: &[f64], v: &[f64], a: &[f64]) -> Vec<Vector> {
+        let [e, w, rate] = spatial(self.dimension, frame);
+        let row = |of: usize| {
+            let (mq, mv, ma) = (self.product(q, of), self.product(v, of), self.product(a, of));
+            let turning = add(scale(2.0, cross(w, mv)), add(cross(rate, mq), cross(w, cross(w, mq))));
+            add(scale(self.first(of), e), add(ma, turning))
+        };
+        (0..self.number()).map(row).collect()
+    }
+
+    /// Adds the inertia forces on the vectors.
+    pub fn force(&self, frame: &FrameAction, q: &[f64], v: &[f64], a: &[f64], out: &mut [f64]) {
+        for (of, row) in self.rows(frame, q, v, a).into_iter().enumerate() {
+            for c in 0..self.dimension {
+                out[of * self.dimension + c] += row[c];
+            }
+        }
+    }
+
+    /// Adds force and moment on the frame.
+    pub fn carried(&self, frame: &FrameAction, q: &[f64], v: &[f64], a: &[f64], out: &mut [f64]) {
+        let [mut force, mut moment] = [[0.0; 3]; 2];
+        for (of, row) in self.rows(frame, q, v, a).into_iter().enumerate() {
+            force = add(force, scale(self.counts[of], row));
+            moment = add(moment, cross(self.vector(q, of), row));
+        }
+        for (place, row) in self.kept().into_iter().enumerate() {
+            out[place] += if row < 3 { force[row] } else { moment[row - 3] };
+        }
+    }
+
+    /// Rows of (force, moment) that there are.
+    fn kept(&self) -> Vec<usize> {
+        if self.dimension == 2 {
+            vec![0, 1, 5]
+        } else {
+            (0..6).collect()
+        }
+    }
+}
+
+/// Adds force and moment of a rigid body, THEORY 3.1.
+pub fn rigid(spec: &RigidSpec, frame: &FrameAction, out: &mut [f64]) {
+    let (e, w, rate) = (frame.acceleration, frame.spin, frame.spin_rate);
+    let force = add(
+        scale(spec.mass, e),
+        add(cross(rate, spec.moment), cross(w, cross(w, spec.moment))),
+    );
+    let moment = add(
+        cross(spec.moment, e),
+        add(apply(&spec.inertia, rate), cross(w, apply(&spec.inertia, w))),
+    );
+    for i in 0..3 {
+        out[i] += force[i];
+        out[3 + i] += moment[i];
+    }
+}

@@ -1,0 +1,115 @@
+//! Levels of the constraints against time differences along a smooth motion.
+
+use super::random::Random;
+use super::sections::everything_with_sections;
+use crate::model::{Formulation, Scene};
+use crate::rotation::Rotation;
+use crate::scene::MeshScene;
+use crate::system::{ConstraintLevel, State, System};
+use crate::vector::{add, apply_transposed, cross, scale};
+
+const STEP: f64 = 1e-4;
+
+/// Cubic motions of the numbers, and orientations that turn about two axes at a time.
+struct Motion {
+    start: State,
+    rates: [Vec<f64>; 3],
+    axes: Vec<[[f64; 3]; 2]>,
+}
+
+/// Angle, rate and acceleration of the two turnings.
+fn angles(t: f64) -> [[f64; 3]; 2] {
+    [
+        [t + 0.3 * t * t, 1.0 + 0.6 * t, 0.6],
+        [0.5 * t - 0.7 * t * t, 0.5 - 1.4 * t, -1.4],
+    ]
+}
+
+impl Motion {
+    fn new(scene: &MeshScene) -> Self {
+        let mut random = Random(11);
+        let mut start = scene.rest(0.2);
+        random.shake(scene, &mut start, 0.2);
+        let mut numbers = || (0..start.x.len()).map(|_| random.number()).collect();
+        let rates = [numbers(), numbers(), numbers()];
+        let mut vector = || [random.number(), random.number(), random.number()];
+        let axes = start.turns.iter().map(|_| [vector(), vector()]).collect();
+        Self { start, rates, axes }
+    }
+
+    /// State at `s` seconds after the start.
+    fn at(&self, scene: &MeshScene, s: f64) -> State {
+        let mut state = self.start.clone();
+        state.t += s;
+        let [first, second, third] = &self.rates;
+        for i in 0..state.x.len() {
+            state.x[i] += s * (first[i] + s / 2.0 * (second[i] + s / 3.0 * third[i]));
+            state.v[i] = first[i] + s * (second[i] + s / 2.0 * third[i]);
+            state.a[i] = second[i] + s * third[i];
+        }
+        for (turn, &unknown) in scene.turns().iter().enumerate() {
+            let [a, b] = self.axes[turn];
+            let [alpha, beta] = angles(s);
+            let second = Rotation::exp(scale(beta[0], b));
+            state.turns[turn] = self.start.turns[turn].turned(scale(alpha[0], a)).times(&second);
+            let seen = apply_transposed(&second.matrix(), a);
+            let spin = add(scale(alpha[1], seen), scale(beta[1], b));
+            let turning = scale(-beta[1] * alpha[1], cross(b, seen));
+            let rate = add(turning, add(scale(alpha[2], seen), scale(beta[2], b)));
+            state.x[unknown..unknown + 3].fill(0.0);
+            state.v[unknown..unknown + 3].copy_from_slice(&spin);
+            state.a[unknown..unknown + 3].copy_from_slice(&rate);
+        }
+        state
+    }
+
+    /// Jerks at `s`.
+    fn jerk(&self, scene: &MeshScene, s: f64) -> Vec<f64> {
+        let [high, low] = [STEP, -STEP].map(|step| self.at(scene, s + step).a);
+        high.iter()
+            .zip(&low)
+            .map(|(high, low)| (high - low) / (2.0 * STEP))
+            .collect()
+    }
+}
+
+/// Time derivative of the given order of all constraints.
+fn derivative(scene: &mut MeshScene, motion: &Motion, s: f64, level: ConstraintLevel) -> Vec<f64> {
+    let state = motion.at(scene, s);
+    let mut out = vec![0.0; scene.constraints()];
+    scene.constraint(level, &state, &mut out);
+    let highest = match level {
+        ConstraintLevel::Position => return out,
+        ConstraintLevel::Velocity => state.v.clone(),
+        ConstraintLevel::Acceleration => state.a.clone(),
+        ConstraintLevel::Jerk => motion.jerk(scene, s),
+    };
+    let mut jacobian = vec![0.0; scene.constraint_pattern().entries()];
+    scene.constraint_jacobian(&state, &mut jacobian);
+    scene
+        .constraint_pattern()
+        .transpose_multiply_add(1.0, &jacobian, &highest, &mut out);
+    out
+}
+
+#[test]
+fn each_level_is_the_time_derivative_of_the_one_before() {
+    use ConstraintLevel::{Acceleration, Jerk, Position, Velocity};
+    for formulation in [Formulation::Rncf, Formulation::Ancf] {
+        let mut scene = everything_with_sections().scene(formulation);
+        let motion = Motion::new(&scene);
+        for (lower, level) in [(Position, Velocity), (Velocity, Acceleration), (Acceleration, Jerk)] {
+            let exact = derivative(&mut scene, &motion, 0.0, level);
+            let [high, low] = [STEP, -STEP].map(|s| derivative(&mut scene, &motion, s, lower));
+            for row in 0..exact.len() {
+                let expected = (high[row] - low[row]) / (2.0 * STEP);
+                assert!(
+                    (exact[row] - expected).abs() < 2e-6 * expected.abs().max(1.0),
+                    "{formulation:?}, {level:?}, {}: {} instead of {expected}",
+                    scene.describe_constraint(row),
+                    exact[row]
+                );
+            }
+        }
+    }
+}

@@ -1,0 +1,601 @@
+//! Parts by hand: elements with simple strains, and constraints and forces that are polynomials.
+
+use super::law::Law;
+use super::{density, sections};
+use crate::emitted::{
+    BodySpec, ConstraintSpec, DensitySpec, FixtureSpec, ForceSpec, FrameMotion, FreeSpec, Interpolant, JointData,
+    JointKind, JointSpec, LANES, LoadSpec, MarkerSpec, ObservedSpec, Parts, Prescribed, SectionShape, SectionSpec,
+    ShareSpec,
+};
+use crate::error::ModelError;
+use crate::model::{Formulation, Joints};
+use crate::rotation::Rotation;
+use crate::scene::MeshScene;
+use crate::system::ConstraintLevel;
+use crate::vector::{Vector, add, apply_transposed, cross, dot, scale, subtract};
+
+/// Every pair of up to six markers, those of fewer markers first, and how many pairs so many markers have.
+pub const EVERY: &[[usize; 2]] = &[
+    [0, 1],
+    [0, 2],
+    [1, 2],
+    [0, 3],
+    [1, 3],
+    [2, 3],
+    [0, 4],
+    [1, 4],
+    [2, 4],
+    [3, 4],
+    [0, 5],
+    [1, 5],
+    [2, 5],
+    [3, 5],
+    [4, 5],
+];
+pub const PAIRS: [usize; 7] = [0, 0, 1, 3, 6, 10, 15];
+
+/// A row `sum z_m . B z_n + sum b . z_m + c + s sin(2 t)` of a constraint.
+#[derive(Clone, Debug, Default)]
+pub struct Quadratic {
+    pub products: Vec<(usize, usize, f64)>,
+    pub linear: Vec<(usize, Vector)>,
+    pub constant: f64,
+    pub sine: f64,
+}
+
+/// Everything declared.
+#[derive(Clone, Debug, Default)]
+pub struct Hand {
+    pub frames: Vec<&'static str>,
+    /// Whether frame 1 shifts and frame 2 turns.
+    pub moving: bool,
+    pub bodies: Vec<BodySpec>,
+    pub joints: Vec<JointSpec>,
+    pub loads: Vec<(LoadSpec, Vector)>,
+    pub free: Vec<FreeSpec>,
+    pub markers: Vec<MarkerSpec>,
+    pub constraints: Vec<(ConstraintSpec, Vec<Quadratic>)>,
+    pub forces: Vec<(ForceSpec, Law)>,
+    pub fixtures: Vec<FixtureSpec>,
+    pub densities: Vec<DensitySpec>,
+    pub shares: Vec<ShareSpec>,
+    pub observed: Vec<ObservedSpec>,
+    pub conservative: bool,
+    pub lengths: Vec<f64>,
+}
+
+/// Line density, kg/m, of all bodies.
+const DENSITY: f64 = 0.7;
+
+impl Hand {
+    /// The scene; absolute coordinates have no held components here.
+    pub fn scene(mut self, formulation: Formulation) -> MeshScene {
+        if formulation == Formulation::Ancf {
+            let free: Vec<usize> = self.free.iter().map(|spec| spec.frame).collect();
+            let stays = |joint: &JointSpec| joint.kind == JointKind::Pin || free.contains(&joint.frame);
+            self.joints.retain(stays);
+        }
+        MeshScene::new(Box::new(self), formulation, Joints::Eliminated, &[]).expect("the scene makes sense")
+    }
+
+    /// Mass matrix of an element: Hermite's, with a section as integrals of all interpolants.
+    fn masses(&self, body: usize) -> Vec<f64> {
+        if self.bodies[body].has_section() {
+            return sections::masses(self, body, DENSITY * self.lengths[body]);
+        }
+        let l = self.lengths[body];
+        let rows = [
+            [156.0, 22.0 * l, 54.0, -13.0 * l],
+            [22.0 * l, 4.0 * l * l, 13.0 * l, -3.0 * l * l],
+            [54.0, 13.0 * l, 156.0, -22.0 * l],
+            [-13.0 * l, -3.0 * l * l, -22.0 * l, 4.0 * l * l],
+        ];
+        rows.concat().iter().map(|entry| DENSITY * l / 420.0 * entry).collect()
+    }
+
+    /// Conditions of a joint on its node, in the plane of the first two axes or in space.
+    fn conditions(&self, joint: usize, data: &JointData, q: &[f64]) -> Vec<f64> {
+        let spec = &self.bodies[self.joints[joint].body];
+        let d = spec.dimension();
+        let targets = [data.point, data.tangent, data.second];
+        let count = if spec.has_section() { d } else { 2 };
+        let vector = |place: usize| -> Vector { std::array::from_fn(|i| if i < d { q[place * d + i] } else { 0.0 }) };
+        let whole = |place: usize| -> Vec<f64> { subtract(vector(place), targets[place])[..d].to_vec() };
+        let across = |_: usize| -> Vec<f64> {
+            let normals = &data.normals[..d - 1];
+            normals.iter().map(|&normal| dot(normal, vector(1))).collect()
+        };
+        let directions = |rows: &dyn Fn(usize) -> Vec<f64>| [whole(0), (1..count).flat_map(rows).collect()].concat();
+        match self.joints[joint].kind {
+            JointKind::ClampFull => directions(&whole),
+            JointKind::Clamp if count > 2 => {
+                let normal = cross(data.tangent, data.second);
+                let twist = 0.5 * (dot(data.second, vector(1)) - dot(data.tangent, vector(2)));
+                [whole(0), vec![dot(normal, vector(1)), dot(normal, vector(2)), twist]].concat()
+            }
+            JointKind::Clamp => directions(&across),
+            _ => whole(0),
+        }
+    }
+
+    /// Stiffnesses and forms of the strains: `I = sum S_ab q_a . q_b - I0`, strain energy k I^2 / 2.
+    fn strains(&self, body: usize) -> Vec<(f64, Vec<Vec<f64>>, f64)> {
+        let l = self.lengths[body];
+        if self.bodies[body].has_section() {
+            return sections::strains(self.bodies[body].nodal, l);
+        }
+        let stretch = |a: usize, b: usize| -> Vec<Vec<f64>> {
+            let sign = |i: usize| {
+                if i == a {
+                    -1.0
+                } else if i == b {
+                    1.0
+                } else {
+                    0.0
+                }
+            };
+            table(4, &|i, j| sign(i) * sign(j))
+        };
+        let bend = |i: usize, j: usize| if (i, j) == (1, 3) || (i, j) == (3, 1) { 0.5 } else { 0.0 };
+        let norm = |i: usize, j: usize| if i == j && i % 2 == 1 { 1.0 } else { 0.0 };
+        let of = |f: &dyn Fn(usize, usize) -> f64| table(4, f);
+        vec![
+            (3.0, stretch(0, 2), l * l),
+            (2.0, of(&bend), 1.0),
+            (1.5, of(&norm), 2.0),
+        ]
+    }
+
+    /// Strain and its derivatives with respect to all components.
+    fn strain(&self, q: &[f64], form: &[Vec<f64>], zero: f64) -> (f64, Vec<f64>) {
+        let d = q.len() / form.len();
+        let gradient: Vec<f64> = (0..q.len())
+            .map(|i| (0..form.len()).map(|b| 2.0 * form[i / d][b] * q[b * d + i % d]).sum())
+            .collect();
+        let value: f64 = gradient.iter().zip(q).map(|(g, q)| 0.5 * g * q).sum();
+        (value - zero, gradient)
+    }
+}
+
+/// Hermite's shape functions of an element of length l and their derivatives d/dx.
+pub fn hermite(l: f64, order: usize, xi: f64) -> [f64; 4] {
+    let (x2, x3) = (xi * xi, xi * xi * xi);
+    let rows = [
+        [
+            1.0 - 3.0 * x2 + 2.0 * x3,
+            l * (xi - 2.0 * x2 + x3),
+            3.0 * x2 - 2.0 * x3,
+            l * (x3 - x2),
+        ],
+        [
+            6.0 * (x2 - xi) / l,
+            1.0 - 4.0 * xi + 3.0 * x2,
+            6.0 * (xi - x2) / l,
+            3.0 * x2 - 2.0 * xi,
+        ],
+        [
+            (12.0 * xi - 6.0) / (l * l),
+            (6.0 * xi - 4.0) / l,
+            (6.0 - 12.0 * xi) / (l * l),
+            (6.0 * xi - 2.0) / l,
+        ],
+    ];
+    rows[order]
+}
+
+/// Entries of a square matrix.
+pub fn table(size: usize, entry: &dyn Fn(usize, usize) -> f64) -> Vec<Vec<f64>> {
+    (0..size).map(|i| (0..size).map(|j| entry(i, j)).collect()).collect()
+}
+
+/// Derivatives of `sin(2 t)`.
+fn sine(t: f64, order: usize) -> f64 {
+    let (s, c) = (2.0 * t).sin_cos();
+    [s, 2.0 * c, -4.0 * s, -8.0 * c][order]
+}
+
+/// A slope's force from a moment: `m x s / |s|^2`, planar: about the normal.
+fn on_slope(slope: Vector, moment: Vector) -> Vector {
+    scale(1.0 / dot(slope, slope), cross(moment, slope))
+}
+
+fn spread(dimension: usize, slope: &[f64], moment: Vector) -> [Vector; 2] {
+    let mut full = [0.0; 3];
+    full[..dimension].copy_from_slice(slope);
+    let moment = if dimension == 2 { [0.0, 0.0, moment[0]] } else { moment };
+    [full, moment]
+}
+
+impl Parts for Hand {
+    fn bodies(&self) -> Vec<BodySpec> {
+        self.bodies.clone()
+    }
+    fn joints(&self) -> Vec<JointSpec> {
+        self.joints.clone()
+    }
+    fn loads(&self) -> Vec<LoadSpec> {
+        self.loads.iter().map(|(load, _)| load.clone()).collect()
+    }
+    fn observed(&self) -> Vec<ObservedSpec> {
+        self.observed.clone()
+    }
+    fn shares(&self) -> Vec<ShareSpec> {
+        self.shares.clone()
+    }
+    fn output_columns(&self) -> usize {
+        self.observed.len()
+    }
+    fn frame_count(&self) -> usize {
+        self.frames.len()
+    }
+    fn frame_name(&self, frame: usize) -> &'static str {
+        self.frames[frame]
+    }
+    fn conservative(&self) -> bool {
+        self.conservative
+    }
+    fn kinks(&self) -> Vec<f64> {
+        Vec::new()
+    }
+    fn prepare(&mut self, body: usize, nodes: &[f64], _shape: &[f64]) -> Result<(), ModelError> {
+        self.lengths.resize(self.bodies.len(), 0.0);
+        self.lengths[body] = nodes[1] - nodes[0];
+        Ok(())
+    }
+
+    /// Frame 1 shifts along a curve; frame 2 turns about a fixed axis and shifts.
+    fn frames(&self, t: f64, motions: &mut [FrameMotion]) {
+        motions.fill(FrameMotion::INERTIAL);
+        if self.moving {
+            let along: Vector = [0.3, -0.2, 0.5];
+            for motion in &mut motions[1..3] {
+                motion.position = along.map(|a| a * sine(t, 0));
+                motion.velocity = along.map(|a| a * sine(t, 1));
+                motion.acceleration = along.map(|a| a * sine(t, 2));
+                motion.jerk = along.map(|a| a * sine(t, 3));
+            }
+            let axis: Vector = [0.0, 0.6, 0.8];
+            let turning = &mut motions[2];
+            turning.rotation = Rotation::exp(scale(sine(t, 0), axis)).matrix();
+            turning.spin = scale(sine(t, 1), axis);
+            turning.spin_rate = scale(sine(t, 2), axis);
+            turning.spin_jerk = scale(sine(t, 3), axis);
+        }
+    }
+    fn load_varies(&self, _load: usize) -> bool {
+        false
+    }
+    fn load(&self, load: usize, _t: f64) -> [f64; 3] {
+        self.loads[load].1
+    }
+    fn mass(&self, body: usize, _element: usize, mass: &mut [f64]) {
+        mass.copy_from_slice(&self.masses(body));
+    }
+    fn elastic_force(&self, body: usize, _element: usize, q: &[f64], _v: &[f64], force: &mut [f64]) {
+        for (k, form, zero) in self.strains(body) {
+            let (strain, gradient) = self.strain(q, &form, zero);
+            for (force, gradient) in force.iter_mut().zip(gradient) {
+                *force += k * strain * gradient;
+            }
+        }
+    }
+    fn elastic_tangent(
+        &self,
+        body: usize,
+        _element: usize,
+        q: &[f64],
+        _v: &[f64],
+        stiffness: &mut [f64],
+        _damping: &mut [f64],
+    ) {
+        let (size, d) = (q.len(), self.bodies[body].dimension());
+        for (k, form, zero) in self.strains(body) {
+            let (strain, gradient) = self.strain(q, &form, zero);
+            for i in 0..size {
+                for j in 0..size {
+                    let second = if i % d == j % d { 2.0 * form[i / d][j / d] } else { 0.0 };
+                    stiffness[i * size + j] += k * (gradient[i] * gradient[j] + strain * second);
+                }
+            }
+        }
+    }
+    fn energy(&self, body: usize, _element: usize, q: &[f64]) -> f64 {
+        let strains = self.strains(body).into_iter();
+        strains
+            .map(|(k, form, zero)| 0.5 * k * self.strain(q, &form, zero).0.powi(2))
+            .sum()
+    }
+    fn shapes(&self, body: usize, _element: usize, of: Interpolant, order: usize, xi: f64, weights: &mut [f64]) {
+        if self.bodies[body].has_section() {
+            return sections::shapes(self.bodies[body].nodal, self.lengths[body], of, order, xi, weights);
+        }
+        weights.copy_from_slice(&hermite(self.lengths[body], order, xi));
+    }
+    fn section(&self, _body: usize, _x: f64, _length: f64) -> SectionSpec {
+        SectionSpec {
+            shape: SectionShape::Circle { radius: 0.1 },
+            area: 0.03,
+            second_moments: [7e-5, 7e-5],
+            torsion_constant: 1.4e-4,
+            yield_stress: None,
+            material: "rubber",
+        }
+    }
+    fn fields(&self, _body: usize) -> &'static [(Interpolant, usize)] {
+        &[(Interpolant::Position, 1), (Interpolant::Position, 2)]
+    }
+    /// Of the strain energies 3/2 (r_x . r_x - 1)^2 and r_xx . r_xx per unit length.
+    fn densities(&self) -> Vec<DensitySpec> {
+        self.densities.clone()
+    }
+    fn density_values(&self, _density: usize, t: f64, z: &[Vector], _velocity: &[Vector], out: &mut [f64]) {
+        out.copy_from_slice(&density::values(t, z));
+    }
+    fn density_values_gradient(
+        &self,
+        _density: usize,
+        _t: f64,
+        z: &[Vector],
+        _velocity: &[Vector],
+        gradient: &mut [f64],
+    ) {
+        density::gradient(z, gradient);
+    }
+    fn density_force4(
+        &self,
+        _density: usize,
+        elements: &[(usize, usize); LANES],
+        values: &[[f64; LANES]],
+        q: &[[f64; LANES]],
+        force: &mut [[f64; LANES]],
+    ) {
+        let lengths = elements.map(|(body, _)| self.lengths[body]);
+        density::force(lengths, values, q, force);
+    }
+    fn density_tangent4(
+        &self,
+        _density: usize,
+        elements: &[(usize, usize); LANES],
+        values: &[[f64; LANES]],
+        q: &[[f64; LANES]],
+        by_q: &mut [[f64; LANES]],
+        by_values: &mut [[f64; LANES]],
+    ) {
+        let lengths = elements.map(|(body, _)| self.lengths[body]);
+        density::tangent(lengths, values, q, by_q, by_values);
+    }
+    fn field(&self, load: usize, _t: f64, z: &[Vector]) -> Vector {
+        density::field(self.loads[load].1, z)
+    }
+    fn field_gradient(&self, load: usize, _t: f64, z: &[Vector], gradient: &mut [f64]) {
+        density::field_gradient(self.loads[load].1, z, gradient);
+    }
+    fn field_forces(
+        &self,
+        _body: usize,
+        _at: [f64; 2],
+        _free: &[f64],
+        fields: &[f64],
+        _rates: &[f64],
+        forces: &mut [f64],
+    ) {
+        let (slope, bend) = fields.split_at(fields.len() / 2);
+        let strain = slope.iter().map(|a| a * a).sum::<f64>() - 1.0;
+        let all = slope
+            .iter()
+            .map(|a| 6.0 * strain * a)
+            .chain(bend.iter().map(|b| 2.0 * b));
+        forces.iter_mut().zip(all).for_each(|(force, value)| *force = value);
+    }
+    fn moment(&self, dimension: usize, slope: &[f64], moment: [f64; 3], force: &mut [f64]) {
+        let [slope, moment] = spread(dimension, slope, moment);
+        let value = on_slope(slope, moment);
+        force.iter_mut().zip(value).for_each(|(force, value)| *force += value);
+    }
+    fn moment_tangent(&self, dimension: usize, slope: &[f64], moment: [f64; 3], tangent: &mut [f64]) {
+        let [slope, moment] = spread(dimension, slope, moment);
+        let size = dot(slope, slope);
+        let value = on_slope(slope, moment);
+        let turn = crate::vector::skew(moment);
+        for i in 0..dimension {
+            for j in 0..dimension {
+                tangent[i * dimension + j] += turn[i][j] / size - 2.0 * value[i] * slope[j] / size;
+            }
+        }
+    }
+    fn section_moment(&self, axes: &[f64; 6], moment: [f64; 3], force: &mut [f64; 6]) {
+        let value = sections::moment(axes, moment);
+        force.iter_mut().zip(value).for_each(|(force, value)| *force += value);
+    }
+    fn section_moment_tangent(&self, axes: &[f64; 6], moment: [f64; 3], tangent: &mut [f64; 36]) {
+        for column in 0..6 {
+            let at = |step: f64| {
+                let mut moved = *axes;
+                moved[column] += step;
+                sections::moment(&moved, moment)
+            };
+            let [high, low] = [at(1e-5), at(-1e-5)];
+            (0..6).for_each(|row| tangent[row * 6 + column] += (high[row] - low[row]) / 2e-5);
+        }
+    }
+    fn condition(
+        &self,
+        joint: usize,
+        _absolute: bool,
+        level: ConstraintLevel,
+        _t: f64,
+        data: &JointData,
+        q: &[f64],
+        _v: &[f64],
+        _a: &[f64],
+        rows: &mut [f64],
+    ) {
+        // Those of joints to the own frame do not depend on time.
+        if level == ConstraintLevel::Position {
+            rows.copy_from_slice(&self.conditions(joint, data, q));
+        }
+    }
+    fn condition_jacobian(&self, joint: usize, _absolute: bool, _t: f64, data: &JointData, jacobian: &mut [f64]) {
+        let dimension = self.bodies[self.joints[joint].body].dimension();
+        let width = jacobian.len() / self.conditions(joint, data, &[0.0; 9]).len();
+        assert_eq!(width % dimension, 0);
+        for column in 0..width {
+            let at = |value: f64| {
+                self.conditions(
+                    joint,
+                    data,
+                    &std::array::from_fn::<f64, 9, _>(|i| if i == column { value } else { 0.0 }),
+                )
+            };
+            for (row, (high, low)) in at(1.0).iter().zip(at(0.0)).enumerate() {
+                jacobian[row * width + column] = high - low;
+            }
+        }
+    }
+
+    /// Points of spatial bodies, perhaps of the inertial frame in frame 2: there they move.
+    fn prescribed(&self, joint: usize, absolute: bool, t: f64, data: &JointData, prescribed: &mut Prescribed) {
+        let joint = &self.joints[joint];
+        prescribed.position[0] = data.point;
+        prescribed.slope[0] = data.tangent;
+        prescribed.second[0] = data.second;
+        let own = self.bodies[joint.body].frame;
+        if joint.frame == 0 && own == 2 && !absolute {
+            let mut motions = vec![FrameMotion::INERTIAL; self.frames.len()];
+            self.frames(t, &mut motions);
+            let hub = &motions[2];
+            // p = A^T (x - r): p' = -A^T r' - w x p, and so on.
+            let back = |u: Vector| scale(-1.0, apply_transposed(&hub.rotation, u));
+            let w = [hub.spin, hub.spin_rate, hub.spin_jerk];
+            let p = hub.point_to_frame(data.point);
+            let u = |r: Vector| back(r);
+            let p1 = subtract(u(hub.velocity), cross(w[0], p));
+            let turned = |r: Vector, next: Vector| subtract(u(next), cross(w[0], u(r)));
+            let p2 = subtract(
+                turned(hub.velocity, hub.acceleration),
+                add(cross(w[1], p), cross(w[0], p1)),
+            );
+            // Second derivative of A^T r' with its sign.
+            let second = add(
+                subtract(u(hub.jerk), scale(2.0, cross(w[0], u(hub.acceleration)))),
+                subtract(cross(w[0], cross(w[0], u(hub.velocity))), cross(w[1], u(hub.velocity))),
+            );
+            let swing = add(cross(w[2], p), add(scale(2.0, cross(w[1], p1)), cross(w[0], p2)));
+            prescribed.position = [p, p1, p2, subtract(second, swing)];
+        }
+        if self.bodies[joint.body].dimension() == 2 {
+            assert_eq!(self.bodies[joint.body].axes, [0, 1]);
+        }
+    }
+    fn outputs(&self, _t: f64, observed: &[f64], out: &mut [f64]) {
+        out.copy_from_slice(observed);
+    }
+
+    fn free(&self) -> Vec<FreeSpec> {
+        self.free.clone()
+    }
+    fn markers(&self) -> Vec<MarkerSpec> {
+        self.markers.clone()
+    }
+    fn constraints(&self) -> Vec<ConstraintSpec> {
+        self.constraints.iter().map(|(spec, _)| spec.clone()).collect()
+    }
+    fn forces(&self) -> Vec<ForceSpec> {
+        self.forces.iter().map(|(spec, _)| spec.clone()).collect()
+    }
+    fn fixtures(&self) -> Vec<FixtureSpec> {
+        self.fixtures.clone()
+    }
+
+    fn marker_constraint(
+        &self,
+        constraint: usize,
+        level: ConstraintLevel,
+        t: f64,
+        z: &[[Vector; 4]],
+        rows: &mut [f64],
+    ) {
+        const BINOMIAL: [[f64; 4]; 4] = [
+            [1.0, 0.0, 0.0, 0.0],
+            [1.0, 1.0, 0.0, 0.0],
+            [1.0, 2.0, 1.0, 0.0],
+            [1.0, 3.0, 3.0, 1.0],
+        ];
+        let order = level as usize;
+        for (row, form) in rows.iter_mut().zip(&self.constraints[constraint].1) {
+            *row = form.sine * sine(t, order) + if order == 0 { form.constant } else { 0.0 };
+            for &(m, n, factor) in &form.products {
+                for k in 0..=order {
+                    *row += factor * BINOMIAL[order][k] * dot(z[m][k], z[n][order - k]);
+                }
+            }
+            for &(m, b) in &form.linear {
+                *row += dot(b, z[m][order]);
+            }
+        }
+    }
+    fn marker_constraint_gradient(&self, constraint: usize, _t: f64, z: &[Vector], gradient: &mut [f64]) {
+        for (row, form) in gradient
+            .chunks_exact_mut(3 * z.len())
+            .zip(&self.constraints[constraint].1)
+        {
+            for i in 0..3 {
+                for &(m, n, factor) in &form.products {
+                    row[3 * m + i] += factor * z[n][i];
+                    row[3 * n + i] += factor * z[m][i];
+                }
+                for &(m, b) in &form.linear {
+                    row[3 * m + i] += b[i];
+                }
+            }
+        }
+    }
+    fn marker_constraint_rate_gradient(
+        &self,
+        constraint: usize,
+        _t: f64,
+        z: &[Vector],
+        velocity: &[Vector],
+        gradient: &mut [f64],
+    ) {
+        for (row, form) in gradient
+            .chunks_exact_mut(3 * z.len())
+            .zip(&self.constraints[constraint].1)
+        {
+            for i in 0..3 {
+                for &(m, n, factor) in &form.products {
+                    row[3 * m + i] += factor * velocity[n][i];
+                    row[3 * n + i] += factor * velocity[m][i];
+                }
+            }
+        }
+    }
+    fn marker_constraint_hessian(&self, constraint: usize, _t: f64, z: &[Vector], lambda: &[f64], hessian: &mut [f64]) {
+        let width = 3 * z.len();
+        for (lambda, form) in lambda.iter().zip(&self.constraints[constraint].1) {
+            for &(m, n, factor) in &form.products {
+                for i in 0..3 {
+                    hessian[(3 * m + i) * width + 3 * n + i] += lambda * factor;
+                    hessian[(3 * n + i) * width + 3 * m + i] += lambda * factor;
+                }
+            }
+        }
+    }
+    fn marker_force(&self, force: usize, _t: f64, z: &[Vector], velocity: &[Vector], out: &mut [f64]) {
+        self.forces[force].1.force(z, velocity, out);
+    }
+    fn marker_force_tangent(
+        &self,
+        force: usize,
+        _t: f64,
+        z: &[Vector],
+        _velocity: &[Vector],
+        by_value: &mut [f64],
+        by_velocity: &mut [f64],
+    ) {
+        self.forces[force].1.tangent(z, by_value, by_velocity);
+    }
+    fn marker_energy(&self, force: usize, _t: f64, z: &[Vector]) -> f64 {
+        self.forces[force].1.energy(z)
+    }
+}

@@ -1,0 +1,9 @@
+//! Uniform motions, small motions about them, and starts in relative equilibrium.
+
+pub(crate) mod circulation;
+pub(crate) mod neutral;
+pub(crate) mod settle;
+pub(crate) mod steady;
+pub(crate) mod symmetry;
+pub(crate) mod uniform;
+pub(crate) mod whirl;

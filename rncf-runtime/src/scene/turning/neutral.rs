@@ -1,0 +1,290 @@
+//! Motions of free frames that change nothing in an equilibrium: turning about the axis of the rotation
+//! and shifting along it, turning about the own axis of a symmetric rigid body. Each is told from
+//! what acts on the frames, at the loaded state.
+
+use super::symmetry::{Displacement, normalise, reduce};
+use crate::emitted::LoadKind;
+use crate::model::{Spin, Uniform};
+use crate::rotation::Rotation;
+use crate::scene::MeshScene;
+use crate::scene::terms::linked::Marker;
+use crate::system::State;
+use crate::vector::{Vector, add, apply, cross, dot, multiply, norm, scale, subtract, transpose};
+
+/// Angles that a turning is tried with, rad.
+const ANGLES: [f64; 3] = [0.7, 2.1, 4.4];
+/// Shifts that are tried, as parts of the size of a frame.
+const SHIFTS: [f64; 2] = [0.31, -0.83];
+/// Relative size of a change, or of what is new in a motion, that counts as nothing.
+const NEGLIGIBLE: f64 = 1e-8;
+
+/// A motion of some frames, as a unit velocity field.
+#[derive(Clone, Copy, Debug)]
+enum Screw {
+    Turn { axis: Vector, point: Vector },
+    Shift { along: Vector },
+}
+
+fn unit(axis: usize) -> Vector {
+    std::array::from_fn(|i| if i == axis { 1.0 } else { 0.0 })
+}
+
+impl Screw {
+    fn displacements(self, moved: &[bool], is_own: bool, size: f64) -> Vec<Displacement> {
+        let still = Displacement {
+            moved: moved.to_vec(),
+            turn: [0.0; 3],
+            point: [0.0; 3],
+            shift: [0.0; 3],
+            is_own,
+            later: None,
+        };
+        match self {
+            Screw::Turn { axis, point } => ANGLES
+                .map(|angle| Displacement {
+                    turn: scale(angle, axis),
+                    point,
+                    ..still.clone()
+                })
+                .to_vec(),
+            Screw::Shift { along } => SHIFTS
+                .map(|part| Displacement {
+                    shift: scale(part * size, along),
+                    ..still.clone()
+                })
+                .to_vec(),
+        }
+    }
+}
+
+impl MeshScene {
+    /// Directions of the unknowns that change nothing in the uniform motion at the state.
+    pub(crate) fn neutral(&mut self, at: &Uniform, state: &State) -> Vec<Vec<f64>> {
+        let mut found: Vec<Vec<f64>> = Vec::new();
+        if self.free.is_empty() {
+            return found;
+        }
+        self.load_uniform(at, state);
+        // What turns keeps its symmetry at every part of the spin.
+        let Ok(spin) = self.rotation(at) else { return found };
+        for frames in self.groups() {
+            let mut moved = vec![false; self.buffers.frames.len()];
+            for &free in &frames {
+                moved[self.free[free].spec.frame] = true;
+            }
+            for screw in self.screws(&spin, &frames, at.t) {
+                self.try_screw(at, screw, &moved, false, &mut found);
+            }
+        }
+        for free in 0..self.free.len() {
+            let mut moved = vec![false; self.buffers.frames.len()];
+            moved[self.free[free].spec.frame] = true;
+            for screw in self.own_screws(free) {
+                self.try_screw(at, screw, &moved, true, &mut found);
+            }
+        }
+        let sizes = &self.sizes;
+        found
+            .iter()
+            .map(|motion| motion.iter().zip(sizes).map(|(x, size)| x * size).collect())
+            .collect()
+    }
+
+    /// Keeps the direction of a motion, relative to the sizes of the unknowns, if it is new and changes
+    /// nothing.
+    fn try_screw(&mut self, at: &Uniform, screw: Screw, moved: &[bool], is_own: bool, found: &mut Vec<Vec<f64>>) {
+        let mut direction = self.direction(screw, moved);
+        let whole: f64 = direction.iter().map(|x| x * x).sum::<f64>().sqrt();
+        if whole == 0.0 || !whole.is_finite() || reduce(&mut direction, found) < 1e-6 * whole {
+            return;
+        }
+        let size = self.sizes.iter().fold(0.0, |size: f64, other| size.max(*other));
+        for displacement in screw.displacements(moved, is_own, size) {
+            let is_free = self.follows(&displacement)
+                && (is_own || !self.is_pulled(at, &displacement))
+                && self.changed_by(at.t, &displacement).is_none();
+            if !is_free {
+                return;
+            }
+        }
+        normalise(&mut direction);
+        found.push(direction);
+    }
+
+    /// Groups of free frames that act on each other.
+    fn groups(&self) -> Vec<Vec<usize>> {
+        let mut group: Vec<usize> = (0..self.free.len()).collect();
+        let constraints = self.constraints.iter().map(|linked| linked.spec.markers);
+        for markers in constraints.chain(self.forces.iter().map(|force| force.markers)) {
+            let frames = markers.iter().map(|&marker| self.marker_frame(&self.markers[marker]));
+            self.join(frames, &mut group);
+        }
+        for marked in &self.marked_loads {
+            let frames = [self.marker_frame(&marked.markers[0]), self.loads[marked.load].frame];
+            self.join(frames.into_iter(), &mut group);
+        }
+        let firsts = (0..group.len()).filter(|&free| group[free] == free);
+        firsts
+            .map(|first| (0..group.len()).filter(|&free| group[free] == first).collect())
+            .collect()
+    }
+
+    fn join(&self, frames: impl Iterator<Item = usize>, group: &mut [usize]) {
+        let free: Vec<usize> = frames
+            .filter_map(|frame| self.free_of[frame])
+            .map(|free| group[free])
+            .collect();
+        if let Some(&first) = free.iter().min() {
+            for label in group.iter_mut().filter(|label| free.contains(label)) {
+                *label = first;
+            }
+        }
+    }
+
+    /// Motions of a group as a whole that may be neutral.
+    fn screws(&self, spin: &Spin, group: &[usize], t: f64) -> Vec<Screw> {
+        let speed = norm(spin.velocity);
+        if speed > 0.0 {
+            let axis = scale(1.0 / speed, spin.velocity);
+            let point = spin.point;
+            return vec![Screw::Turn { axis, point }, Screw::Shift { along: axis }];
+        }
+        let mut screws: Vec<Screw> = (0..3).map(|axis| Screw::Shift { along: unit(axis) }).collect();
+        let (mut points, mut axes) = (Vec::new(), Vec::new());
+        let gravity = self.gravity(t);
+        if norm(gravity) > 0.0 {
+            axes.push(scale(1.0 / norm(gravity), gravity));
+        }
+        axes.extend((0..3).map(unit));
+        let frames: Vec<usize> = group.iter().map(|&free| self.free[free].spec.frame).collect();
+        let constraints = self.constraints.iter().map(|linked| linked.spec.markers);
+        for markers in constraints.chain(self.forces.iter().map(|force| force.markers)) {
+            let markers = markers.iter().map(|&marker| &self.markers[marker]);
+            if !markers
+                .clone()
+                .any(|marker| frames.contains(&self.marker_frame(marker)))
+            {
+                continue;
+            }
+            for marker in markers.filter(|marker| self.free_of[self.marker_frame(marker)].is_none()) {
+                let value = self.jet(marker)[0];
+                match marker {
+                    _ if marker.is_point() => points.push(value),
+                    Marker::Fixed { .. } if norm(value) > 0.0 => axes.push(scale(1.0 / norm(value), value)),
+                    _ => {}
+                }
+            }
+        }
+        points.push(self.buffers.frames[frames[0]].position);
+        for point in distinct(points) {
+            let axes = distinct(axes.clone());
+            screws.extend(axes.into_iter().map(|axis| Screw::Turn { axis, point }));
+        }
+        screws
+    }
+
+    /// Turning of a rigid body about its own axes of symmetry.
+    fn own_screws(&self, free: usize) -> Vec<Screw> {
+        let frame = &self.free[free];
+        let carries = self.bodies.iter().any(|body| body.spec.frame == frame.spec.frame);
+        if carries || frame.turn.is_none() {
+            return Vec::new();
+        }
+        let motion = &self.buffers.frames[frame.spec.frame];
+        let rigid = &frame.spec.rigid;
+        let size = rigid
+            .inertia
+            .iter()
+            .flatten()
+            .fold(0.0, |size: f64, x| size.max(x.abs()));
+        let is_symmetric = |axis: &Vector| {
+            let turn = Rotation::exp(scale(ANGLES[0], *axis)).matrix();
+            let turned = multiply(&multiply(&transpose(&turn), &rigid.inertia), &turn);
+            let pairs = turned.iter().flatten().zip(rigid.inertia.iter().flatten());
+            let same = pairs.into_iter().all(|(a, b)| (a - b).abs() <= NEGLIGIBLE * size);
+            same && norm(cross(*axis, rigid.moment)) <= NEGLIGIBLE * norm(rigid.moment)
+        };
+        let axes = (0..3).map(unit).filter(is_symmetric);
+        axes.map(|axis| Screw::Turn {
+            axis: motion.direction_to_inertial(axis),
+            point: motion.position,
+        })
+        .collect()
+    }
+
+    /// Whether loads of the scene make a difference between the places before and after.
+    fn is_pulled(&mut self, at: &Uniform, displacement: &Displacement) -> bool {
+        let matrix = Rotation::exp(displacement.turn).matrix();
+        let (frames, q) = (self.buffers.frames.clone(), self.buffers.q.clone());
+        let pull = |scene: &Self| -> Vec<(usize, Vector)> {
+            let gravity = scene.gravity(at.t);
+            let heavy = scene.free.iter().filter(|frame| scene.is_heavy(frame.spec.frame));
+            let gravity = heavy.map(|frame| (frame.spec.frame, gravity));
+            let marked = scene.marked_loads.iter().map(|marked| {
+                let load = &scene.loads[marked.load];
+                let value = scene.buffers.frames[load.frame].direction_to_inertial(scene.parts.load(marked.load, at.t));
+                (scene.marker_frame(&marked.markers[0]), value)
+            });
+            gravity.chain(marked).collect()
+        };
+        let before = pull(self);
+        self.displace(displacement);
+        let after = pull(self);
+        (self.buffers.frames, self.buffers.q) = (frames, q);
+        before.into_iter().zip(after).any(|((frame, before), (_, after))| {
+            let expected = if displacement.moved[frame] {
+                apply(&matrix, before)
+            } else {
+                before
+            };
+            norm(subtract(expected, after)) > NEGLIGIBLE * norm(before)
+        })
+    }
+
+    fn is_heavy(&self, frame: usize) -> bool {
+        let rigid = self.free_of[frame].is_some_and(|free| self.free[free].has_rigid_parts());
+        let gravity = self.loads.iter().any(|load| load.kind == LoadKind::Gravity);
+        gravity && (rigid || self.bodies.iter().any(|body| body.spec.frame == frame))
+    }
+
+    /// Velocities of the unknowns in a motion of some frames, relative to their sizes.
+    fn direction(&self, screw: Screw, moved: &[bool]) -> Vec<f64> {
+        let mut result = vec![0.0; self.layout.unknowns()];
+        let border = self.layout.unknowns() - self.layout.border();
+        for frame in self.free.iter().filter(|frame| moved[frame.spec.frame]) {
+            let motion = &self.buffers.frames[frame.spec.frame];
+            let (shift, turn) = match screw {
+                Screw::Turn { axis, point } => (
+                    cross(axis, subtract(motion.position, point)),
+                    motion.direction_to_frame(axis),
+                ),
+                Screw::Shift { along } => (along, [0.0; 3]),
+            };
+            for (place, direction) in frame.directions.iter().enumerate() {
+                let unknown = border + frame.first + place;
+                result[unknown] = (dot(direction.shift, shift) + dot(direction.turn, turn)) / self.sizes[unknown];
+            }
+        }
+        // Round-off is not a part of the motion.
+        let largest = result.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
+        for value in &mut result {
+            if value.abs() <= NEGLIGIBLE * largest {
+                *value = 0.0;
+            }
+        }
+        result
+    }
+}
+
+/// Vectors that are not among those before; opposite ones are different.
+fn distinct(vectors: Vec<Vector>) -> Vec<Vector> {
+    let mut result: Vec<Vector> = Vec::new();
+    for vector in vectors {
+        let size = norm(vector).max(f64::MIN_POSITIVE);
+        let is_known = |other: &Vector| norm(add(vector, scale(-1.0, *other))) <= NEGLIGIBLE * size;
+        if !result.iter().any(is_known) {
+            result.push(vector);
+        }
+    }
+    result
+}

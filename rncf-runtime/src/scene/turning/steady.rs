@@ -1,0 +1,295 @@
+//! Whether a relative equilibrium can exist: everything that acts on a body must be at rest in its
+//! frame (THEORY 8.1).
+
+use super::symmetry::Displacement;
+use crate::emitted::{FrameMotion, JointKind, LoadKind};
+use crate::model::{Kind, Spin, Uniform};
+use crate::scene::MeshScene;
+use crate::scene::numbering::conditions::Condition;
+use crate::system::State;
+use crate::vector::{add, cross, dot, norm, scale, subtract};
+
+/// Relative size below which a change of a motion, or a load's component across the spin, counts as
+/// zero.
+const NEGLIGIBLE: f64 = 1e-9;
+
+/// Time after which a uniform motion must still be the same, s.
+const A_WHILE: f64 = 1e-3;
+
+/// Whether two spins (rad/s) or accelerations (m/s^2) differ by more than round-off; a motion that
+/// sets out smoothly from rest counts as uniform there.
+fn differs(a: [f64; 3], b: [f64; 3]) -> bool {
+    norm(subtract(a, b)) > NEGLIGIBLE * norm(a).max(norm(b)).max(1.0)
+}
+
+/// Angular velocity of a frame, inertial axes.
+fn turning(frame: &FrameMotion) -> [f64; 3] {
+    frame.direction_to_inertial(frame.spin)
+}
+
+/// Velocity of a point (inertial) that is fixed in the frame.
+fn carried(frame: &FrameMotion, point: [f64; 3]) -> [f64; 3] {
+    add(frame.velocity, cross(turning(frame), subtract(point, frame.position)))
+}
+
+impl MeshScene {
+    /// The rotation of what moves freely, at scale 1; rest where nothing turns.
+    ///
+    /// # Errors
+    /// Frames that do not turn together, by name.
+    pub(crate) fn rotation(&self, at: &Uniform) -> Result<Spin, String> {
+        if at.kind == Kind::Static {
+            return Ok(Spin::default());
+        }
+        let frames = self.motions(at.t);
+        let is_free = |&frame: &usize| self.free_of[frame].is_some();
+        let prescribed = (0..frames.len()).filter(|frame| !is_free(frame));
+        if let Some(spin) = self.common(prescribed, &frames, at.spin)? {
+            return Ok(at.spin.unwrap_or(spin));
+        }
+        if let Some(spin) = at.spin {
+            return Ok(spin);
+        }
+        let free = (0..frames.len()).filter(is_free);
+        let spin = self.common(free, &frames, None)?;
+        Ok(spin.unwrap_or_default())
+    }
+
+    /// The rotation of all those frames that turn.
+    fn common(
+        &self,
+        candidates: impl Iterator<Item = usize>,
+        frames: &[FrameMotion],
+        wanted: Option<Spin>,
+    ) -> Result<Option<Spin>, String> {
+        let mut found = wanted;
+        let mut any = None;
+        for index in candidates {
+            let (frame, name) = (&frames[index], self.parts.frame_name(index));
+            let velocity = turning(frame);
+            let square = dot(velocity, velocity);
+            if square == 0.0 {
+                continue;
+            }
+            let along = dot(velocity, frame.velocity);
+            if along.abs() > NEGLIGIBLE * norm(velocity) * norm(frame.velocity) {
+                return Err(format!(
+                    "frame `{name}` moves along the axis that it turns about: let it turn only"
+                ));
+            }
+            let point = add(frame.position, scale(1.0 / square, cross(velocity, frame.velocity)));
+            let spin = Spin { velocity, point };
+            let other = *found.get_or_insert(spin);
+            any.get_or_insert(spin);
+            let expected = cross(other.velocity, subtract(frame.position, other.point));
+            if differs(velocity, other.velocity) || differs(frame.velocity, expected) {
+                return Err(format!(
+                    "frame `{name}` does not turn with the others: what moves freely needs one angular velocity and one axis in common; give the rotation, or frames that turn alike"
+                ));
+            }
+        }
+        Ok(any)
+    }
+
+    /// What stands against an equilibrium, by name.
+    pub(crate) fn obstacle(&mut self, at: &Uniform, state: &State) -> Option<String> {
+        if at.kind == Kind::Static {
+            return None;
+        }
+        let load = (0..self.loads.len()).find(|&index| self.parts.load_varies(index));
+        if let Some(index) = load {
+            return Some(format!(
+                "load `{}` varies with time: give it a constant value",
+                self.loads[index].name
+            ));
+        }
+        if let Some(name) = self.timed_load(at.t) {
+            return Some(format!("load `{name}` varies with time: give it a constant value"));
+        }
+        let whole = Uniform { scale: 1.0, ..*at };
+        let spin = match self.rotation(&whole) {
+            Ok(spin) => spin,
+            Err(text) if self.is_coupled() => return Some(text),
+            Err(_) => Spin::default(),
+        };
+        let mut turning = state.clone();
+        self.set_uniform(&whole, &mut turning);
+        self.load_uniform(&whole, &turning);
+        let mut frames = self.buffers.frames.clone();
+        let later = self.motions(at.t + A_WHILE);
+        for (index, motion) in self.motions(at.t).into_iter().enumerate() {
+            if self.free_of[index].is_none() {
+                frames[index] = motion;
+            }
+        }
+        let obstacle = self.unsteady(&frames, &later).or_else(|| self.unable(&spin, &frames));
+        if obstacle.is_some() {
+            return obstacle;
+        }
+        // What only shifts is carried about the axis, too.
+        for frame in &self.free {
+            let motion = &mut frames[frame.spec.frame];
+            motion.spin = motion.direction_to_frame(spin.velocity);
+        }
+        let variant = self.variant(&spin, at.t);
+        (0..self.loads.len())
+            .find_map(|index| self.load_obstacle(index, at.t, &frames))
+            .or_else(|| {
+                let conditions = self.conditions.iter();
+                conditions
+                    .map(|condition| self.joint_obstacle(condition, &frames))
+                    .find_map(|found| found)
+            })
+            .or(variant)
+    }
+
+    /// A constraint or force on markers that changes when all that turns is turned on, what stands staying;
+    /// at the loaded state.
+    fn variant(&mut self, spin: &Spin, t: f64) -> Option<String> {
+        let speed = norm(spin.velocity);
+        if speed == 0.0 || !self.is_coupled() {
+            return None;
+        }
+        let turns = |index: usize| self.free_of[index].is_some() || self.buffers.frames[index].spin != [0.0; 3];
+        let moved: Vec<bool> = (0..self.buffers.frames.len()).map(turns).collect();
+        // Of drives the rate must be that of the rotation, of all else nothing may change at any angle.
+        let angles = [0.7, 2.1, 4.4].map(|angle| (angle, 0.0));
+        let rates = [A_WHILE, -0.5 * A_WHILE].map(|later| (speed * later, later));
+        for (angle, later) in angles.into_iter().chain(rates) {
+            let displacement = Displacement {
+                moved: moved.clone(),
+                turn: scale(angle / speed, spin.velocity),
+                point: spin.point,
+                shift: [0.0; 3],
+                is_own: false,
+                later: Some(later),
+            };
+            if let Some(name) = self.changed_by(t, &displacement) {
+                return Some(format!(
+                    "{name} does not stay the same while the system turns: let it act alike in all directions across the axis, on the axis, or between things that turn"
+                ));
+            }
+        }
+        None
+    }
+
+    /// Whether things in different frames act on each other, or frames move freely: all must turn alike.
+    fn is_coupled(&self) -> bool {
+        let constraints = self.constraints.iter().map(|linked| linked.spec.markers);
+        let mut users = constraints.chain(self.forces.iter().map(|force| force.markers));
+        let frame = |marker: usize| self.marker_frame(&self.markers[marker]);
+        !self.free.is_empty()
+            || self.is_marked_elsewhere()
+            || users.any(|markers| markers.iter().any(|&marker| frame(marker) != frame(markers[0])))
+    }
+
+    /// A prescribed frame whose motion is not uniform.
+    fn unsteady(&self, frames: &[FrameMotion], later: &[FrameMotion]) -> Option<String> {
+        let coupled = self.is_coupled();
+        let marked = |index: usize| self.markers.iter().any(|marker| self.marker_frame(marker) == index);
+        let used = |index: usize| self.bodies.iter().any(|body| body.spec.frame == index) || coupled && marked(index);
+        let pull = |frame: &FrameMotion| frame.direction_to_frame(frame.acceleration);
+        let prescribed = (0..frames.len()).filter(|&index| self.free_of[index].is_none() && used(index));
+        for index in prescribed {
+            let (frame, next) = (&frames[index], &later[index]);
+            if coupled && frame.spin == [0.0; 3] && frame.velocity != [0.0; 3] {
+                let name = self.parts.frame_name(index);
+                return Some(format!(
+                    "frame `{name}` shifts without turning: let it stand still or turn about the axis of the rotation"
+                ));
+            }
+            if differs(frame.spin, next.spin) || differs(pull(frame), pull(next)) {
+                let name = self.parts.frame_name(index);
+                return Some(format!(
+                    "frame `{name}` does not move uniformly: its spin or acceleration changes; take a time when it does"
+                ));
+            }
+        }
+        None
+    }
+
+    /// A free frame that cannot turn with the system.
+    fn unable(&self, spin: &Spin, frames: &[FrameMotion]) -> Option<String> {
+        for frame in &self.free {
+            let (motion, name) = (&frames[frame.spec.frame], self.parts.frame_name(frame.spec.frame));
+            let needed = cross(spin.velocity, subtract(motion.position, spin.point));
+            if differs(needed, motion.velocity) {
+                return Some(format!(
+                    "frame `{name}` cannot be carried about the axis of the rotation: free it along more axes, or put its origin on the axis"
+                ));
+            }
+            let carries = self.bodies.iter().any(|body| body.spec.frame == frame.spec.frame)
+                || frame.spec.rigid.moment != [0.0; 3];
+            let turns = frame.count() > frame.shifts();
+            if (turns || carries) && differs(turning(motion), spin.velocity) {
+                return Some(format!(
+                    "frame `{name}` cannot turn about the axis of the rotation: free it to turn about that axis"
+                ));
+            }
+        }
+        None
+    }
+
+    /// A load that keeps its direction in a frame which turns relative to a body that it acts on.
+    fn load_obstacle(&self, index: usize, t: f64, frames: &[FrameMotion]) -> Option<String> {
+        let load = &self.loads[index];
+        let value = frames[load.frame].direction_to_inertial(self.parts.load(index, t));
+        let acts_on = |body: usize| match load.kind {
+            LoadKind::Gravity => true,
+            LoadKind::Field { .. } => false,
+            LoadKind::Force { body: other, .. } | LoadKind::Moment { body: other, .. } => body == other,
+        };
+        let turned = |frame: usize| turns(&frames[load.frame], &frames[frame], value);
+        let body = (0..self.bodies.len()).find(|&body| acts_on(body) && turned(self.bodies[body].spec.frame));
+        let remedy = "let it act along the axis, or in the axes of that frame";
+        if let Some(body) = body {
+            let spec = &self.bodies[body].spec;
+            let name = self.parts.frame_name(spec.frame);
+            return Some(format!(
+                "load `{}` keeps its direction while body `{}` turns with frame `{name}`: {remedy}",
+                load.name,
+                spec.label()
+            ));
+        }
+        let mut pulled = self.free.iter().filter(|_| load.kind == LoadKind::Gravity);
+        let frame = pulled.find(|frame| frame.has_rigid_parts() && turned(frame.spec.frame))?;
+        let name = self.parts.frame_name(frame.spec.frame);
+        Some(format!(
+            "load `{}` keeps its direction while `{name}` turns: {remedy}",
+            load.name
+        ))
+    }
+
+    /// A joint whose point or direction moves in the frame of its body.
+    fn joint_obstacle(&self, condition: &Condition, frames: &[FrameMotion]) -> Option<String> {
+        let (joint, data) = (&self.joints[condition.joint], &condition.data);
+        let body = &self.bodies[joint.body].spec;
+        let (own, other) = (&frames[body.frame], &frames[joint.frame]);
+        let held = [data.tangent, data.second].map(|direction| other.direction_to_inertial(direction));
+        if joint.kind != JointKind::Pin && held.iter().any(|&direction| turns(other, own, direction)) {
+            return Some(format!(
+                "joint `{}` holds the direction of body `{}` in a frame that does not turn with it",
+                self.joint_label(condition.joint),
+                body.label()
+            ));
+        }
+        let point = other.point_to_inertial(data.point);
+        let [held, moved] = [carried(other, point), carried(own, point)];
+        if norm(subtract(held, moved)) > NEGLIGIBLE * norm(held).max(norm(moved)) {
+            return Some(format!(
+                "joint `{}` holds body `{}` at a point that moves in its frame",
+                self.joint_label(condition.joint),
+                body.label()
+            ));
+        }
+        None
+    }
+}
+
+/// Whether a direction (inertial) fixed in frame `a` turns in frame `b`.
+fn turns(a: &FrameMotion, b: &FrameMotion, direction: [f64; 3]) -> bool {
+    let (first, second) = (turning(a), turning(b));
+    let relative = subtract(second, first);
+    let round_off = NEGLIGIBLE * norm(first).max(norm(second));
+    norm(relative) > round_off && norm(cross(relative, direction)) > NEGLIGIBLE * norm(relative) * norm(direction)
+}

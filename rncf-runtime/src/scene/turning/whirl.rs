@@ -1,0 +1,313 @@
+//! What moves in a mode about a uniform rotation, from its shape: in which sense it circulates about the axis, and parts of
+//! its kinetic energy.
+
+use super::circulation::Whirling;
+use crate::emitted::Interpolant;
+use crate::model::{Composition, Motion, Uniform};
+use crate::scene::MeshScene;
+use crate::scene::frames::free_frames::Direction;
+use crate::scene::terms::inertia::{Padded, spread};
+use crate::system::State;
+use crate::vector::{Vector, add, apply, cross, dot, norm, perpendicular, scale, subtract};
+
+/// Sine of the angle to the axis up to which a line counts as a shaft along it: bent ones are shafts as well.
+const SHAFT: f64 = 0.3;
+/// Distance from the axis, part of the way from its point, that is none.
+const ALONG: f64 = 1e-3;
+
+/// Directions of the motions of a place: along, and the two ways across it.
+struct Axes {
+    along: Vector,
+    across: [(Motion, Vector); 2],
+}
+
+impl Axes {
+    /// Of a place that extends along `along`, in a system that turns about `axis`.
+    fn new(along: Vector, axis: Option<Vector>) -> Self {
+        let first = perpendicular(along);
+        let second = cross(along, first);
+        let Some(axis) = axis else {
+            return Self {
+                along,
+                across: [(Motion::Bending, first), (Motion::Bending, second)],
+            };
+        };
+        let up = subtract(axis, scale(dot(axis, along), along));
+        if norm(up) < SHAFT {
+            return Self {
+                along,
+                across: [(Motion::Lateral, first), (Motion::Lateral, second)],
+            };
+        }
+        let up = scale(1.0 / norm(up), up);
+        Self {
+            along,
+            across: [(Motion::Flap, up), (Motion::Lag, cross(along, up))],
+        }
+    }
+}
+
+/// Real and imaginary part of a displacement, inertial axes.
+type Displaced = [Vector; 2];
+
+fn each(f: impl Fn(usize) -> Vector) -> Displaced {
+    [f(0), f(1)]
+}
+
+fn along(displaced: &Displaced, direction: Vector) -> Displaced {
+    displaced.map(|value| scale(dot(value, direction), direction))
+}
+
+/// Sums of energies, twice the kinetic energy over the square of the frequency.
+#[derive(Default)]
+struct Energies {
+    motions: [f64; Motion::ALL.len()],
+    bodies: Vec<(String, f64)>,
+    whirling: Whirling,
+}
+
+impl MeshScene {
+    /// Circulation of what moves across the axis of the rotation.
+    pub(crate) fn circulation_of(&mut self, at: &Uniform, state: &State, shape: &[[f64; 2]]) -> Option<f64> {
+        self.energies(at, state, shape).whirling.circulation()
+    }
+
+    /// Parts of the kinetic energy in the axes that turn with the system.
+    pub(crate) fn composition_of(&mut self, at: &Uniform, state: &State, shape: &[[f64; 2]]) -> Composition {
+        let Energies { motions, bodies, .. } = self.energies(at, state, shape);
+        Composition::new(&motions, bodies)
+    }
+
+    fn energies(&mut self, at: &Uniform, state: &State, shape: &[[f64; 2]]) -> Energies {
+        let spin = self.rotation(at).unwrap_or_default();
+        let speed = norm(spin.velocity) * at.speed();
+        let axis = (speed > 0.0).then(|| scale(1.0 / norm(spin.velocity), spin.velocity));
+        self.load_uniform(at, state);
+        let full = [0, 1].map(|part| {
+            let unknowns: Vec<f64> = shape.iter().map(|value| value[part]).collect();
+            let mut full = vec![0.0; self.layout.components()];
+            self.layout.expand(&unknowns, &mut full);
+            full
+        });
+        let mut energies = Energies {
+            whirling: Whirling::about(axis),
+            ..Energies::default()
+        };
+        for index in 0..self.bodies.len() {
+            self.body_energies(index, axis, &full, &mut energies);
+        }
+        for free in 0..self.free.len() {
+            self.frame_energies(free, axis.map(|axis| (axis, spin.point)), &full, &mut energies);
+        }
+        energies
+    }
+
+    /// Shift (inertial axes) and turn (its own axes) of a free frame.
+    fn moved(&self, free: usize, full: &[Vec<f64>; 2]) -> [Displaced; 2] {
+        let frame = &self.free[free];
+        let first = self.layout.vector_components() + frame.first;
+        let sum = |part: usize, pick: fn(&Direction) -> Vector| {
+            let own = &full[part][first..][..frame.count()];
+            let parts = frame.directions.iter().zip(own);
+            parts.fold([0.0; 3], |sum, (direction, &value)| {
+                add(sum, scale(value, pick(direction)))
+            })
+        };
+        [
+            each(|part| sum(part, |direction| direction.shift)),
+            each(|part| sum(part, |direction| direction.turn)),
+        ]
+    }
+
+    fn body_energies(&self, index: usize, axis: Option<Vector>, full: &[Vec<f64>; 2], energies: &mut Energies) {
+        let body = &self.bodies[index];
+        let (mass, spec) = (&body.whole_mass, &body.spec);
+        let frame = &self.buffers.frames[body.frame];
+        let moved = self.free_of[body.frame].map(|free| self.moved(free, full));
+        let [shift, turn] = moved.unwrap_or([[[0.0; 3]; 2]; 2]);
+        let first = self.layout.offset(body.first_vector);
+        let vector = |values: &[f64], place: usize| -> Vector {
+            let [x, y, z, _]: Padded = spread(spec.axes, &values[first..], place);
+            [x, y, z]
+        };
+        // The tangent at every node.
+        let tangents: Vec<Option<Vector>> = (0..mass.vectors())
+            .map(|place| {
+                let (node, local) = spec.locate(place);
+                let is_slope = spec.nodal[local].of == Interpolant::Position && spec.nodal[local].order == 1;
+                is_slope.then(|| (node, frame.direction_to_inertial(vector(&self.buffers.q, place))))
+            })
+            .fold(Vec::new(), |mut tangents, slope| {
+                if let Some((node, slope)) = slope {
+                    tangents.resize(tangents.len().max(node + 1), None);
+                    tangents[node] = Some(scale(1.0 / norm(slope), slope));
+                }
+                tangents
+            });
+        let ends = [0, spec.meshed_vectors() - 1].map(|place| spec.locate(place).0);
+        let chord = ends
+            .map(|node| tangents.get(node).copied().flatten())
+            .into_iter()
+            .flatten()
+            .next();
+        let mut parts: Vec<Vec<(Motion, Displaced)>> = Vec::new();
+        let mut rates: Vec<[Padded; 2]> = Vec::new();
+        let mut lateral: Vec<[Padded; 2]> = Vec::new();
+        for place in 0..mass.vectors() {
+            let (node, local) = spec.locate(place);
+            let mut q = vector(&self.buffers.q, place);
+            if mass.is_position(place) {
+                q = add(q, body.offset);
+            }
+            let change = each(|part| {
+                let mut change = add(vector(&full[part], place), cross(turn[part], q));
+                change = frame.direction_to_inertial(change);
+                if mass.is_position(place) {
+                    change = add(change, shift[part]);
+                }
+                change
+            });
+            let tangent = tangents.get(node).copied().flatten().or(chord);
+            let axes = Axes::new(tangent.unwrap_or([1.0, 0.0, 0.0]), axis);
+            // The normal of a section moves as the slope does.
+            let is_normal = place >= spec.meshed_vectors();
+            let is_axis = is_normal || spec.nodal[local].of == Interpolant::Position;
+            parts.push(if is_axis {
+                let across = axes
+                    .across
+                    .iter()
+                    .map(|&(motion, direction)| (motion, along(&change, direction)));
+                across.chain([(Motion::Axial, along(&change, axes.along))]).collect()
+            } else {
+                // A vector of the section: what tilts it belongs to the deflection along it.
+                let own = frame.direction_to_inertial(q);
+                let size = dot(own, own);
+                let tilt = along(&change, axes.along);
+                let across = axes.across.iter().map(|&(motion, direction)| {
+                    let part = dot(own, direction).abs() / size.sqrt();
+                    (motion, tilt.map(|value| scale(part, value)))
+                });
+                let rest = each(|part| subtract(change[part], tilt[part]));
+                across.chain([(Motion::Torsion, rest)]).collect()
+            });
+            let padded = |displaced: &Displaced| displaced.map(|[x, y, z]| [x, y, z, 0.0]);
+            rates.push(padded(&change));
+            lateral.push(if is_axis { padded(&change) } else { [[0.0; 4]; 2] });
+        }
+        let mut total = 0.0;
+        for place in 0..mass.vectors() {
+            let image = mass.product(place, &rates);
+            total += inner(&rates[place], &image);
+            let image = mass.product(place, &lateral);
+            energies.whirling.add(&short(&lateral[place]), &short(&image));
+            energies
+                .whirling
+                .add_whole(inner(&rates[place], &mass.product(place, &rates)));
+        }
+        for slot in 0..3 {
+            let of: Vec<[Padded; 2]> = parts
+                .iter()
+                .map(|own| own[slot].1.map(|[x, y, z]| [x, y, z, 0.0]))
+                .collect();
+            for place in 0..mass.vectors() {
+                let image = mass.product(place, &of);
+                energies.motions[parts[place][slot].0 as usize] += inner(&of[place], &image);
+            }
+        }
+        energies.bodies.push((spec.label(), total));
+    }
+
+    /// What a free frame has of mass itself.
+    fn frame_energies(
+        &self,
+        free: usize,
+        axis: Option<(Vector, Vector)>,
+        full: &[Vec<f64>; 2],
+        energies: &mut Energies,
+    ) {
+        let frame = &self.free[free];
+        let (rigid, motion) = (&frame.spec.rigid, &self.buffers.frames[frame.spec.frame]);
+        let has_inertia = rigid.inertia.iter().flatten().any(|&value| value != 0.0);
+        if rigid.mass == 0.0 && !has_inertia {
+            return;
+        }
+        let [shift, within] = self.moved(free, full);
+        let turn = within.map(|turn| motion.direction_to_inertial(turn));
+        let centre = if rigid.mass > 0.0 {
+            motion.direction_to_inertial(scale(1.0 / rigid.mass, rigid.moment))
+        } else {
+            [0.0; 3]
+        };
+        let centred = each(|part| add(shift[part], cross(turn[part], centre)));
+        // Inertia about the centre, of the rotation alone.
+        let spun = each(|part| {
+            let arm = motion.direction_to_frame(centre);
+            let about = apply(&rigid.inertia, within[part]);
+            let carried = scale(rigid.mass, cross(arm, cross(within[part], arm)));
+            motion.direction_to_inertial(subtract(about, carried))
+        });
+        let along_axis = axis.map_or([1.0, 0.0, 0.0], |(axis, point)| {
+            let away = subtract(add(motion.position, centre), point);
+            let out = subtract(away, scale(dot(away, axis), axis));
+            if norm(out) > ALONG * norm(away).max(f64::MIN_POSITIVE) && norm(out) > 0.0 {
+                scale(1.0 / norm(out), out)
+            } else {
+                axis
+            }
+        });
+        let axes = Axes::new(along_axis, axis.map(|(axis, _)| axis));
+        let [first, second] = axes.across;
+        let energy = |displaced: &Displaced, image: &Displaced, direction: Vector| -> f64 {
+            let parts = displaced.iter().zip(image);
+            parts
+                .map(|(value, image)| dot(*value, direction) * dot(*image, direction))
+                .sum()
+        };
+        let own = centred.map(|value| scale(rigid.mass, value));
+        let mut total = 0.0;
+        // A rotation about one way across moves what lies along in the other.
+        let parts = [
+            (Motion::Axial, energy(&centred, &own, axes.along)),
+            (first.0, energy(&centred, &own, first.1)),
+            (second.0, energy(&centred, &own, second.1)),
+            (Motion::Torsion, energy(&turn, &spun, axes.along)),
+            (first.0, energy(&turn, &spun, second.1)),
+            (second.0, energy(&turn, &spun, first.1)),
+        ];
+        for (motion, value) in parts {
+            let motion = if axis.is_none() && motion != Motion::Torsion {
+                Motion::Translation
+            } else {
+                motion
+            };
+            energies.motions[motion as usize] += value.max(0.0);
+            total += value.max(0.0);
+        }
+        energies.whirling.add(&centred, &own);
+        if let Some((axis, _)) = axis {
+            // Points on both sides along the axis see the tilt.
+            let tilted = turn.map(|turn| cross(turn, axis));
+            let size = |axis: Vector| dot(axis, apply(&rigid.inertia, axis));
+            let gyration = 0.5
+                * (0..3)
+                    .map(|i| size(std::array::from_fn(|j| f64::from(i == j))))
+                    .sum::<f64>();
+            energies
+                .whirling
+                .add(&tilted, &tilted.map(|value| scale(gyration, value)));
+        }
+        energies.whirling.add_whole(total);
+        energies
+            .bodies
+            .push((self.parts.frame_name(frame.spec.frame).to_string(), total));
+    }
+}
+
+fn short(displaced: &[Padded; 2]) -> Displaced {
+    displaced.map(|[x, y, z, _]| [x, y, z])
+}
+
+fn inner(a: &[Padded; 2], b: &[Padded; 2]) -> f64 {
+    let parts = a.iter().zip(b);
+    parts.map(|(a, b)| a[0] * b[0] + a[1] * b[1] + a[2] * b[2]).sum()
+}

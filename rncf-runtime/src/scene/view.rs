@@ -1,0 +1,159 @@
+//! A scene as the application sees it.
+
+use super::mesh_scene::MeshScene;
+use crate::emitted::ObservedSpec;
+use crate::model::{
+    Composition, Configuration, Curve, DescribedBody, FrameState, Scene, SectionBody, SectionState, Uniform, Warning,
+};
+use crate::system::{State, Tangent};
+use crate::vector::norm;
+
+impl Scene for MeshScene {
+    fn output_columns(&self) -> usize {
+        self.parts.output_columns()
+    }
+
+    fn outputs_need_acceleration(&self) -> bool {
+        self.observed.iter().any(|observed| {
+            matches!(
+                observed,
+                ObservedSpec::Reaction { .. } | ObservedSpec::Marker { derivative: 2, .. }
+            )
+        })
+    }
+
+    fn outputs(&mut self, state: &State, out: &mut [f64]) {
+        self.load_state(state);
+        self.follow();
+        self.evaluate_outputs(state.t, 1.0, &state.lambda, out);
+    }
+
+    fn bodies(&self) -> Vec<DescribedBody> {
+        self.described_bodies()
+    }
+
+    fn curves(&self) -> Vec<Curve> {
+        self.drawn()
+    }
+
+    fn frame_names(&self) -> Vec<String> {
+        let frames = 0..self.parts.frame_count();
+        frames.map(|frame| self.parts.frame_name(frame).to_string()).collect()
+    }
+
+    fn configuration(&mut self, state: &State, out: &mut Configuration) {
+        self.load_state(state);
+        self.draw(out);
+    }
+
+    fn section_bodies(&self) -> Vec<SectionBody> {
+        self.sectioned()
+    }
+
+    fn section_states(&mut self, state: &State, out: &mut Vec<SectionState>) {
+        self.load_state(state);
+        self.evaluate_sections(state.t, 1.0, &state.lambda);
+        self.sample_sections(out);
+    }
+
+    fn uniform_section_states(&mut self, at: &Uniform, state: &State, out: &mut Vec<SectionState>) {
+        self.load_uniform(at, state);
+        self.evaluate_sections(at.t, at.load(), &state.lambda);
+        self.sample_sections(out);
+    }
+
+    fn rest(&self, t: f64) -> State {
+        let [q, v] = self.initial_shape();
+        self.unknowns_from(t, &q, &v, &[])
+    }
+
+    fn frame_state(&mut self, state: &State) -> FrameState {
+        self.load_state(state);
+        self.follow();
+        let [q, v] = self.vectors_in_frames([&self.buffers.q, &self.buffers.v]);
+        let poses = self.poses();
+        FrameState {
+            t: state.t,
+            q,
+            v,
+            poses,
+        }
+    }
+
+    fn state_of_frame(&self, frame: &FrameState) -> State {
+        self.unknowns_from(frame.t, &frame.q, &frame.v, &frame.poses)
+    }
+
+    fn is_referenced(&self) -> bool {
+        self.formulation == crate::model::Formulation::Rncf
+    }
+
+    fn uniform_guess(&self, at: &Uniform) -> State {
+        self.guess(at)
+    }
+
+    fn carried(&mut self, at: &Uniform, state: &State, back: bool) -> State {
+        self.carried_state(at, state, back)
+    }
+
+    fn uniform_state(&mut self, at: &Uniform, state: &mut State) {
+        self.set_uniform(at, state);
+    }
+
+    fn uniform_residual(&mut self, at: &Uniform, state: &State, out: &mut [f64]) {
+        self.load_uniform(at, state);
+        self.full_force(at.t, at.load());
+        self.layout.project(&self.buffers.force, out);
+    }
+
+    fn small_motions(&mut self, at: &Uniform, state: &State, out: &mut Tangent) {
+        self.load_uniform(at, state);
+        self.uniform_tangent(at, state, out);
+        for corotation in self.corotations(at) {
+            corotation.apply(&self.pattern, out);
+        }
+    }
+
+    fn uniform_outputs(&mut self, at: &Uniform, state: &State, out: &mut [f64]) {
+        self.load_uniform(at, state);
+        self.follow();
+        self.evaluate_outputs(at.t, at.load(), &state.lambda, out);
+    }
+
+    fn circulation(&mut self, at: &Uniform, state: &State, shape: &[[f64; 2]]) -> Option<f64> {
+        self.circulation_of(at, state, shape)
+    }
+
+    fn composition(&mut self, at: &Uniform, state: &State, shape: &[[f64; 2]]) -> Composition {
+        self.composition_of(at, state, shape)
+    }
+
+    fn uniform_obstacle(&mut self, at: &Uniform, state: &State) -> Option<String> {
+        self.obstacle(at, state)
+    }
+
+    fn neutral_motions(&mut self, at: &Uniform, state: &State) -> Vec<Vec<f64>> {
+        self.neutral(at, state)
+    }
+
+    fn spin(&self, t: f64) -> f64 {
+        let frames = self.motions(t);
+        let prescribed = self.bodies.iter().map(|body| body.spec.frame);
+        let prescribed = prescribed.filter(|&frame| self.free_of[frame].is_none());
+        let free = self.free.iter().map(|_| self.rotation(&Uniform::steady(t)));
+        let free = free.map(|spin| norm(spin.unwrap_or_default().velocity));
+        prescribed
+            .map(|frame| norm(frames[frame].spin))
+            .chain(free.take(1))
+            .fold(0.0, f64::max)
+    }
+
+    fn warnings(&mut self, state: &State) -> Vec<Warning> {
+        self.load_state(state);
+        let mut warnings = self.remarks.clone();
+        warnings.extend(self.giving_way());
+        warnings.extend(self.overstretched());
+        warnings.extend(self.strained_fixtures());
+        warnings
+    }
+}
