@@ -12,7 +12,7 @@ use super::pictures::Pictures;
 use super::recorder::{InMemory, Recorder};
 use super::run_error::{Incomplete, RunError};
 use super::steady;
-use super::unfollowed::unfollowed;
+use super::unfollowed::{Followed, unfollowed};
 use crate::model::Fidelity;
 use crate::{
     AnyModel, Caution, Formulation, Integrator, Joints, Method, Options, Scene, Start, State, Statistics, StepSize,
@@ -176,8 +176,13 @@ pub(super) fn run_recorded(
     integrate(scene.as_mut(), start.clone(), &mut result, clock, recorder, watch)?;
     if recorder.is_on_disk() && result.incomplete.is_none() && result.settings.method != Method::EnergyMomentum {
         // A program that calls `run` pays for its steps alone.
-        let run = (t_end, result.statistics.steps, result.settings.options.rtol);
-        let missed = unfollowed(scene.as_mut(), start, run, model.outputs(), &result.state);
+        let run = Followed {
+            t_end,
+            rtol: result.settings.options.rtol,
+            statistics: &result.statistics,
+            end: &result.state,
+        };
+        let missed = unfollowed(scene.as_mut(), start, run, model.outputs());
         result.warnings.extend(missed);
     }
     let told = cautions::sentences(model, &result.cautions);

@@ -5,14 +5,17 @@
 //! nothing damps it in the model, that is off by its amplitude, at the right positions. No estimate of a step's error sees this. So it is looked at: after the run a few
 //! steps with a far smaller tolerance begin at the same start. What swings in them, lasts and is quicker than the steps of the run is missing in its outputs.
 
-use crate::{Integrator, Method, Options, Output, Scene, State, Stop};
+use crate::{Integrator, Method, Options, Output, Scene, State, Statistics, Stop};
 
 /// Tolerance of the look, of that of the run, and the least one.
 const FINER: f64 = 1e-3;
 const LEAST: f64 = 1e-10;
-/// The look ends after so many mean steps of the run, or, at half as many steps as these, within these bounds.
+/// The look ends after so many mean steps of the run, or, at half as many steps as it, within these bounds,
 const ENOUGH: f64 = 20.0;
 const STEPS: [u64; 2] = [120, 300];
+/// or where its iterations are this part of those of the run and, times the unknowns, more than these, which take some tenths of a second.
+const SHARE: f64 = 0.2;
+const AFFORDED: usize = 500_000;
 /// Even times at which what was seen is judged.
 const TIMES: usize = 256;
 /// Least amplitude that is told, of the largest value seen.
@@ -48,29 +51,39 @@ struct Missed {
     part: f64,
 }
 
-/// One sentence where outputs miss vibrations: of a run from `start` over `t_end` (s) with so many `steps` and the tolerance `rtol`, which ended with the
-/// state `end`.
-pub(super) fn unfollowed(
-    scene: &mut dyn Scene,
-    start: State,
-    (t_end, steps, rtol): (f64, u64, f64),
-    outputs: &[Output],
-    end: &State,
-) -> Option<String> {
-    let step = t_end / steps.max(1) as f64;
+/// A run that came to its end.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Followed<'r> {
+    /// s
+    pub t_end: f64,
+    pub rtol: f64,
+    pub statistics: &'r Statistics,
+    /// State at the end.
+    pub end: &'r State,
+}
+
+/// One sentence where outputs of a run from `start` miss vibrations.
+pub(super) fn unfollowed(scene: &mut dyn Scene, start: State, run: Followed<'_>, outputs: &[Output]) -> Option<String> {
+    let (rtol, steps) = (run.rtol, run.statistics.steps);
+    let step = run.t_end / steps.max(1) as f64;
     let finer = (FINER * rtol).max(LEAST);
     if finer > 0.1 * rtol {
         return None;
     }
-    let most = (steps / 2).clamp(STEPS[0], STEPS[1]);
-    let states = look(scene, start, t_end, finer, (most, ENOUGH * step))?;
+    let ends = Ends {
+        steps: (steps / 2).clamp(STEPS[0], STEPS[1]),
+        iterations: ((SHARE * run.statistics.newton_iterations as f64) as u64)
+            .max((AFFORDED / scene.unknowns().max(1)) as u64),
+        time: ENOUGH * step,
+    };
+    let states = look(scene, start, (run.t_end, finer), &ends)?;
     let mut read = |state: &State| {
         let mut row = vec![0.0; scene.output_columns()];
         scene.outputs(state, &mut row);
         row
     };
     let rows: Vec<(f64, Vec<f64>)> = states.iter().map(|state| (state.t, read(state))).collect();
-    let mut found = missing(outputs, &rows, &read(end), step);
+    let mut found = missing(outputs, &rows, &read(run.end), step);
     found.sort_by(|a, b| b.part.total_cmp(&a.part));
     let told = |missed: &Missed| {
         let name = outputs[missed.output].name;
@@ -93,19 +106,28 @@ pub(super) fn unfollowed(
     })
 }
 
+/// What ends the look, where it comes first.
+struct Ends {
+    steps: u64,
+    iterations: u64,
+    /// s
+    time: f64,
+}
+
 /// States at the ends of the steps of a short run with a small tolerance; none where it does not begin.
-fn look(scene: &mut dyn Scene, start: State, t_end: f64, rtol: f64, (steps, enough): (u64, f64)) -> Option<Vec<State>> {
-    let until = start.t + enough;
+fn look(scene: &mut dyn Scene, start: State, (t_end, rtol): (f64, f64), ends: &Ends) -> Option<Vec<State>> {
+    let until = start.t + ends.time;
     let options = Options {
         rtol,
         ..Options::default()
     };
     let mut integrator = Integrator::new(scene, start, t_end, Method::Radau, options).ok()?;
     let mut states = vec![integrator.state().clone()];
-    for _ in 0..steps {
+    for _ in 0..ends.steps {
         let stop = integrator.step().ok()?;
         states.push(integrator.state().clone());
-        if stop != Stop::Step || integrator.state().t > until {
+        let is_enough = integrator.state().t > until || integrator.statistics().newton_iterations > ends.iterations;
+        if stop != Stop::Step || is_enough {
             break;
         }
     }
@@ -236,12 +258,16 @@ mod tests {
         let mut scene = rotor.build_as(settings.formulation, settings.joints, &[]).unwrap();
         let mut row = [0.0; 3];
         scene.outputs(&result.state, &mut row);
-        let t_end = result.settings.t_end.unwrap();
         let start = scene.rest(0.0);
-        let of_run = (t_end, result.statistics.steps, settings.options.rtol);
+        let of_run = Followed {
+            t_end: result.settings.t_end.unwrap(),
+            rtol: settings.options.rtol,
+            statistics: &result.statistics,
+            end: &result.state,
+        };
         (
             row[2],
-            unfollowed(scene.as_mut(), start, of_run, AnyModel::outputs(rotor), &result.state),
+            unfollowed(scene.as_mut(), start, of_run, AnyModel::outputs(rotor)),
         )
     }
 
