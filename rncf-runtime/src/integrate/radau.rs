@@ -210,7 +210,7 @@ impl Keep for Radau {
             fixed: _,
             matrices: _,
             newton,
-            estimate: _,
+            estimate,
             before,
             now,
             low,
@@ -221,6 +221,7 @@ impl Keep for Radau {
             controller,
         } = self;
         newton.keep(archive);
+        estimate.keep(archive);
         before.keep(archive);
         now.keep(archive);
         low.keep(archive);
@@ -281,6 +282,7 @@ impl Scheme for Radau {
             let cause = Cause::Error;
             return Outcome::Rejected { next, cause };
         }
+        self.estimate.accepted(h);
         self.accept();
         self.tangent = if converged.contraction > AGED || converged.is_slow {
             Age::Stale

@@ -323,7 +323,7 @@ impl<'a> Check<'a> {
             function,
             Function::Abs | Function::Min | Function::Max | Function::Atan2
         );
-        if has_kink && (Scope::Parameter..=Scope::Force).contains(&scope) {
+        if has_kink && (Scope::Parameter..=Scope::Constraint).contains(&scope) {
             self.errors.at(call.name.span, say::kink(name));
             return None;
         }
@@ -353,6 +353,11 @@ impl<'a> Check<'a> {
                 (&call.arguments[0].value, first.nature),
                 (&call.arguments[1].value, second.nature),
             )?;
+        }
+        // When something prescribed switches is known ahead; when the state does, the error of the step tells.
+        if has_kink && scope == Scope::Force && !arguments.iter().any(|argument| fold::has_state(&argument.value)) {
+            self.errors.at(call.name.span, say::kink(name));
+            return None;
         }
         let half = Fraction { over: 1, under: 2 };
         let angle = Nature::angular();

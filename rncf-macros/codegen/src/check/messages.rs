@@ -28,7 +28,7 @@ pub const POWER_METHOD: &str = "a power is written with `^`: `a^2`";
 pub const NOT_A_COUNT: &str =
     "a number of elements is a whole number of at least 1: write e.g. `6`, or a `param n: count = 6;`";
 pub const CONDITION: &str =
-    "a condition must not depend on the state: `t`, params and constants decide, e.g. `t <= T` or `sin(omega*t) > 0`";
+    "a condition must not depend on the state: `t`, params and constants decide, e.g. `t <= T` or `sin(omega*t) > 0`; a force on one side is written with `max`, e.g. `stiffness * max(0 m, -ball.y)`";
 pub const CONDITION_ALONG: &str =
     "an initial shape is one smooth function of `x`: its cases cannot depend on `x`, only on parameters";
 pub const INITIAL_WITHOUT_TIME: &str = "an initial shape is a function of `x` alone: leave out motions";
@@ -197,7 +197,7 @@ messages! {
     named_argument(name) = "`{name}` takes no named arguments";
     not_a_function(name, kind) = "`{name}` is a {kind}, not a function of time";
     arity(name, wanted, found) = "`{name}` takes {wanted} argument(s), this has {found}";
-    kink(name) = "`{name}` has a kink and can be used in outputs only: a motion or load needs derivatives; use `if t < T {{ .. }} else {{ .. }}`";
+    kink(name) = "`{name}` has a kink: it stands in outputs, and in springs and loads of what moves; a function of time switches with `if t < T {{ .. }} else {{ .. }}`";
     function_of(name, found) = "`{name}` takes a plain number, but this is {found}";
     unlike(found, wanted) = "this is {found}, but it is combined with {wanted}";
     unlike_literal(text, wanted, unit) = "`{text}` is a plain number, but it is combined with {wanted}: give it a unit, e.g. `{text} {unit}`";

@@ -13,17 +13,30 @@
 //!
 //! All in the chart of the step, whose rates and derivatives are velocities and accelerations at its
 //! start. The stabilised index 2 is estimated alike: its mu is far below the error.
+//!
+//! An error of velocity counts with the step: of a vibration it is turned round soon. Bodies that fly or turn freely keep it. Where a stop or
+//! an impact makes steps short for a while, it lasts through the long steps behind them: poses count with the longest of the recent steps.
 
 use super::coefficients::Coefficients;
 use super::matrices::Matrices;
 use super::stages::Stages;
+use crate::archive::{Archive, Keep};
 use crate::integrate::Statistics;
 use crate::integrate::newton::largest;
 use crate::system::{State, System};
 
+/// Steps that vary by less than this do so in smooth motions.
+const SMOOTH: f64 = 4.0;
+/// The longest step is remembered over some hundred steps.
+const FORGETTING: f64 = 0.99;
+
 /// Memory and weights of the estimate.
 pub(super) struct Estimate {
     inverse_weights: Vec<f64>,
+    /// First unknown of the poses of free frames and rigid bodies.
+    poses: usize,
+    /// Longest of the recent steps, s.
+    longest: f64,
     /// Errors of position and of velocity.
     x: Vec<f64>,
     v: Vec<f64>,
@@ -35,11 +48,19 @@ pub(super) struct Estimate {
     state: State,
 }
 
+impl Keep for Estimate {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        self.longest.keep(archive);
+    }
+}
+
 impl Estimate {
     pub(super) fn new(system: &dyn System, rtol: f64) -> Self {
         let (n, m) = (system.unknowns(), system.constraints());
         Self {
             inverse_weights: system.sizes().iter().map(|size| 1.0 / (rtol * size)).collect(),
+            poses: n - system.border(),
+            longest: 0.0,
             x: vec![0.0; n],
             v: vec![0.0; n],
             constraints: vec![0.0; m],
@@ -48,6 +69,11 @@ impl Estimate {
             jacobian: vec![0.0; system.constraint_pattern().entries()],
             state: State::of(system, 0.0),
         }
+    }
+
+    /// Notes an accepted step of size `h`.
+    pub(super) fn accepted(&mut self, h: f64) {
+        self.longest = h.max(FORGETTING * self.longest);
     }
 
     /// Weighted size of the error of `stages`, which start at `start`.
@@ -122,10 +148,12 @@ impl Estimate {
         self.constraints.fill(0.0);
         matrices.solve_real(&mut self.x, &mut self.constraints, statistics);
         let mut sum = 0.0;
+        let lasting = h.max(self.longest / SMOOTH);
         for i in 0..self.x.len() {
             self.v[i] = g * self.x[i] - self.first[i];
             let weight = self.inverse_weights[i];
-            sum += (self.x[i] * weight).powi(2) + (h * self.v[i] * weight).powi(2);
+            let time = if i < self.poses { h } else { lasting };
+            sum += (self.x[i] * weight).powi(2) + (time * self.v[i] * weight).powi(2);
         }
         (sum / (2 * self.x.len()).max(1) as f64).sqrt()
     }
