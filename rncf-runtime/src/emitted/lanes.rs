@@ -122,3 +122,15 @@ pub fn run(kernel: impl Kernel) -> bool {
     };
     ran
 }
+
+/// One of four elements' numbers.
+pub fn lane<const N: usize>(all: &[[f64; LANES]], lane: usize) -> [f64; N] {
+    std::array::from_fn(|place| all[place][lane])
+}
+
+/// Adds the numbers of one of four elements.
+pub fn add_lane(all: &mut [[f64; LANES]], lane: usize, own: &[f64]) {
+    for (sum, value) in all.iter_mut().zip(own) {
+        sum[lane] += value;
+    }
+}

@@ -1,5 +1,5 @@
 //! What generated code is written against: the trait [`Parts`] with the specifications that it returns, and what kernels
-//! call. Of this crate generated code names this folder, and what a model says of itself ([`crate::model`]).
+//! call. Of this crate generated code names this folder, and what a model says of itself: the trait `Model` with its types.
 
 mod body_spec;
 mod checks;
@@ -15,7 +15,6 @@ mod loads;
 mod markers;
 mod mass;
 mod observed;
-mod one_by_one;
 mod parts;
 mod points;
 mod relaxed;
@@ -31,15 +30,14 @@ pub use curve::Spline;
 pub use frame::FrameMotion;
 pub use free::{FreeSpec, Motions, RigidSpec};
 pub use joints::{JointData, JointKind, JointSpec, Prescribed};
-pub use lanes::LANES;
+pub use lanes::{LANES, add_lane, lane};
 pub use law::{Mass, SectionLaw, Stiffness};
 pub use line::{Line, Twist};
 pub use loads::{LoadKind, LoadSpec};
 pub use markers::{ConstraintSpec, FixtureSpec, ForceSpec, MarkerSpec, When};
 pub use mass::mass_along;
 pub use observed::{About, BalanceQuantity, ObservedSpec, Owner, PointQuantity};
-pub use one_by_one::{add_lane, elastic_force_one_by_one, elastic_tangent_one_by_one, lane};
-pub use parts::Parts;
+pub use parts::{Parts, elastic_force_one_by_one, elastic_tangent_one_by_one};
 pub use points::{Blocks, Relative, Rule, Tile, Vectors, rectangle_particles, round_particles};
 pub use relaxed::{StrainEnergy, resisting};
 pub use repeated::{DensitySpec, Reduction, ShareSpec, StartSpec, declared, firsts, instance, reduce, repetitions};

@@ -4,7 +4,6 @@ use super::frame::FrameMotion;
 use super::free::FreeSpec;
 use super::lanes::LANES;
 use super::markers::{ConstraintSpec, FixtureSpec, ForceSpec, MarkerSpec};
-use super::one_by_one::{elastic_force_one_by_one, elastic_tangent_one_by_one};
 use super::repeated::{DensitySpec, ShareSpec, StartSpec};
 use super::section_spec::SectionSpec;
 use super::table::Table;
@@ -12,7 +11,7 @@ use crate::error::ModelError;
 use crate::system::ConstraintLevel;
 use crate::vector::Vector;
 
-use super::body_spec::{BodySpec, Interpolant};
+use super::body_spec::{BodySpec, Interpolant, MAX_SIZE};
 use super::joints::{JointData, JointSpec, Prescribed};
 use super::loads::LoadSpec;
 use super::observed::ObservedSpec;
@@ -342,5 +341,58 @@ pub trait Parts: Send + Sync + 'static {
     /// Potential of a conservative force, J.
     fn marker_energy(&self, _force: usize, _t: f64, _z: &[Vector]) -> f64 {
         0.0
+    }
+}
+
+/// One lane of an element's components.
+fn lane_of(all: &[[f64; LANES]], lane: usize) -> [f64; MAX_SIZE] {
+    let mut own = [0.0; MAX_SIZE];
+    for (value, lanes) in own.iter_mut().zip(all) {
+        *value = lanes[lane];
+    }
+    own
+}
+
+/// [`Parts::elastic_force4`] by [`Parts::elastic_force`].
+pub fn elastic_force_one_by_one<P: Parts + ?Sized>(
+    parts: &P,
+    elements: &[(usize, usize)],
+    q: &[[f64; LANES]],
+    v: &[[f64; LANES]],
+    force: &mut [[f64; LANES]],
+) {
+    let size = q.len();
+    let mut own = [0.0; MAX_SIZE];
+    for (lane, &(body, element)) in elements.iter().enumerate() {
+        let [q, v] = [q, v].map(|all| lane_of(all, lane));
+        own[..size].fill(0.0);
+        parts.elastic_force(body, element, &q[..size], &v[..size], &mut own[..size]);
+        for (sum, value) in force.iter_mut().zip(&own) {
+            sum[lane] += value;
+        }
+    }
+}
+
+/// [`Parts::elastic_tangent4`] by [`Parts::elastic_tangent`].
+pub fn elastic_tangent_one_by_one<P: Parts + ?Sized>(
+    parts: &P,
+    elements: &[(usize, usize)],
+    q: &[[f64; LANES]],
+    v: &[[f64; LANES]],
+    stiffness: &mut [[f64; LANES]],
+    damping: &mut [[f64; LANES]],
+) {
+    let size = q.len();
+    let mut own = [0.0; 2 * MAX_SIZE * MAX_SIZE];
+    for (lane, &(body, element)) in elements.iter().enumerate() {
+        let [q, v] = [q, v].map(|all| lane_of(all, lane));
+        own[..2 * size * size].fill(0.0);
+        let (k, c) = own[..2 * size * size].split_at_mut(size * size);
+        parts.elastic_tangent(body, element, &q[..size], &v[..size], k, c);
+        for (sums, values) in [(&mut *stiffness, k), (&mut *damping, c)] {
+            for (sum, value) in sums.iter_mut().zip(values) {
+                sum[lane] += *value;
+            }
+        }
     }
 }

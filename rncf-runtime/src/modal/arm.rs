@@ -1,10 +1,10 @@
 //! A model for tests of modal scenes.
 
-use super::Elements;
+use super::tests::{Cable, element_mass};
 use crate::emitted::*;
-use crate::modal::tests::{Cable, element_mass};
 use crate::model::{Formulation, Joints};
 use crate::scene::MeshScene;
+use crate::scene::bodies::described::Elements;
 use crate::scene::tests::scenery::{NODAL, along_slope};
 use crate::system::ConstraintLevel;
 use crate::vector::Vector;

@@ -2,9 +2,11 @@
 //! quadratic strains cubic polynomials with constant coefficients (THEORY 3.2), else projected from
 //! the elements.
 
-use super::{Elements, ModalBody};
+use super::body::ModalBody;
+use super::expansion::{Elastic, Expansion};
 use crate::emitted::Fidelity;
 use crate::linalg::times;
+use crate::scene::bodies::described::Elements;
 use crate::scene::numbering::assembly::evaluate;
 
 /// With more modes the k^4 coefficients cost more than the elements.
@@ -13,125 +15,6 @@ const MOST_MODES: usize = 8;
 const AMPLITUDE: f64 = 0.1;
 /// Relative difference from the elements up to which forces count as polynomial.
 const ROUND_OFF: f64 = 1e-9;
-
-/// How the forces are found.
-#[derive(Clone, Debug)]
-pub enum Elastic {
-    /// From constants.
-    Expanded {
-        /// d force/dp at rest.
-        stiffness: Expansion,
-        /// d force/dp', where something damps.
-        damping: Option<Expansion>,
-    },
-    /// From the elements.
-    Elements,
-}
-
-/// A k x k matrix that is a quadratic polynomial of p:
-/// `A = A0 + sum_l p_l A1_l + sum_lm p_l p_m A2_lm`.
-#[derive(Clone, Debug)]
-pub struct Expansion {
-    constant: Vec<f64>,
-    /// k matrices one after the other; empty for a constant matrix.
-    linear: Vec<f64>,
-    /// k x k matrices, symmetric in l and m; empty for a constant matrix.
-    quadratic: Vec<f64>,
-}
-
-impl Expansion {
-    fn constant(constant: Vec<f64>) -> Self {
-        Self {
-            constant,
-            linear: Vec::new(),
-            quadratic: Vec::new(),
-        }
-    }
-
-    /// Coefficients from values of the matrix at zero, at one and at two displaced coordinates.
-    fn of(steps: &[f64], mut matrix: impl FnMut(&[f64]) -> Vec<f64>) -> Self {
-        let k = steps.len();
-        let square = k * k;
-        let mut at = |places: &[(usize, f64)]| {
-            let mut p = vec![0.0; k];
-            places.iter().for_each(|&(place, sign)| p[place] += sign * steps[place]);
-            matrix(&p)
-        };
-        let constant = at(&[]);
-        let mut linear = vec![0.0; k * square];
-        let mut quadratic = vec![0.0; square * square];
-        for l in 0..k {
-            let (up, down) = (at(&[(l, 1.0)]), at(&[(l, -1.0)]));
-            for entry in 0..square {
-                linear[l * square + entry] = (up[entry] - down[entry]) / (2.0 * steps[l]);
-                let bend = up[entry] - 2.0 * constant[entry] + down[entry];
-                quadratic[(l * k + l) * square + entry] = bend / (2.0 * steps[l] * steps[l]);
-            }
-        }
-        for l in 0..k {
-            for m in 0..l {
-                let (both, apart) = (at(&[(l, 1.0), (m, 1.0)]), at(&[(l, 1.0), (m, -1.0)]));
-                let (back, behind) = (at(&[(l, -1.0), (m, 1.0)]), at(&[(l, -1.0), (m, -1.0)]));
-                for entry in 0..square {
-                    let twist = both[entry] - apart[entry] - back[entry] + behind[entry];
-                    let value = twist / (8.0 * steps[l] * steps[m]);
-                    quadratic[(l * k + m) * square + entry] = value;
-                    quadratic[(m * k + l) * square + entry] = value;
-                }
-            }
-        }
-        Self {
-            constant,
-            linear,
-            quadratic,
-        }
-    }
-
-    /// `A0 + first sum_l p_l A1_l + second sum_lm p_l p_m A2_lm`
-    fn weighted(&self, p: &[f64], first: f64, second: f64) -> Vec<f64> {
-        let mut sum = self.constant.clone();
-        let mut add = |factor: f64, matrix: &[f64]| {
-            if factor != 0.0 {
-                sum.iter_mut()
-                    .zip(matrix)
-                    .for_each(|(sum, entry)| *sum += factor * entry);
-            }
-        };
-        let square = self.constant.len();
-        for (l, matrix) in self.linear.chunks_exact(square).enumerate() {
-            add(first * p[l], matrix);
-        }
-        for (pair, matrix) in self.quadratic.chunks_exact(square).enumerate() {
-            add(second * p[pair / p.len()] * p[pair % p.len()], matrix);
-        }
-        sum
-    }
-
-    /// `A(p)`
-    fn at(&self, p: &[f64]) -> Vec<f64> {
-        self.weighted(p, 1.0, 1.0)
-    }
-
-    /// The vector that is zero at p = 0 and has the derivative A(p).
-    fn integral(&self, p: &[f64]) -> Vec<f64> {
-        times(p.len(), &self.weighted(p, 0.5, 1.0 / 3.0), p)
-    }
-
-    /// Adds `d(A(p) v)/dp`.
-    fn add_derivative(&self, p: &[f64], v: &[f64], out: &mut [f64]) {
-        let (k, square) = (p.len(), self.constant.len());
-        for (l, matrix) in self.linear.chunks_exact(square).enumerate() {
-            for (row, value) in times(k, matrix, v).into_iter().enumerate() {
-                out[row * k + l] += value;
-            }
-        }
-        for (pair, matrix) in self.quadratic.chunks_exact(square).enumerate() {
-            for (row, value) in times(k, matrix, v).into_iter().enumerate() {
-                out[row * k + pair / k] += 2.0 * p[pair % k] * value;
-            }
-        }
-    }
-}
 
 impl ModalBody {
     /// Adds elastic and damping forces on the modal coordinates.

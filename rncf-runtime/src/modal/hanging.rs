@@ -1,6 +1,6 @@
 //! Whether joints hold a body that does not deform: where they let it turn, it would hang in the air.
 
-use super::Nodal;
+use super::body::Nodal;
 use crate::emitted::Fidelity;
 use crate::error::ModelError;
 use crate::linalg::symmetric_eigen;

@@ -3,9 +3,10 @@
 //! acceleration). In a body that is held at one place this is the balance of the part beyond a section; between
 //! several joints it is shared as an elastic body shares it.
 
-use super::{Elements, ModalBody, Nodal};
+use super::body::{ModalBody, Nodal};
 use crate::emitted::Fidelity;
 use crate::linalg::Cholesky;
+use crate::scene::bodies::described::{Described, Elements};
 use crate::vector::{Vector, cross, norm, scale, subtract};
 
 /// Most iterations in which an elastic structure in the deformed place is solved with the factors of the undeformed
@@ -192,19 +193,20 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-impl ModalBody {
-    /// Whether its elastic forces are linear, those of the undeformed mesh, or there are none.
-    pub fn is_linear(&self) -> bool {
+impl Described for ModalBody {
+    fn shape(&self) -> &[f64] {
+        &self.nodal.shape
+    }
+
+    fn is_linear(&self) -> bool {
         !matches!(self.fidelity, Fidelity::Modal(_))
     }
 
-    /// Whether its joints alone let it move in its frame, so that nothing says where its loads are carried to.
-    pub fn is_loose(&self) -> bool {
+    fn is_loose(&self) -> bool {
         self.stiffness.is_none()
     }
 
-    /// Adds the linear elastic and damping forces of all elements on nodal vectors.
-    pub fn add_linear_forces(&self, elements: &dyn Elements, [q, v]: [&[f64]; 2], force: &mut [f64]) {
+    fn add_linear_forces(&self, elements: &dyn Elements, [q, v]: [&[f64]; 2], force: &mut [f64]) {
         for element in 0..self.nodal.connectivity.count() {
             let components = self.nodal.connectivity.element(element);
             for (&component, value) in components.iter().zip(self.linear_force(elements, element, [q, v])) {
@@ -213,8 +215,7 @@ impl ModalBody {
         }
     }
 
-    /// Linear elastic and damping forces of one element on its nodal vectors; `q` and `v` are those of the body.
-    pub fn linear_force(&self, elements: &dyn Elements, element: usize, [q, v]: [&[f64]; 2]) -> Vec<f64> {
+    fn linear_force(&self, elements: &dyn Elements, element: usize, [q, v]: [&[f64]; 2]) -> Vec<f64> {
         let size = self.nodal.connectivity.size;
         if self.modes() == 0 {
             return vec![0.0; size];
@@ -228,10 +229,7 @@ impl ModalBody {
         rows.map(|(k, c)| dot(k, &moved) + dot(c, &rates)).collect()
     }
 
-    /// Lets the elements carry to the joints what the generalised forces on all nodal vectors, at the places `q`, leave
-    /// unbalanced: afterwards only eliminated freedoms carry a force, that of their joints. Returns what is added to
-    /// the forces of every element, one after the other.
-    pub fn held(&self, elements: &dyn Elements, q: &[f64], force: &mut [f64]) -> Vec<f64> {
+    fn held(&self, elements: &dyn Elements, q: &[f64], force: &mut [f64]) -> Vec<f64> {
         let connectivity = &self.nodal.connectivity;
         let mut added = vec![0.0; connectivity.components.len()];
         let Some(factor) = &self.stiffness else {

@@ -1,6 +1,6 @@
 //! Inertia of a modal body from constants, THEORY 3.2, Eqs. (15)-(17).
 
-use crate::scene::frames::carried::{CarriedTangent, FrameAction};
+use super::action::{CarriedTangent, FrameAction};
 use crate::vector::{
     Matrix, Vector, add, apply, apply_transposed, cross, dot, identity, multiply, scale, skew, subtract, transpose,
 };

@@ -4,8 +4,9 @@
 
 use std::fmt;
 
-use super::{Elements, ModalBody};
+use super::body::ModalBody;
 use crate::linalg::{Dense, Lu, Pattern};
+use crate::scene::bodies::described::Elements;
 
 /// Part of a deflection that may be missing without a report.
 const MISSING: f64 = 0.05;

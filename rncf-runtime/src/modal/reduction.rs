@@ -1,7 +1,7 @@
 //! The map from the unknowns of a scene with modal bodies to those of the same scene with all nodal
 //! vectors, `X = X0 + T x`: the freedoms of a modal body follow from its modes, all others stay.
 
-use super::ModalBody;
+use super::body::ModalBody;
 use crate::linalg::Pattern;
 
 /// Freedoms of a modal body.

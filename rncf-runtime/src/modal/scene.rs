@@ -2,18 +2,18 @@
 //! Loads, markers, constraints and outputs see nodal vectors; inertia and elasticity of the modal
 //! bodies come from their constants.
 
-use super::sources::Kernels;
-use super::{Elements, ModalBody};
+use std::sync::Arc;
+
+use super::action::FrameAction;
+use super::body::ModalBody;
+use super::carried::Beside;
+use super::reduction::{Block, Reduction};
 use crate::emitted::{Fidelity, Parts};
 use crate::error::ModelError;
 use crate::linalg::Pattern;
-use crate::modal::reduction::{Block, Reduction};
-use crate::model::{
-    Composition, Configuration, Curve, DescribedBody, Formulation, FrameState, Joints, Scene, SectionBody,
-    SectionState, Uniform, Warning,
-};
+use crate::model::{Formulation, Joints, Scene, Warning};
 use crate::scene::MeshScene;
-use crate::scene::frames::carried::{Beside, FrameAction};
+use crate::scene::bodies::described::{Elements, Kernels};
 use crate::system::{Conserving, ConstraintLevel, Jump, Lever, State, System, Tangent, Turning};
 
 /// Builds the scene of a model with emitted parts: with modal coordinates where a body asks for them, and with bodies, by
@@ -43,36 +43,33 @@ fn build_boxed(
     Ok(Box::new(ModalScene::new(scene)?))
 }
 
-/// Growth of what modes hinder from which on the part that is missing is found anew: it takes a static problem of the
-/// whole body.
-const WORSE: f64 = 1.1;
-
 /// What modes have hindered most so far.
 #[derive(Clone, Debug)]
-struct Told {
+pub(super) struct Told {
     /// As [`ModalBody::hindrance`].
-    hindrance: f64,
+    pub hindrance: f64,
     /// What is told of it, if anything.
-    warning: Option<Warning>,
+    pub warning: Option<Warning>,
 }
 
 /// A scene some of whose bodies have modal coordinates.
 pub struct ModalScene {
     /// With all nodal vectors; the elements of modal bodies are left out.
-    scene: MeshScene,
-    reduction: Reduction,
-    /// Body of every block of the reduction.
-    bodies: Vec<usize>,
-    pattern: Pattern,
-    constraint_pattern: Pattern,
-    turns: Vec<usize>,
-    sizes: Vec<f64>,
+    pub(super) scene: MeshScene,
+    pub(super) reduction: Reduction,
+    /// Body of every block of the reduction, and what describes it.
+    pub(super) bodies: Vec<usize>,
+    pub(super) modes: Vec<Arc<ModalBody>>,
+    pub(super) pattern: Pattern,
+    pub(super) constraint_pattern: Pattern,
+    pub(super) turns: Vec<usize>,
+    pub(super) sizes: Vec<f64>,
     /// By body, where its modes have hindered its deflection most.
-    worst: Vec<Option<Told>>,
+    pub(super) worst: Vec<Option<Told>>,
     /// The state with all nodal vectors.
-    full: State,
-    tangent: Tangent,
-    scratch: Vec<f64>,
+    pub(super) full: State,
+    pub(super) tangent: Tangent,
+    pub(super) scratch: Vec<f64>,
 }
 
 impl ModalScene {
@@ -81,7 +78,7 @@ impl ModalScene {
     /// # Errors
     /// As [`build_as`].
     pub(super) fn new(mut scene: MeshScene) -> Result<Self, ModelError> {
-        let (mut blocks, mut bodies) = (Vec::new(), Vec::new());
+        let (mut blocks, mut bodies, mut all) = (Vec::new(), Vec::new(), Vec::new());
         for index in 0..scene.bodies.len() {
             let fidelity = scene.bodies[index].spec.fidelity;
             if fidelity == Fidelity::Full {
@@ -94,10 +91,11 @@ impl ModalScene {
                 parts: &*scene.parts,
                 body: index,
             };
-            let modes = ModalBody::new(nodal, fidelity, &elements)?;
+            let modes = Arc::new(ModalBody::new(nodal, fidelity, &elements)?);
             blocks.push(Block::new(&modes, first));
             bodies.push(index);
-            scene.bodies[index].modes = Some(modes);
+            scene.bodies[index].modes = Some(modes.clone());
+            all.push(modes);
             scene.check_loose(index)?;
         }
         scene.in_modes = true;
@@ -112,14 +110,13 @@ impl ModalScene {
                 sizes[place] = size;
             }
         }
-        for (block, &body) in reduction.blocks().iter().zip(&bodies) {
-            if let Some(modes) = &scene.bodies[body].modes {
-                sizes[block.coordinate..][..block.count].copy_from_slice(modes.sizes());
-            }
+        for (block, modes) in reduction.blocks().iter().zip(&all) {
+            sizes[block.coordinate..][..block.count].copy_from_slice(modes.sizes());
         }
         let entries = scene.pattern().entries();
         let zeros = || vec![0.0; entries];
         Ok(Self {
+            modes: all,
             worst: vec![None; scene.bodies.len()],
             full: State::of(&scene, 0.0),
             tangent: Tangent {
@@ -145,7 +142,7 @@ impl ModalScene {
     }
 
     /// Expands the state to all nodal vectors.
-    fn expand(&mut self, state: &State) {
+    pub(super) fn expand(&mut self, state: &State) {
         let full = &mut self.full;
         full.t = state.t;
         full.turns.clone_from(&state.turns);
@@ -156,7 +153,7 @@ impl ModalScene {
     }
 
     /// The state with modal coordinates.
-    fn restricted(&self, full: &State) -> State {
+    pub(super) fn restricted(&self, full: &State) -> State {
         State {
             t: full.t,
             x: self.reduction.restrict(&full.x, true),
@@ -169,30 +166,28 @@ impl ModalScene {
 
     /// Calls with every body that has modes: its block, the body, its modes, elements and frame at the
     /// loaded state.
-    fn each_body(
+    pub(super) fn each_body(
         &self,
         gravity: [f64; 3],
         mut call: impl FnMut(&Block, usize, &ModalBody, &dyn Elements, &FrameAction),
     ) {
-        for (block, &index) in self.reduction.blocks().iter().zip(&self.bodies) {
+        for (place, (block, &index)) in self.reduction.blocks().iter().zip(&self.bodies).enumerate() {
             let body = &self.scene.bodies[index];
-            if let Some(modes) = &body.modes {
-                let action = self.scene.buffers.frames[body.frame].action(body.spec.axes, gravity);
-                let elements = Kernels {
-                    parts: &*self.scene.parts,
-                    body: index,
-                };
-                call(block, index, modes, &elements, &action);
-            }
+            let action = self.scene.buffers.frames[body.frame].action(body.spec.axes, gravity);
+            let elements = Kernels {
+                parts: &*self.scene.parts,
+                body: index,
+            };
+            call(block, index, &self.modes[place], &elements, &action);
         }
     }
 
-    fn gravity(&self, t: f64, load_scale: f64) -> [f64; 3] {
+    pub(super) fn gravity(&self, t: f64, load_scale: f64) -> [f64; 3] {
         self.scene.gravity(t).map(|g| load_scale * g)
     }
 
     /// Residual at the loaded state with the unknowns and their derivatives.
-    fn residual_of(&mut self, t: f64, load_scale: f64, at: [&[f64]; 3], out: &mut [f64]) {
+    pub(super) fn residual_of(&mut self, t: f64, load_scale: f64, at: [&[f64]; 3], out: &mut [f64]) {
         self.scene.full_force(t, load_scale);
         let gravity = self.gravity(t, load_scale);
         let mut carried = Vec::new();
@@ -218,20 +213,21 @@ impl ModalScene {
 
     /// Adds to the tangent of the nodal vectors what modal bodies make among the unknowns of free
     /// frames, and returns what they make beside them, block by block.
-    fn beside(&mut self, t: f64, load_scale: f64, state: &State) -> Vec<Option<Beside>> {
+    pub(super) fn beside(&mut self, t: f64, load_scale: f64, state: &State) -> Vec<Option<Beside>> {
         let gravity = self.gravity(t, load_scale);
-        let pairs = self.reduction.blocks().iter().zip(&self.bodies);
+        let pairs = self.reduction.blocks().iter().zip(&self.bodies).zip(&self.modes);
         pairs
-            .map(|(block, &body)| {
+            .map(|((block, &body), modes)| {
                 let own = block.coordinate..block.coordinate + block.count;
                 let at = [&state.x, &state.v, &state.a].map(|values| &values[own.clone()]);
-                self.scene.add_carried_modes(body, at, gravity, &mut self.tangent)
+                self.scene
+                    .add_carried_modes(body, modes, at, gravity, &mut self.tangent)
             })
             .collect()
     }
 
     /// Adds a k x n block of frame rows and an n x k block of modal rows.
-    fn add_beside(&self, block: &Block, beside: &Beside, lower: &[f64], upper: &[f64], values: &mut [f64]) {
+    pub(super) fn add_beside(&self, block: &Block, beside: &Beside, lower: &[f64], upper: &[f64], values: &mut [f64]) {
         let (k, n) = (beside.count, block.count);
         let Some(frame) = self.reduction.same(beside.first) else {
             return;
@@ -249,7 +245,7 @@ impl ModalScene {
     }
 
     /// Adds an n x n block of modal rows and columns.
-    fn add_modal(&self, block: &Block, matrix: &[f64], values: &mut [f64]) {
+    pub(super) fn add_modal(&self, block: &Block, matrix: &[f64], values: &mut [f64]) {
         let n = block.count;
         for (place, value) in matrix.iter().enumerate() {
             if let Some(entry) = self
@@ -262,7 +258,7 @@ impl ModalScene {
     }
 
     /// Reduces the mass of the nodal vectors and adds that of the modes.
-    fn reduce_mass(&self, beside: &[Option<Beside>], values: &mut [f64]) {
+    pub(super) fn reduce_mass(&self, beside: &[Option<Beside>], values: &mut [f64]) {
         let from = self.scene.pattern();
         self.reduction
             .reduce_square(from, &self.tangent.mass, &self.pattern, values);
@@ -278,7 +274,7 @@ impl ModalScene {
     }
 
     /// Reduces the tangent of the nodal vectors at the loaded state and adds what the modes make.
-    fn reduce_tangent(&mut self, t: f64, load_scale: f64, state: &State, out: &mut Tangent) {
+    pub(super) fn reduce_tangent(&mut self, t: f64, load_scale: f64, state: &State, out: &mut Tangent) {
         let beside = self.beside(t, load_scale, state);
         let entries = self.pattern.entries();
         for values in [&mut out.mass, &mut out.stiffness, &mut out.damping] {
@@ -309,14 +305,14 @@ impl ModalScene {
     }
 
     /// Calls with the scene in which modal bodies are made of elements, for what is read off it.
-    fn in_elements<T>(&mut self, call: impl FnOnce(&mut MeshScene, &State) -> T) -> T {
+    pub(super) fn in_elements<T>(&mut self, call: impl FnOnce(&mut MeshScene, &State) -> T) -> T {
         self.scene.in_modes = false;
         let result = call(&mut self.scene, &self.full);
         self.scene.in_modes = true;
         result
     }
 
-    fn is_small(&self) -> bool {
+    pub(super) fn is_small(&self) -> bool {
         let small = |&body: &usize| matches!(self.scene.bodies[body].spec.fidelity, Fidelity::Small(_));
         self.bodies.iter().any(small)
     }
@@ -325,19 +321,6 @@ impl ModalScene {
 /// The n x k transpose of a k x n matrix.
 fn transposed(matrix: &[f64], k: usize, n: usize) -> Vec<f64> {
     (0..n).flat_map(|c| (0..k).map(move |i| matrix[i * n + c])).collect()
-}
-
-impl ModalScene {
-    /// Increments of all nodal vectors in a mode.
-    fn expanded_shape(&self, shape: &[[f64; 2]]) -> Vec<[f64; 2]> {
-        let [real, imaginary] = [0, 1].map(|part| {
-            let unknowns: Vec<f64> = shape.iter().map(|value| value[part]).collect();
-            let mut full = Vec::new();
-            self.reduction.expand(&unknowns, false, &mut full);
-            full
-        });
-        real.into_iter().zip(imaginary).map(|(re, im)| [re, im]).collect()
-    }
 }
 
 impl System for ModalScene {
@@ -501,171 +484,5 @@ impl System for ModalScene {
         self.scene.in_modes = true;
         self.scene.assemble_mass();
         energy
-    }
-}
-
-impl Scene for ModalScene {
-    fn output_columns(&self) -> usize {
-        self.scene.output_columns()
-    }
-
-    fn outputs_need_acceleration(&self) -> bool {
-        self.scene.outputs_need_acceleration()
-    }
-
-    fn outputs(&mut self, state: &State, out: &mut [f64]) {
-        self.expand(state);
-        self.in_elements(|scene, full| scene.outputs(full, out));
-    }
-
-    fn curves(&self) -> Vec<Curve> {
-        self.scene.curves()
-    }
-
-    fn bodies(&self) -> Vec<DescribedBody> {
-        self.scene.described_bodies()
-    }
-
-    fn frame_names(&self) -> Vec<String> {
-        self.scene.frame_names()
-    }
-
-    fn configuration(&mut self, state: &State, out: &mut Configuration) {
-        self.expand(state);
-        self.in_elements(|scene, full| scene.configuration(full, out));
-    }
-
-    fn section_bodies(&self) -> Vec<SectionBody> {
-        self.scene.section_bodies()
-    }
-
-    fn section_states(&mut self, state: &State, out: &mut Vec<SectionState>) {
-        self.expand(state);
-        self.in_elements(|scene, full| scene.section_states(full, out));
-    }
-
-    fn uniform_section_states(&mut self, at: &Uniform, state: &State, out: &mut Vec<SectionState>) {
-        self.expand(state);
-        self.in_elements(|scene, full| scene.uniform_section_states(at, full, out));
-    }
-
-    fn rest(&self, t: f64) -> State {
-        self.restricted(&self.scene.rest(t))
-    }
-
-    fn frame_state(&mut self, state: &State) -> FrameState {
-        self.expand(state);
-        self.scene.frame_state(&self.full)
-    }
-
-    fn state_of_frame(&self, frame: &FrameState) -> State {
-        self.restricted(&self.scene.state_of_frame(frame))
-    }
-
-    fn is_referenced(&self) -> bool {
-        self.scene.is_referenced()
-    }
-
-    fn uniform_guess(&self, at: &Uniform) -> State {
-        self.restricted(&self.scene.uniform_guess(at))
-    }
-
-    fn carried(&mut self, at: &Uniform, state: &State, back: bool) -> State {
-        self.expand(state);
-        let full = self.scene.carried_state(at, &self.full, back);
-        let mut carried = self.restricted(&full);
-        carried.lambda.clone_from(&state.lambda);
-        carried
-    }
-
-    fn uniform_state(&mut self, at: &Uniform, state: &mut State) {
-        self.expand(state);
-        self.scene.set_uniform(at, &mut self.full);
-        state.t = at.t;
-        state.v = self.reduction.restrict(&self.full.v, false);
-        state.a = self.reduction.restrict(&self.full.a, false);
-    }
-
-    fn uniform_residual(&mut self, at: &Uniform, state: &State, out: &mut [f64]) {
-        self.expand(state);
-        self.scene.load_uniform(at, &self.full);
-        self.residual_of(at.t, at.load(), [&state.x, &state.v, &state.a], out);
-    }
-
-    fn small_motions(&mut self, at: &Uniform, state: &State, out: &mut Tangent) {
-        self.expand(state);
-        self.scene.load_uniform(at, &self.full);
-        self.scene.uniform_tangent(at, &self.full, &mut self.tangent);
-        self.reduce_tangent(at.t, at.load(), state, out);
-        for mut corotation in self.scene.corotations(at) {
-            if let Some(first) = self.reduction.same(corotation.first) {
-                corotation.first = first;
-                corotation.apply(&self.pattern, out);
-            }
-        }
-    }
-
-    fn uniform_outputs(&mut self, at: &Uniform, state: &State, out: &mut [f64]) {
-        self.expand(state);
-        self.in_elements(|scene, full| scene.uniform_outputs(at, full, out));
-    }
-
-    fn circulation(&mut self, at: &Uniform, state: &State, shape: &[[f64; 2]]) -> Option<f64> {
-        self.expand(state);
-        let full = self.expanded_shape(shape);
-        self.scene.circulation_of(at, &self.full, &full)
-    }
-
-    fn composition(&mut self, at: &Uniform, state: &State, shape: &[[f64; 2]]) -> Composition {
-        self.expand(state);
-        let full = self.expanded_shape(shape);
-        self.scene.composition_of(at, &self.full, &full)
-    }
-
-    fn uniform_obstacle(&mut self, at: &Uniform, state: &State) -> Option<String> {
-        self.expand(state);
-        self.scene.uniform_obstacle(at, &self.full)
-    }
-
-    fn neutral_motions(&mut self, at: &Uniform, state: &State) -> Vec<Vec<f64>> {
-        self.expand(state);
-        let motions = self.scene.neutral_motions(at, &self.full);
-        // Only poses of free frames move.
-        let restricted = motions.iter().map(|motion| self.reduction.restrict(motion, false));
-        restricted.collect()
-    }
-
-    fn spin(&self, t: f64) -> f64 {
-        self.scene.spin(t)
-    }
-
-    fn warnings(&mut self, state: &State) -> Vec<Warning> {
-        self.expand(state);
-        let mut warnings = self.scene.warnings(&self.full);
-        let mut worst = std::mem::take(&mut self.worst);
-        self.each_body([0.0; 3], |block, body, modes, elements, action| {
-            let own = |of: &[f64]| of[block.coordinate..][..block.count].to_vec();
-            let [p, v, a] = [&state.x, &state.v, &state.a].map(|of| own(of));
-            let loss = modes.loss_of_stiffness(elements, action, &p);
-            warnings.extend(loss.map(|loss| Warning {
-                text: loss.to_string(),
-                weight: loss.whole - loss.remaining,
-            }));
-            let Some(hindrance) = modes.hindrance(elements, &p) else {
-                return;
-            };
-            let told = &mut worst[body];
-            if told.as_ref().is_none_or(|told| hindrance > WORSE * told.hindrance) {
-                let locking = modes.locking(elements, [p.as_slice(), &v, &a]);
-                let warning = locking.map(|locking| Warning {
-                    text: locking.to_string(),
-                    weight: hindrance,
-                });
-                *told = Some(Told { hindrance, warning });
-            }
-            warnings.extend(told.iter().filter_map(|told| told.warning.clone()));
-        });
-        self.worst = worst;
-        warnings
     }
 }

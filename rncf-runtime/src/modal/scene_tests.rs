@@ -1,12 +1,12 @@
-use super::{ModalBody, Nodal};
+use super::action::FrameAction;
+use super::arm::{Arm, COUNT};
+use super::body::{ModalBody, Nodal};
+use super::scene::{ModalScene, build_as};
+use super::tests::{cantilever, close, numbers};
 use crate::emitted::Fidelity;
 use crate::linalg::{Cholesky, Pattern};
-use crate::modal::arm::{Arm, COUNT};
-use crate::modal::scene::{ModalScene, build_as};
-use crate::modal::tests::{cantilever, close, numbers};
 use crate::model::{Formulation, Joints, Scene, Uniform};
 use crate::scene::MeshScene;
-use crate::scene::frames::carried::FrameAction;
 use crate::system::{ConstraintLevel, State, System, Tangent};
 
 fn dense(pattern: &Pattern, values: &[f64]) -> Vec<f64> {

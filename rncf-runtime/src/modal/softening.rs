@@ -4,11 +4,12 @@
 
 use std::fmt;
 
-use super::{Elements, ModalBody};
+use super::action::FrameAction;
+use super::body::ModalBody;
+use super::invariants::{Action, Motion};
 use crate::emitted::Fidelity;
 use crate::linalg::{Cholesky, symmetric_eigen, times};
-use crate::modal::invariants::{Action, Motion};
-use crate::scene::frames::carried::FrameAction;
+use crate::scene::bodies::described::Elements;
 use crate::vector::{Vector, cross, norm};
 
 /// Part of its stiffness at rest that a combination of modes must keep.

@@ -1,31 +1,13 @@
 //! What modal bodies are made of, from the scene with all nodal vectors.
 
-use super::{Elements, ModalBody, Nodal};
-use crate::emitted::{FrameTie, ObservedSpec, Parts};
+use super::body::Nodal;
+use crate::emitted::{FrameTie, ObservedSpec};
 use crate::error::ModelError;
 use crate::scene::MeshScene;
 use crate::scene::numbering::assembly::Connectivity;
 
 /// Relative distance up to which a joint holds a body in its undeformed place.
 const ROUND_OFF: f64 = 1e-9;
-
-/// Elements of a body as emitted.
-pub struct Kernels<'a> {
-    /// Emitted parts.
-    pub parts: &'a dyn Parts,
-    /// Body.
-    pub body: usize,
-}
-
-impl Elements for Kernels<'_> {
-    fn force(&self, element: usize, q: &[f64], v: &[f64], force: &mut [f64]) {
-        self.parts.elastic_force(self.body, element, q, v, force);
-    }
-
-    fn tangent(&self, element: usize, q: &[f64], v: &[f64], stiffness: &mut [f64], damping: &mut [f64]) {
-        self.parts.elastic_tangent(self.body, element, q, v, stiffness, damping);
-    }
-}
 
 impl MeshScene {
     /// Refuses what modes cannot describe.
@@ -121,28 +103,10 @@ impl MeshScene {
         (nodal, first)
     }
 
-    /// Lets the joints of modal bodies take what their modes leave unbalanced in the evaluated forces, and remembers
-    /// what their elements carry to them.
-    pub(crate) fn hold_modes(&mut self) {
-        self.buffers.held.resize(self.bodies.len(), Vec::new());
-        for (index, body) in self.bodies.iter().enumerate() {
-            if let Some(modes) = &body.modes {
-                let first = self.layout.offset(body.first_vector);
-                let own = first..first + modes.shape().len();
-                let elements = Kernels {
-                    parts: &*self.parts,
-                    body: index,
-                };
-                let (q, force) = (&self.buffers.q[own.clone()], &mut self.buffers.force[own]);
-                self.buffers.held[index] = modes.held(&elements, q, force);
-            }
-        }
-    }
-
     /// Refuses to tell what a body carries that its joints alone do not hold.
     pub(super) fn check_loose(&self, index: usize) -> Result<(), ModelError> {
         let body = &self.bodies[index];
-        let loose = body.modes.as_ref().is_some_and(ModalBody::is_loose);
+        let loose = body.modes.as_ref().is_some_and(|modes| modes.is_loose());
         let reads = |observed: &ObservedSpec| match *observed {
             ObservedSpec::Section { body, .. } => body == index,
             ObservedSpec::Reaction { joint, .. } => self.joints[joint].body == index,

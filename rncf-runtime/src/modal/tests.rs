@@ -1,5 +1,11 @@
-use crate::modal::*;
-use crate::vector::{Matrix, add, apply, cross, dot, scale};
+use crate::emitted::Fidelity;
+use crate::modal::action::{CarriedTangent, FrameAction};
+use crate::modal::body::*;
+use crate::modal::expansion::Elastic;
+use crate::modal::invariants::Action;
+use crate::scene::bodies::described::{Described, Elements};
+use crate::scene::numbering::assembly::Connectivity;
+use crate::vector::{Matrix, Vector, add, apply, cross, dot, scale};
 
 /// Hermite cable elements (THEORY 5.1) of equal length, three Gauss points.
 #[derive(Clone, Copy)]

@@ -2,27 +2,30 @@
 
 use std::sync::Arc;
 
-use super::bodies::fidelity::describe;
-use super::evaluate::TurnedColumns;
-use super::frames::free_frames::{Frames, FreeFrame, declared_free};
-use super::frames::lean::References;
-use super::frames::ties::{self, ChordEnds, Tie, ends};
-use super::mesh_scene::{Buffers, MeshBody, MeshScene, PlaceVector, Row};
-use super::numbering::assembly::{Connectivity, Scatter};
-use super::numbering::conditions::{condition, joint_data, vector_kinds};
-use super::numbering::layout::{Layout, VectorKind};
-use super::numbering::shared::Shared;
+use super::mesh_scene::MeshScene;
 use super::sound::{check_absolute, check_body, check_instances, check_joint};
-use super::terms::batches::groups;
-use super::terms::fixtures::Fixture;
-use super::terms::inertia::NodalMass;
-use super::terms::linked::{Linked, MarkedLoad, Marker, markers};
-use super::terms::moments::turned_by_moments;
-use super::terms::rigid_sections::declare_normals;
 use crate::emitted::{BodySpec, ConstraintSpec, Fidelity, FrameMotion, FrameTie, LoadKind, Parts, When};
 use crate::error::ModelError;
 use crate::linalg::Pattern;
 use crate::model::{Formulation, Joints};
+use crate::scene::bodies::fidelity::describe;
+use crate::scene::bodies::mesh_body::MeshBody;
+use crate::scene::bodies::nodal_mass::NodalMass;
+use crate::scene::bodies::place::PlaceVector;
+use crate::scene::frames::free_frames::{Frames, FreeFrame, declared_free};
+use crate::scene::frames::lean::References;
+use crate::scene::frames::ties::{self, ChordEnds, Tie, ends};
+use crate::scene::numbering::assembly::{Connectivity, Scatter};
+use crate::scene::numbering::conditions::{condition, joint_data, vector_kinds};
+use crate::scene::numbering::layout::Layout;
+use crate::scene::numbering::shared::{Shared, numbering};
+use crate::scene::numbering::turned::TurnedColumns;
+use crate::scene::pieces::batches::groups;
+use crate::scene::pieces::buffers::{Buffers, Row};
+use crate::scene::pieces::fixture::{Fixture, declare_normals};
+use crate::scene::pieces::marker::{Linked, MarkedLoad, Marker};
+use crate::scene::terms::linked::markers;
+use crate::scene::terms::moments::turned_by_moments;
 use crate::vector::{Vector, add, apply};
 
 impl MeshScene {
@@ -533,15 +536,6 @@ fn spread_mass(mass: &[f64], spec: &BodySpec) -> Vec<f64> {
         }
     }
     local
-}
-
-/// Numbers the unknowns that conditions on the vectors and common nodes leave, and those of free frames.
-pub(crate) fn numbering(specs: &[BodySpec], kinds: Vec<VectorKind>, shared: &Shared, border: usize) -> Layout {
-    let dimensions = specs
-        .iter()
-        .flat_map(|spec| std::iter::repeat_n(spec.dimension(), spec.vectors()));
-    let dimensions: Vec<usize> = dimensions.collect();
-    Layout::new(&dimensions, kinds, shared.leaders.clone(), border)
 }
 
 /// Nodal vectors of all elements in the stress-free shape, in local order and body axes.

@@ -1,64 +1,33 @@
 //! Forces and tangents of all nodal components at a state.
 
+use crate::scene::numbering::turned::TurnedColumns;
 use std::sync::Arc;
 
-use super::mesh_scene::{Buffers, MeshBody, MeshScene, PlaceVector, Regime};
-use super::numbering::conditions::Condition;
-use super::terms::batches::Blocks;
-use super::terms::inertia::Transport;
-use super::terms::inertia_tangent::Combination;
-use super::terms::moments::turned_by_moments;
-use super::units::Lanes;
+use super::mesh_scene::MeshScene;
 use crate::emitted::{LoadKind, Prescribed};
-use crate::linalg::Pattern;
-use crate::modal::Kernels;
 use crate::model::Scene;
 use crate::rotation::Rotation;
+use crate::scene::bodies::described::Kernels;
+use crate::scene::bodies::mesh_body::MeshBody;
+use crate::scene::bodies::nodal_mass::Transport;
+use crate::scene::bodies::place::PlaceVector;
+use crate::scene::numbering::conditions::Condition;
+use crate::scene::numbering::units::Lanes;
+use crate::scene::pieces::batches::Blocks;
+use crate::scene::pieces::buffers::{Buffers, Regime};
+use crate::scene::pieces::combination::Combination;
+use crate::scene::terms::moments::turned_by_moments;
 use crate::system::{State, Sums, Tangent};
 use crate::vector::{Matrix, add};
 
 /// Most components of a node's vectors that a joint is about, and most of its conditions.
 pub(crate) const MOST: usize = 9;
 
-/// `sum_a weight_a q_a` of an element.
-pub(crate) fn weighted(full: &[f64], components: &[usize], dimension: usize, weights: &[f64]) -> [f64; 3] {
-    let mut sum = [0.0; 3];
-    for (weight, components) in weights.iter().zip(components.chunks_exact(dimension)) {
-        for (sum, &component) in sum.iter_mut().zip(components) {
-            *sum += weight * full[component];
-        }
-    }
-    sum
-}
-
 /// Adds contributions to a combination of the matrices of a scene.
 struct Combined<'a> {
     combination: &'a Combination,
     turned: Arc<[TurnedColumns]>,
     values: &'a mut [f64],
-}
-
-/// Where an entry in a column of an orientation stands in all three of them.
-#[derive(Clone, Debug)]
-pub(crate) struct TurnedColumns {
-    /// First entries of the columns, and the end.
-    starts: [usize; 4],
-    /// For every entry of the columns those of its row.
-    places: Vec<[Option<usize>; 3]>,
-}
-
-impl TurnedColumns {
-    /// Of the orientation whose first unknown is `turn`.
-    pub fn new(turn: usize, pattern: &Pattern) -> Self {
-        let starts = std::array::from_fn(|j| pattern.starts()[turn + j]);
-        let rows = pattern.indices()[starts[0]..starts[3]].iter();
-        Self {
-            starts,
-            places: rows
-                .map(|&row| std::array::from_fn(|j| pattern.find(row, turn + j)))
-                .collect(),
-        }
-    }
 }
 
 impl Combined<'_> {

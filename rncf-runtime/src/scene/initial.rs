@@ -1,11 +1,11 @@
 //! Initial shapes: where and how fast bodies start, and whether their joints let them.
 
-use super::frames::ties::add_rigid;
 use super::mesh_scene::MeshScene;
-use super::numbering::conditions::{directions, joint_data};
 use crate::emitted::{BodySpec, FrameMotion, Interpolant, JointData, JointKind};
 use crate::error::ModelError;
 use crate::model::Warning;
+use crate::scene::frames::ties::add_rigid;
+use crate::scene::numbering::conditions::{directions, joint_data};
 use crate::vector::{Vector, add, cross, dot, norm, scale, subtract};
 
 /// Relative size of a contradiction between an initial shape and a joint that counts as round-off.

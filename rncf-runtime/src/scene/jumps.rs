@@ -1,8 +1,8 @@
 //! Whether prescribed motions are continuous over a kink: frames, and what drives and other constraints prescribe.
 
-use super::frames::free_frames::declared_free;
 use super::mesh_scene::MeshScene;
 use crate::emitted::FrameMotion;
+use crate::scene::frames::free_frames::declared_free;
 use crate::system::{ConstraintLevel, Jump, State, System};
 use crate::vector::{add, norm, scale, subtract};
 

@@ -9,8 +9,11 @@ pub(crate) mod evaluate;
 pub(crate) mod frames;
 pub(crate) mod initial;
 pub(crate) mod jumps;
+pub(crate) mod levers;
+pub(crate) mod meeting;
 pub(crate) mod mesh_scene;
 pub(crate) mod numbering;
+pub(crate) mod pieces;
 pub(crate) mod read;
 pub(crate) mod sizes;
 pub(crate) mod sound;
@@ -20,7 +23,6 @@ pub(crate) mod terms;
 #[cfg(test)]
 pub(crate) mod tests;
 pub(crate) mod turning;
-pub(crate) mod units;
 pub(crate) mod view;
 
 pub use mesh_scene::MeshScene;

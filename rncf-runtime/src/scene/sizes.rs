@@ -1,8 +1,8 @@
 //! Sizes of the kinds of unknowns, by which every tolerance is measured: lengths of the scene, never of a round-off.
 
-use super::frames::free_frames::FreeFrame;
 use super::mesh_scene::MeshScene;
-use super::terms::linked::Marker;
+use crate::scene::frames::free_frames::FreeFrame;
+use crate::scene::pieces::marker::Marker;
 use crate::system::{State, System};
 use crate::vector::{Vector, norm, scale, subtract};
 

@@ -1,8 +1,9 @@
 //! States of a scene in the declared frames and back.
 
-use super::mesh_scene::{MeshBody, MeshScene};
+use super::mesh_scene::MeshScene;
 use crate::emitted::{FrameMotion, PointQuantity};
 use crate::model::Pose;
+use crate::scene::bodies::mesh_body::MeshBody;
 use crate::system::State;
 
 impl MeshScene {

@@ -1,12 +1,13 @@
 //! A scene as the integrators see it.
 
 use super::evaluate::MOST;
-use super::mesh_scene::{MeshScene, Regime, Row};
-use super::numbering::conditions::{Condition, row_count, width};
-use super::numbering::layout::VectorKind;
-use super::terms::inertia_tangent::Combination;
+use super::mesh_scene::MeshScene;
 use crate::emitted::{Interpolant, JointKind};
 use crate::linalg::Pattern;
+use crate::scene::numbering::conditions::{Condition, row_count, width};
+use crate::scene::numbering::layout::VectorKind;
+use crate::scene::pieces::buffers::{Regime, Row};
+use crate::scene::pieces::combination::Combination;
 use crate::system::{Conserving, ConstraintLevel, Jump, Lever, State, System, Tangent};
 
 /// Letters of the components.

@@ -2,8 +2,6 @@
 
 use crate::emitted::{BodySpec, Fidelity, FrameTie};
 use crate::error::ModelError;
-use crate::model::DescribedBody;
-use crate::scene::MeshScene;
 
 /// Describes bodies, by their names, otherwise than they are declared.
 ///
@@ -51,31 +49,5 @@ fn unknown(specs: &[BodySpec], name: &str) -> String {
             if names.len() == 1 { "is" } else { "are" },
             names.join("`, `")
         ),
-    }
-}
-
-impl MeshScene {
-    /// The bodies of the declaration in its order.
-    pub(crate) fn described_bodies(&self) -> Vec<DescribedBody> {
-        let mut all: Vec<DescribedBody> = Vec::new();
-        for body in &self.bodies {
-            let spec = &body.spec;
-            match all
-                .last_mut()
-                .filter(|last| spec.instance.is_some() && last.name == spec.name)
-            {
-                Some(last) => {
-                    last.repetitions = last.repetitions.map(|count| count + 1);
-                    last.elements += spec.count;
-                }
-                None => all.push(DescribedBody {
-                    name: spec.name,
-                    repetitions: spec.instance.map(|_| 1),
-                    fidelity: spec.fidelity,
-                    elements: spec.count,
-                }),
-            }
-        }
-        all
     }
 }

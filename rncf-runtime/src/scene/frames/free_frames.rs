@@ -6,6 +6,7 @@ use crate::emitted::{BodySpec, FrameMotion, FrameTie, FreeSpec, Motions, Parts, 
 use crate::error::ModelError;
 use crate::model::{Formulation, Pose};
 use crate::rotation::Rotation;
+use crate::scene::frames::directions::{Direction, directions, unit};
 use crate::vector::{Vector, add, apply_transposed, cross, dot, norm, scale, subtract};
 
 /// Largest change of a rotation matrix, or part of a velocity out of a plane, that counts as round-off.
@@ -17,15 +18,6 @@ const ROUND_OFF: f64 = 1e-9;
 const FAR: f64 = 1e4;
 /// Times at which a parent is looked at for whether it turns, s; the kinks of the model are added.
 const LOOKS: [f64; 7] = [0.0, 1e-2, 0.13, 1.0, 7.3, 61.0, 1009.0];
-
-/// What one unknown does to a frame: the map from rates of unknowns to velocities, one column.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Direction {
-    /// Velocity of the origin, inertial axes.
-    pub shift: Vector,
-    /// Angular velocity, frame axes.
-    pub turn: Vector,
-}
 
 /// A free frame and its unknowns.
 #[derive(Clone, Debug)]
@@ -46,34 +38,6 @@ pub struct FreeFrame {
     base: Rotation,
     /// Velocity of the point that positions count from, m/s, inertial axes.
     drift: Vector,
-}
-
-fn unit(axis: usize) -> Vector {
-    std::array::from_fn(|i| if i == axis { 1.0 } else { 0.0 })
-}
-
-/// Motions along axes, then about axes.
-fn directions(motions: Motions) -> Vec<Direction> {
-    let shift = |axis: usize| Direction {
-        shift: unit(axis),
-        turn: [0.0; 3],
-    };
-    let about = |turn: Vector| Direction { shift: [0.0; 3], turn };
-    let turn = |axis: usize| about(unit(axis));
-    let plane = |normal: usize| [(normal + 1) % 3, (normal + 2) % 3];
-    match motions {
-        Motions::Spatial => (0..3).map(shift).chain((0..3).map(turn)).collect(),
-        Motions::Planar { normal } => plane(normal).map(shift).into_iter().chain([turn(normal)]).collect(),
-        Motions::Turning => (0..3).map(turn).collect(),
-        Motions::Hinged { axis } => vec![about(axis)],
-        Motions::Shifting => (0..3).map(shift).collect(),
-        Motions::ShiftingPlanar { normal } => plane(normal).map(shift).to_vec(),
-    }
-}
-
-/// Number of unknown motions of a free frame.
-pub fn motions_of(spec: &FreeSpec) -> usize {
-    directions(spec.motions).len()
 }
 
 impl FreeFrame {

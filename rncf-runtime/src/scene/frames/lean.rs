@@ -2,7 +2,7 @@
 //! these conditions are as many as its motions their multipliers vanish, and without the frame and them all else moves the
 //! same; it is left out where nothing else reads or loads it. Otherwise it would be dragged along, with a dense border.
 
-use super::free_frames::motions_of;
+use super::directions::motions_of;
 use crate::emitted::{
     About, BalanceQuantity, BodySpec, ConstraintSpec, FrameTie, FreeSpec, MarkerSpec, ObservedSpec, Parts,
 };

@@ -1,8 +1,6 @@
-//! Free frames: their motion, what they follow, and what bodies in modes do to them.
+//! Free frames: their motion and what they follow.
 
-pub(crate) mod carried;
-pub(crate) mod followed;
+pub(crate) mod directions;
 pub(crate) mod free_frames;
 pub(crate) mod lean;
-pub(crate) mod levers;
 pub(crate) mod ties;

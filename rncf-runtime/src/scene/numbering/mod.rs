@@ -4,3 +4,5 @@ pub(crate) mod assembly;
 pub(crate) mod conditions;
 pub(crate) mod layout;
 pub(crate) mod shared;
+pub(crate) mod turned;
+pub(crate) mod units;

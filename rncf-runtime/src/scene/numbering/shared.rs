@@ -1,18 +1,12 @@
 //! Nodes that bodies share: vectors of several ends that are one. They need no equation, only a common number.
 
 use super::conditions::Condition;
+use super::layout::{Layout, VectorKind};
 use crate::emitted::{BodySpec, Fidelity, Interpolant, JointKind, JointSpec, Parts, ShareSpec, label};
 use crate::error::ModelError;
-use crate::scene::MeshScene;
-use crate::vector::{Vector, cross, dot, norm, subtract};
-
-/// How far apart ends may start, as a part of the shorter body's length.
-const APART: f64 = 0.01;
-/// Angle between directions at the start of ends that are one, rad (10 degrees).
-const TURNED: f64 = 10.0 * std::f64::consts::PI / 180.0;
 
 /// Vectors that an end node may have, with their names.
-const VECTORS: [(Interpolant, usize, &str); 4] = [
+pub(crate) const VECTORS: [(Interpolant, usize, &str); 4] = [
     (Interpolant::Position, 0, "position"),
     (Interpolant::Position, 1, "slope"),
     (Interpolant::SectionY, 0, "section's y axis"),
@@ -65,7 +59,7 @@ impl Shared {
     }
 
     /// `knot[3]`, the start of `aux[3]` with the end of `main[3]`.
-    fn describe(&self, index: usize, bodies: &[BodySpec]) -> String {
+    pub fn describe(&self, index: usize, bodies: &[BodySpec]) -> String {
         let name = label(self.specs.iter().map(|spec| spec.name), index);
         let [first, second] = self.specs[index].ends.map(|(body, at_end)| {
             let end = if at_end { "end" } else { "start" };
@@ -160,44 +154,11 @@ fn find(leaders: &mut [usize], vector: usize) -> usize {
     leader
 }
 
-impl MeshScene {
-    /// Refuses ends that are one and start apart.
-    pub(crate) fn check_shared(&self, shared: &Shared) -> Result<(), ModelError> {
-        let specs: Vec<&BodySpec> = self.bodies.iter().map(|body| &body.spec).collect();
-        for (index, spec) in shared.specs.iter().enumerate() {
-            let at = spec
-                .ends
-                .map(|(body, at_end)| self.initial_vectors(body, f64::from(u8::from(at_end)))[0]);
-            let lengths = spec.ends.map(|(body, _)| specs[body].line.length());
-            let Some(what) = misplaced(at, lengths[0].min(lengths[1]), spec.smooth) else {
-                continue;
-            };
-            let specs: Vec<BodySpec> = specs.iter().map(|&spec| spec.clone()).collect();
-            return Err(ModelError::new(format!(
-                "{} {what}: let the bodies' lines or initial shapes meet there",
-                shared.describe(index, &specs)
-            )));
-        }
-        Ok(())
-    }
-}
-
-/// How two ends that are one differ at the start, in words; vectors in the order of [`VECTORS`].
-fn misplaced([first, second]: [[Vector; 4]; 2], length: f64, smooth: bool) -> Option<String> {
-    let gap = norm(subtract(first[0], second[0]));
-    if gap > APART * length {
-        return Some(format!("has ends that start {gap:.3e} m apart"));
-    }
-    let directions = (1..VECTORS.len()).filter(|_| smooth);
-    directions.into_iter().find_map(|place| {
-        let (a, b) = (first[place], second[place]);
-        let angle = norm(cross(a, b)).atan2(dot(a, b));
-        (angle > TURNED).then(|| {
-            let name = VECTORS[place].2;
-            format!(
-                "has ends whose {name} differs by {:.1} degrees at the start, and they would be one",
-                angle.to_degrees()
-            )
-        })
-    })
+/// Numbers the unknowns that conditions on the vectors and common nodes leave, and those of free frames.
+pub(crate) fn numbering(specs: &[BodySpec], kinds: Vec<VectorKind>, shared: &Shared, border: usize) -> Layout {
+    let dimensions = specs
+        .iter()
+        .flat_map(|spec| std::iter::repeat_n(spec.dimension(), spec.vectors()));
+    let dimensions: Vec<usize> = dimensions.collect();
+    Layout::new(&dimensions, kinds, shared.leaders.clone(), border)
 }

@@ -4,7 +4,7 @@
 use crate::emitted::{About, BalanceQuantity, Fidelity, MAX_SIZE, Owner};
 use crate::error::ModelError;
 use crate::scene::MeshScene;
-use crate::scene::terms::inertia::{Padded, spread};
+use crate::scene::bodies::nodal_mass::{Padded, spread};
 use crate::vector::{Vector, add, apply, cross, dot, scale, subtract};
 
 /// Sums over what moves, in inertial axes; places and the angular momentum from a reference point at rest.

@@ -7,7 +7,7 @@ use std::fmt;
 use crate::emitted::{Fidelity, Interpolant, MAX_SIZE};
 use crate::model::Warning;
 use crate::scene::MeshScene;
-use crate::scene::evaluate::weighted;
+use crate::scene::bodies::place::weighted;
 use crate::vector::norm;
 
 /// Points of integration in [0, 1], at which strains are most accurate.

@@ -2,9 +2,9 @@
 
 use crate::model::{Configuration, Curve};
 use crate::rotation::Rotation;
-use crate::scene::evaluate::weighted;
-use crate::scene::mesh_scene::{MeshScene, PlaceVector, point_of};
-use crate::scene::terms::linked::Marker;
+use crate::scene::bodies::place::{PlaceVector, point_of, weighted};
+use crate::scene::mesh_scene::MeshScene;
+use crate::scene::pieces::marker::Marker;
 use crate::vector::{Vector, add, norm};
 
 /// Straight pieces that a body is drawn with at least, where it has fewer elements.

@@ -1,8 +1,10 @@
 //! What is read off a state: outputs, pictures, what sections carry, and where a description does not hold.
 
 pub(crate) mod balance;
+pub(crate) mod bodies;
 pub(crate) mod compression;
 pub(crate) mod configuration;
+pub(crate) mod followed;
 pub(crate) mod outputs;
 pub(crate) mod overstretch;
 pub(crate) mod point_forces;

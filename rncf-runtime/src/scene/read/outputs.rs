@@ -2,8 +2,11 @@
 
 use crate::emitted::{JointKind, JointSpec, LoadKind, MAX_SIZE, ObservedSpec, PointQuantity, When};
 use crate::model::Scene;
-use crate::scene::mesh_scene::{MeshBody, MeshScene, PlaceVector};
-use crate::scene::terms::linked::Linked;
+use crate::scene::bodies::described::Kernels;
+use crate::scene::bodies::mesh_body::MeshBody;
+use crate::scene::bodies::place::PlaceVector;
+use crate::scene::mesh_scene::MeshScene;
+use crate::scene::pieces::marker::Linked;
 use crate::system::{State, System};
 use crate::vector::{Vector, add, cross, dot, subtract};
 
@@ -221,6 +224,24 @@ impl MeshScene {
         self.add_marker_constraint_forces(t, lambda);
         self.add_rigid_section_forces(lambda);
         self.hold_modes();
+    }
+
+    /// Lets the joints of modal bodies take what their modes leave unbalanced in the evaluated forces, and remembers
+    /// what their elements carry to them.
+    fn hold_modes(&mut self) {
+        self.buffers.held.resize(self.bodies.len(), Vec::new());
+        for (index, body) in self.bodies.iter().enumerate() {
+            if let Some(modes) = &body.modes {
+                let first = self.layout.offset(body.first_vector);
+                let own = first..first + modes.shape().len();
+                let elements = Kernels {
+                    parts: &*self.parts,
+                    body: index,
+                };
+                let (q, force) = (&self.buffers.q[own.clone()], &mut self.buffers.force[own]);
+                self.buffers.held[index] = modes.held(&elements, q, force);
+            }
+        }
     }
 
     /// Prepares the loaded state for what sections carry.

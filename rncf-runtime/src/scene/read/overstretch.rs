@@ -4,7 +4,7 @@
 use crate::emitted::{Fidelity, Interpolant};
 use crate::model::Warning;
 use crate::scene::MeshScene;
-use crate::scene::evaluate::weighted;
+use crate::scene::bodies::place::weighted;
 use crate::vector::norm;
 
 /// Stretch that no material bears: natural rubber breaks at 8 or 9.

@@ -2,25 +2,13 @@
 //! a leap; what acts on a node stands between two elements and is no part of either.
 
 use crate::emitted::LoadKind;
-use crate::scene::mesh_scene::{MeshPoint, MeshScene, PlaceVector};
-use crate::scene::terms::inertia::{Padded, Total, Transport, padded, vector};
-use crate::scene::terms::linked::Marker;
+use crate::scene::bodies::nodal_mass::{Padded, Total, Transport, padded, vector};
+use crate::scene::bodies::place::{MeshPoint, PlaceVector};
+use crate::scene::mesh_scene::MeshScene;
+use crate::scene::pieces::marker::Marker;
+use crate::scene::pieces::point_force::PointForce;
 use crate::scene::terms::moments::turned_by_moments;
 use crate::vector::{Vector, add, cross, scale};
-
-/// A generalised force on a vector at a place inside an element.
-#[derive(Clone, Debug)]
-pub(crate) struct PointForce {
-    pub element: usize,
-    /// Place on the element, between 0 and 1.
-    pub xi: f64,
-    /// Whether it acts on the position; else on a direction, and makes a moment.
-    pub on_position: bool,
-    /// Weights of the element's nodal vectors in the vector that it acts on.
-    pub weights: Vec<f64>,
-    /// N on a position, N m on a direction; axes of the frame that the body's vectors live in.
-    pub force: Vector,
-}
 
 /// The vectors of a place, in the order of a fixture's constants.
 const VECTORS: [PlaceVector; 4] = [

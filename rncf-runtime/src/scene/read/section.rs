@@ -1,15 +1,16 @@
 //! What sections carry: forces and moments that the part of a body beyond a place exerts on the part before it, from
 //! the balance of the element with the forces on its nodes, and of its part up to the place with inertia and loads.
 
-use super::point_forces::PointForce;
 use super::stress::largest_stress;
 use crate::emitted::{FIVE, Fidelity, Interpolant, MAX_SIZE, SectionQuantity, SectionSpec};
 use crate::error::ModelError;
 use crate::linalg::Cholesky;
-use crate::modal::{Kernels, ModalBody};
 use crate::model::SectionState;
-use crate::scene::mesh_scene::{MeshPoint, MeshScene};
-use crate::scene::terms::inertia::{Total, Transport, padded, vector as vector_of};
+use crate::scene::bodies::described::Kernels;
+use crate::scene::bodies::nodal_mass::{Total, Transport, padded, vector as vector_of};
+use crate::scene::bodies::place::MeshPoint;
+use crate::scene::mesh_scene::MeshScene;
+use crate::scene::pieces::point_force::PointForce;
 use crate::vector::{Vector, add, cross, dot, norm, scale, subtract};
 
 /// A unit vector; zero where there is no direction.
@@ -372,7 +373,7 @@ impl MeshScene {
     /// let it move and its description alone holds it.
     pub(crate) fn knows_sections(&self, body: usize) -> bool {
         let body = &self.bodies[body];
-        body.spec.fidelity != Fidelity::Point && !body.modes.as_ref().is_some_and(ModalBody::is_loose)
+        body.spec.fidelity != Fidelity::Point && !body.modes.as_ref().is_some_and(|modes| modes.is_loose())
     }
 
     /// Refuses to read sections of a body without any extent.

@@ -4,7 +4,8 @@
 //! along: as many constraints as it has motions tie it, so that their multipliers vanish.
 
 use crate::emitted::MAX_SIZE;
-use crate::scene::mesh_scene::{MeshScene, Row};
+use crate::scene::mesh_scene::MeshScene;
+use crate::scene::pieces::buffers::Row;
 use crate::system::{Conserving, State, System};
 
 impl MeshScene {

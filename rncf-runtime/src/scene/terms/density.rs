@@ -2,13 +2,14 @@
 //! `F = A sum c_a Q^a` and `M = sum q_a x Q^a` on a free frame, and their derivatives (THEORY 2.1, column dq and
 //! the rows with Q).
 
-use super::batches::in_order;
-use super::density_lanes::Batches;
-use super::density_sums::{Axes, ROWS, Total};
+use super::density_sums::{Axes, Total};
 use crate::emitted::{DensitySpec, Fidelity, LANES, MAX_SIZE};
 use crate::error::ModelError;
-use crate::scene::mesh_scene::{MeshBody, MeshScene};
-use crate::scene::units::Units;
+use crate::scene::bodies::mesh_body::MeshBody;
+use crate::scene::mesh_scene::MeshScene;
+use crate::scene::numbering::units::Units;
+use crate::scene::pieces::batches::in_order;
+use crate::scene::pieces::density::{Batches, Density, ROWS};
 use crate::system::Sums;
 use crate::vector::{Vector, cross, dot, scale};
 
@@ -16,29 +17,6 @@ use crate::vector::{Vector, cross, dot, scale};
 const TOGETHER: usize = 8;
 /// Marks an entry that belongs to no unknown.
 const NOWHERE: u32 = u32::MAX;
-
-/// A load per length with its places on the pattern.
-pub(crate) struct Density {
-    pub spec: DensitySpec,
-    /// Components of the body's nodal vectors, ascending, each once.
-    components: Vec<usize>,
-    /// Places among them, one element after the other.
-    places: Vec<usize>,
-    /// Unknowns that its values depend on, then those of the body's free frame that are not among them.
-    outer: Vec<usize>,
-    /// Number of unknowns that its values depend on.
-    driving: usize,
-    /// For every component the factor of its unknown; zero where there is none.
-    factors: Vec<f64>,
-    /// Places of components that depend on a second unknown: what it has stands after that of all components.
-    doubled: Vec<usize>,
-    /// For every component the entries of (component, outer unknown).
-    upper: Vec<u32>,
-    /// For every component the entry of (first unknown of the frame, component); the others of the frame follow.
-    lower: Vec<u32>,
-    /// For every unknown of the frame the entry of (frame, outer unknown), unknowns first.
-    square: Vec<Option<usize>>,
-}
 
 impl MeshScene {
     /// Finds what densities act on.

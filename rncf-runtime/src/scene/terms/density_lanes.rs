@@ -1,64 +1,12 @@
 //! Loads per length of four elements side by side: what they do to nodal vectors comes from the emitted kernels,
 //! what they do to the frame follows from it, `F = c_a Q^a`, `M = q_a x Q^a`, `dM = q_a x dQ^a + dq_a x Q^a`.
 
-use super::density_sums::ROWS;
 use crate::emitted::lanes::{Kernel, Lanes as Instructions, Real, run};
 use crate::emitted::{LANES, MAX_SIZE};
-use crate::scene::mesh_scene::{MeshBody, MeshScene};
-use crate::scene::units::{Lanes, Units};
-
-/// Elements of one kind of density, four by four.
-pub(crate) struct Batches {
-    /// Number of values.
-    pub values: usize,
-    /// Density and element.
-    pub units: Units,
-}
-
-/// Values and nodal vectors of four elements, and what was computed with them.
-pub(crate) struct Evaluated<'a> {
-    /// Generalised forces on the nodal vectors, axes of the body's frame.
-    pub force: &'a [Lanes],
-    /// Derivatives of the force by q, n x n, and by the values, n x k, rows first; empty where only forces are wanted.
-    pub by_q: &'a [Lanes],
-    pub by_values: &'a [Lanes],
-    /// Force and moment on the frame, frame axes; their derivatives by q, 6 x n, and by the values, 6 x k.
-    pub rows: &'a [Lanes],
-    pub rows_by_q: &'a [Lanes],
-    pub rows_by_values: &'a [Lanes],
-}
-
-impl Batches {
-    /// Numbers that a unit needs for forces, or with derivatives.
-    pub fn width(&self, with_derivatives: bool) -> usize {
-        let (n, k) = (self.units.size, self.values);
-        let forces = k + 2 * n + ROWS;
-        if with_derivatives {
-            forces + (n + ROWS) * (n + k)
-        } else {
-            forces
-        }
-    }
-
-    /// Takes the results of a unit apart.
-    pub fn evaluated<'a>(&self, result: &'a [Lanes]) -> Evaluated<'a> {
-        let (n, k) = (self.units.size, self.values);
-        let (force, rest) = result[k + n..].split_at(n);
-        let (rows, rest) = rest.split_at(ROWS);
-        let length = |length: usize| if rest.is_empty() { 0 } else { length };
-        let (by_q, rest) = rest.split_at(length(n * n));
-        let (by_values, rest) = rest.split_at(rest.len().min(n * k));
-        let (rows_by_q, rows_by_values) = rest.split_at(rest.len().min(ROWS * n));
-        Evaluated {
-            force,
-            by_q,
-            by_values,
-            rows,
-            rows_by_q,
-            rows_by_values,
-        }
-    }
-}
+use crate::scene::bodies::mesh_body::MeshBody;
+use crate::scene::mesh_scene::MeshScene;
+use crate::scene::numbering::units::Lanes;
+use crate::scene::pieces::density::{Batches, ROWS};
 
 impl MeshScene {
     /// Evaluates a unit into `result`, with derivatives where there is room for them; `values` are those of all

@@ -1,10 +1,7 @@
 //! What loads per length do to a body and its frame, summed over elements; their axes, and lanes of numbers.
 
-use super::density_lanes::Evaluated;
+use crate::scene::pieces::density::{Evaluated, ROWS};
 use crate::vector::Vector;
-
-/// Rows of force and moment, frame axes.
-pub(crate) const ROWS: usize = 6;
 
 /// What one density does to its body and frame, summed over the elements; frame axes.
 #[derive(Default)]

@@ -3,8 +3,9 @@
 
 use crate::emitted::LoadKind;
 use crate::error::ModelError;
-use crate::scene::mesh_scene::{MeshBody, MeshScene};
-use crate::scene::turning::symmetry::Displacement;
+use crate::scene::bodies::mesh_body::MeshBody;
+use crate::scene::mesh_scene::MeshScene;
+use crate::scene::pieces::displacement::Displacement;
 use crate::vector::{Vector, add, dot, scale};
 
 /// Relative change that counts as round-off.

@@ -9,68 +9,20 @@
 //! row a by a unknown's derivatives:   u_ia,   2 t_i x Mq'_a + t_i x (w x Mq_a) + w x (t_i x Mq_a),   d_a e x t_i
 //! ```
 
+use crate::scene::bodies::nodal_mass::padded;
+use crate::scene::pieces::border::Border;
+use crate::scene::pieces::combination::Combination;
 use pulp::Arch;
 
-use super::inertia::{Columns, NodalMass, Padded, Total, Transport, add_scaled, spread, vector};
 use crate::linalg::{Vectorised, dispatch};
-use crate::rotation::inverse_tangent_map;
+use crate::scene::bodies::nodal_mass::{Columns, NodalMass, Padded, Total, Transport, add_scaled, spread, vector};
 use crate::scene::frames::free_frames::SPATIAL;
-use crate::scene::mesh_scene::{Buffers, MeshScene};
-use crate::system::State;
+use crate::scene::mesh_scene::MeshScene;
+use crate::scene::pieces::buffers::Buffers;
 use crate::vector::{Matrix, Vector, add, apply, cross, dot, multiply, scale, skew, subtract};
 
 /// Most unknowns of a frame.
 const MOST_UNKNOWNS: usize = 6;
-
-/// What of `factors[0] M + factors[1] C + factors[2] K` is wanted.
-#[derive(Clone, Debug)]
-pub(crate) struct Combination {
-    /// Factors of mass, damping and stiffness.
-    pub factors: [f64; 3],
-    /// For every orientation what multiplies its columns of M and C from the right; empty: nothing.
-    pub maps: Vec<Matrix>,
-}
-
-impl Combination {
-    /// One of the three matrices alone.
-    pub fn only(place: usize) -> Self {
-        let mut factors = [0.0; 3];
-        factors[place] = 1.0;
-        Self {
-            factors,
-            maps: Vec::new(),
-        }
-    }
-
-    /// With the columns of M and C for changes of theta made those for right increments: T(theta)^-1.
-    pub fn of_increments(factors: [f64; 3], turns: &[usize], state: &State) -> Self {
-        let theta = |&turn: &usize| [state.x[turn], state.x[turn + 1], state.x[turn + 2]];
-        Self {
-            factors,
-            maps: turns.iter().map(|turn| inverse_tangent_map(theta(turn))).collect(),
-        }
-    }
-
-    /// Derivative of inertia forces of vectors by vectors, `M^ab` times this, its mass part left out.
-    pub fn block(&self, transport: &Transport) -> Matrix {
-        let [_, g, k] = self.factors;
-        let (coriolis, turning) = (transport.coriolis(), transport.turning());
-        std::array::from_fn(|i| std::array::from_fn(|j| g * coriolis[i][j] + k * turning[i][j]))
-    }
-}
-
-/// Places on the pattern of the entries between a body's components and the unknowns of its frame.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Border {
-    /// For every component the factor of its unknown; zero where there is none.
-    factors: Vec<f64>,
-    /// For every component the place of the first of the frame's rows in its column; the others follow.
-    lower: Vec<u32>,
-    /// For every component the places of its row in the frame's columns.
-    upper: Vec<u32>,
-    /// Components that depend on a second unknown: what it has stands after that of all components, in this order.
-    doubled: Vec<usize>,
-}
 
 /// One unknown of a frame as seen from the frame.
 #[derive(Clone, Copy, Debug)]
@@ -137,7 +89,6 @@ impl Arms {
         let by_u: Matrix = std::array::from_fn(|i| std::array::from_fn(|j| by_u[j][i]));
         let (turn, rate) = (skew(unknown.turn), skew(unknown.rate[1]));
         let swing = sum(&[(1.0, &multiply(&rate, &w)), (1.0, &multiply(&w, &rate))]);
-        let padded = super::inertia::padded;
         Self {
             turns: unknown.turn != [0.0; 3],
             lower_by_first: padded(apply(&by_u, unknown.shift)),
@@ -164,22 +115,6 @@ impl Arms {
             self.upper_by_rate.add_product(mv, &mut upper);
         }
         [lower, upper]
-    }
-}
-
-impl Border {
-    /// Adds the entries of a vector's component along `axis`: for every unknown its row by the component, and the reverse.
-    #[inline(always)]
-    fn add(&self, entry: usize, axis: usize, beside: &[[Padded; 2]], values: &mut [f64]) {
-        let (factor, width) = (self.factors[entry], beside.len());
-        let lower = self.lower[entry] as usize;
-        for (value, [lower, _]) in values[lower..lower + width].iter_mut().zip(beside) {
-            *value += factor * lower[axis & 3];
-        }
-        let upper = &self.upper[entry * width..(entry + 1) * width];
-        for (&place, [_, upper]) in upper.iter().zip(beside) {
-            values[place as usize] += factor * upper[axis & 3];
-        }
     }
 }
 

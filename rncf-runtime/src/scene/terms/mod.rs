@@ -1,6 +1,5 @@
 //! What the equations of a scene are made of: inertia, elasticity, fixtures, loads, fields, constraints and forces on markers.
 
-pub(crate) mod batches;
 pub(crate) mod conserving;
 pub(crate) mod density;
 pub(crate) mod density_lanes;
@@ -12,3 +11,4 @@ pub(crate) mod inertia_tangent;
 pub(crate) mod linked;
 pub(crate) mod moments;
 pub(crate) mod rigid_sections;
+pub(crate) mod ties;

@@ -2,8 +2,8 @@
 //! moment acts on the slope of a centre line, and on the axes of a section (THEORY 5.2.1).
 
 use crate::emitted::BodySpec;
-use crate::scene::evaluate::weighted;
-use crate::scene::mesh_scene::{MeshPoint, MeshScene, PlaceVector};
+use crate::scene::bodies::place::{MeshPoint, PlaceVector, weighted};
+use crate::scene::mesh_scene::MeshScene;
 
 /// Most components of the vectors that a moment acts on.
 pub(crate) const MOST: usize = 6;

@@ -1,7 +1,9 @@
 //! Accelerations, reactions and states of whole scenes.
 
 use super::law::Law;
+use super::model::{EVERY, Hand, Quadratic};
 use super::random::Random;
+use super::scenery::{along_slope, body, everything, free, hold, joint, stone};
 use crate::emitted::{
     ConstraintSpec, FixtureSpec, ForceSpec, FrameTie, JointKind, Line, LoadKind, LoadSpec, MarkerSpec, Motions,
     ObservedSpec, Place, RigidSpec, When,
@@ -9,8 +11,6 @@ use crate::emitted::{
 use crate::linalg::{Lu, Pattern};
 use crate::model::{Formulation, Scene};
 use crate::scene::MeshScene;
-use crate::scene::tests::model::{EVERY, Hand, Quadratic};
-use crate::scene::tests::scenery::{along_slope, body, everything, free, hold, joint, stone};
 use crate::system::{ConstraintLevel, State, System};
 use crate::vector::{Vector, norm, scale, subtract};
 

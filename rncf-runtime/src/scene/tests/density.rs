@@ -1,12 +1,12 @@
 //! Loads per length and gravity fields against differences, sums written out and closed forms.
 
 use super::differences::check;
+use super::model::{Hand, hermite};
 use super::random::Random;
+use super::scenery::{body, everything, free};
 use crate::emitted::{DensitySpec, LANES, LoadKind, LoadSpec, MarkerSpec};
 use crate::model::{Formulation, Joints, Scene};
 use crate::scene::MeshScene;
-use crate::scene::tests::model::{Hand, hermite};
-use crate::scene::tests::scenery::{body, everything, free};
 use crate::system::{State, System};
 use crate::vector::{Vector, add, apply, cross, dot, norm, scale, subtract};
 

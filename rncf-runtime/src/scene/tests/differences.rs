@@ -2,12 +2,12 @@
 
 use super::law::Law;
 use super::model::Hand;
+use super::random::{Random, moved};
 use super::scenery::everything;
 use super::sections::everything_with_sections;
 use crate::linalg::Pattern;
 use crate::model::{Formulation, Scene};
 use crate::scene::MeshScene;
-use crate::scene::tests::random::{Random, moved};
 use crate::system::{ConstraintLevel, State, System, Tangent};
 
 const STEP: f64 = 1e-3;

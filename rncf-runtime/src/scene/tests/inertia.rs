@@ -1,7 +1,7 @@
 //! Inertia by hand: sums over nodal vectors with a mass matrix, THEORY 2.
 
 use crate::emitted::RigidSpec;
-use crate::scene::frames::carried::FrameAction;
+use crate::modal::action::FrameAction;
 use crate::vector::{Vector, add, apply, cross, scale};
 
 /// Vectors with masses: `mass` between vectors, `counts[a]` one for positions and zero for slopes.

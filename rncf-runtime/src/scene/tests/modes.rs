@@ -1,10 +1,10 @@
 //! Modes of scenes: free bodies in closed form, and the circulation of nodes.
 
 use super::model::Hand;
+use super::scenery::{body, free, joint};
 use crate::emitted::{FreeSpec, JointKind, Motions, RigidSpec};
 use crate::model::{Formulation, Scene, Spin, Uniform};
 use crate::modes::{Wanted, Whirl, modes, stability_margin, unstable_directions};
-use crate::scene::tests::scenery::{body, free, joint};
 use crate::system::System;
 use crate::vector::apply_transposed;
 

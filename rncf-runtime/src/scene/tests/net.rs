@@ -2,6 +2,7 @@
 
 use super::model::hermite;
 use super::random::Random;
+use super::scenery::{body, free, joint, stone};
 use crate::emitted::{
     BodySpec, FrameMotion, FreeSpec, Interpolant, JointData, JointKind, JointSpec, LANES, LoadSpec, Motions,
     ObservedSpec, Parts, Prescribed, SectionShape, SectionSpec,
@@ -9,10 +10,9 @@ use crate::emitted::{
 use crate::error::ModelError;
 use crate::model::{Formulation, Joints, Scene};
 use crate::scene::MeshScene;
-use crate::scene::terms::batches::Blocks;
-use crate::scene::terms::inertia::Transport;
-use crate::scene::terms::inertia_tangent::Combination;
-use crate::scene::tests::scenery::{body, free, joint, stone};
+use crate::scene::bodies::nodal_mass::Transport;
+use crate::scene::pieces::batches::Blocks;
+use crate::scene::pieces::combination::Combination;
 use crate::system::{ConstraintLevel, System};
 
 /// Line density, kg/m.

@@ -2,19 +2,19 @@
 //! parts, and the same bits on any number of threads.
 
 use super::differences::dense;
+use super::inertia::{Inertia, rigid};
 use super::model::Hand;
 use super::net::Net;
 use super::random::Random;
+use super::scenery::{along_slope, body, everything, free};
 use super::sections::everything_with_sections;
 use crate::emitted::{FixtureSpec, LoadKind, Motions, RigidSpec};
+use crate::modal::action::FrameAction;
 use crate::model::{Formulation, Joints, Scene};
 use crate::rotation::inverse_tangent_map;
 use crate::scene::MeshScene;
-use crate::scene::frames::carried::FrameAction;
-use crate::scene::mesh_scene::{MeshPoint, PlaceVector};
-use crate::scene::terms::inertia::Transport;
-use crate::scene::tests::inertia::{Inertia, rigid};
-use crate::scene::tests::scenery::{along_slope, body, everything, free};
+use crate::scene::bodies::nodal_mass::Transport;
+use crate::scene::bodies::place::{MeshPoint, PlaceVector};
 use crate::system::{State, System, Tangent};
 use crate::vector::{Vector, add, dot, scale};
 

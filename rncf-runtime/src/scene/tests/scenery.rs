@@ -1,11 +1,11 @@
 //! A scene by hand with frames of every kind, bodies in them, and everything that acts.
 
 use super::law::Law;
+use super::model::{EVERY, Hand, PAIRS, Quadratic};
 use crate::emitted::{
     BodySpec, ConstraintSpec, Fidelity, FixtureSpec, ForceSpec, FrameTie, FreeSpec, Interpolant, JointKind, JointSpec,
     Line, LoadKind, LoadSpec, MarkerSpec, Motions, NodalSpec, Place, RigidSpec, Twist, When,
 };
-use crate::scene::tests::model::{EVERY, Hand, PAIRS, Quadratic};
 use crate::vector::{Vector, scale};
 
 /// Nodal vectors of a centre line with slopes at both ends.

@@ -1,6 +1,8 @@
 //! Bodies with sections, by hand: interpolants of THEORY 5.2, simple strains between all vectors.
 
 use super::law::Law;
+use super::model::{EVERY, Hand, PAIRS, Quadratic, hermite, table};
+use super::scenery::{DEAD, body, everything, free, hold, joint};
 use crate::emitted::{
     BodySpec, ConstraintSpec, FixtureSpec, ForceSpec, FrameTie, Interpolant, JointKind, Line, LoadKind, LoadSpec,
     MarkerSpec, Motions, NodalSpec, ObservedSpec, Parts, Place, SectionQuantity, Twist, When,
@@ -8,9 +10,7 @@ use crate::emitted::{
 use crate::model::{Formulation, Joints, Scene};
 use crate::scene::MeshScene;
 use crate::scene::numbering::layout::{Layout, VectorKind};
-use crate::scene::terms::linked::Marker;
-use crate::scene::tests::model::{EVERY, Hand, PAIRS, Quadratic, hermite, table};
-use crate::scene::tests::scenery::{DEAD, body, everything, free, hold, joint};
+use crate::scene::pieces::marker::Marker;
 use crate::system::{ConstraintLevel, System};
 use crate::vector::{Vector, add, cross, dot, norm, scale, subtract};
 

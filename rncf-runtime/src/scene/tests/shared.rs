@@ -2,12 +2,12 @@
 
 use super::model::Hand;
 use super::random::Random;
+use super::scenery::{along_slope, body, free, hold, joint};
 use crate::emitted::{BodySpec, FixtureSpec, JointKind, JointSpec, Line, Motions, Place, RigidSpec, ShareSpec};
 use crate::model::{Formulation, Joints, Scene, Uniform};
 use crate::modes::{Wanted, modes};
 use crate::scene::MeshScene;
 use crate::scene::numbering::layout::{Layout, VectorKind};
-use crate::scene::tests::scenery::{along_slope, body, free, hold, joint};
 use crate::system::{State, System, Tangent};
 use crate::vector::Vector;
 

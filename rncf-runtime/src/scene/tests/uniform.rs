@@ -2,14 +2,14 @@
 //! closed form, and what is refused by name.
 
 use super::law::Law;
+use super::model::{Hand, Quadratic};
+use super::random::{Random, moved};
+use super::scenery::{everything, free};
 use crate::emitted::{ConstraintSpec, ForceSpec, FreeSpec, LoadKind, LoadSpec, MarkerSpec, Motions, RigidSpec, When};
 use crate::equilibrium::{continue_from, follow};
 use crate::linalg::Pattern;
 use crate::model::{Formulation, Kind, Scene, Spin, Uniform};
 use crate::scene::MeshScene;
-use crate::scene::tests::model::{Hand, Quadratic};
-use crate::scene::tests::random::{Random, moved};
-use crate::scene::tests::scenery::{everything, free};
 use crate::system::{State, System, Tangent};
 use crate::vector::{Vector, scale};
 

@@ -2,12 +2,13 @@
 //! and shifting along it, turning about the own axis of a symmetric rigid body. Each is told from
 //! what acts on the frames, at the loaded state.
 
-use super::symmetry::{Displacement, normalise, reduce};
+use super::symmetry::{normalise, reduce};
 use crate::emitted::LoadKind;
 use crate::model::{Spin, Uniform};
 use crate::rotation::Rotation;
 use crate::scene::MeshScene;
-use crate::scene::terms::linked::Marker;
+use crate::scene::pieces::displacement::Displacement;
+use crate::scene::pieces::marker::Marker;
 use crate::system::State;
 use crate::vector::{Vector, add, apply, cross, dot, multiply, norm, scale, subtract, transpose};
 

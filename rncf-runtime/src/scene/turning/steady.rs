@@ -1,11 +1,11 @@
 //! Whether a relative equilibrium can exist: everything that acts on a body must be at rest in its
 //! frame (THEORY 8.1).
 
-use super::symmetry::Displacement;
 use crate::emitted::{FrameMotion, JointKind, LoadKind};
 use crate::model::{Kind, Spin, Uniform};
 use crate::scene::MeshScene;
 use crate::scene::numbering::conditions::Condition;
+use crate::scene::pieces::displacement::Displacement;
 use crate::system::State;
 use crate::vector::{add, cross, dot, norm, scale, subtract};
 

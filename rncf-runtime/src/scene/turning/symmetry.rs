@@ -2,10 +2,10 @@
 //! frames are displaced rigidly (THEORY 8.1). Relative equilibria need those of the rotation;
 //! motions that change nothing make a stiffness singular.
 
-use crate::emitted::FrameMotion;
 use crate::rotation::Rotation;
 use crate::scene::MeshScene;
-use crate::scene::terms::linked::{Linked, Marker};
+use crate::scene::pieces::displacement::Displacement;
+use crate::scene::pieces::marker::{Linked, Marker};
 use crate::system::ConstraintLevel;
 use crate::vector::{Vector, add, apply, dot, norm, scale, subtract};
 
@@ -15,53 +15,10 @@ const ROUND_OFF: f64 = 1e-8;
 /// Time in which what depends on time changes, s.
 const A_WHILE: f64 = 1e-3;
 
-/// A rigid displacement of some frames: `x -> c + R (x - c) + d`.
-#[derive(Clone, Debug)]
-pub(crate) struct Displacement {
-    /// For every frame whether it is moved.
-    pub moved: Vec<bool>,
-    /// Rotation vector of R, rad, inertial axes.
-    pub turn: Vector,
-    /// c, m.
-    pub point: Vector,
-    /// d, m.
-    pub shift: Vector,
-    /// Whether it is the own turning of one symmetric rigid body about an axis of its own: forces on points
-    /// of the axis do not turn then, and moments about it are told from the body.
-    pub is_own: bool,
-    /// Time that passes meanwhile, s: `Some` looks at what depends on time only, or, where it is zero, at
-    /// all else only.
-    pub later: Option<f64>,
-}
-
 /// What constraint or force is at a place.
 struct Acting {
     values: Vec<f64>,
     derivatives: Vec<Vec<f64>>,
-}
-
-impl Displacement {
-    fn rotation(&self) -> Rotation {
-        Rotation::exp(self.turn)
-    }
-
-    fn displaced(&self, frame: &FrameMotion, turns: bool) -> FrameMotion {
-        let matrix = self.rotation().matrix();
-        let turned = |vector: Vector| apply(&matrix, vector);
-        let moved = add(self.point, turned(subtract(frame.position, self.point)));
-        let rotation = Rotation::from_matrix(&frame.rotation);
-        FrameMotion {
-            position: add(moved, self.shift),
-            velocity: turned(frame.velocity),
-            acceleration: turned(frame.acceleration),
-            rotation: if turns {
-                self.rotation().times(&rotation).matrix()
-            } else {
-                frame.rotation
-            },
-            ..*frame
-        }
-    }
 }
 
 /// Whether two lists of numbers differ by more than round-off of the given size.

@@ -5,7 +5,8 @@ use crate::linalg::Pattern;
 use crate::model::{FrameState, Kind, Pose, Scene, Uniform};
 use crate::rotation::Rotation;
 use crate::scene::frames::free_frames::angle_axis;
-use crate::scene::mesh_scene::{MeshScene, Regime};
+use crate::scene::mesh_scene::MeshScene;
+use crate::scene::pieces::buffers::Regime;
 use crate::system::{State, Tangent};
 use crate::vector::{Vector, add, apply, apply_transposed, cross, dot, scale, subtract};
 

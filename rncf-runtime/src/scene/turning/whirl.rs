@@ -5,8 +5,8 @@ use super::circulation::Whirling;
 use crate::emitted::Interpolant;
 use crate::model::{Composition, Motion, Uniform};
 use crate::scene::MeshScene;
-use crate::scene::frames::free_frames::Direction;
-use crate::scene::terms::inertia::{Padded, spread};
+use crate::scene::bodies::nodal_mass::{Padded, spread};
+use crate::scene::frames::directions::Direction;
 use crate::system::State;
 use crate::vector::{Vector, add, apply, cross, dot, norm, perpendicular, scale, subtract};
 

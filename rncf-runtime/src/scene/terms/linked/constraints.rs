@@ -1,8 +1,8 @@
 //! Constraints on markers: values, Jacobians, and what their forces add to the stiffness.
 
-use super::Linked;
+use super::jets::Column;
 use crate::scene::MeshScene;
-use crate::scene::terms::linked::jets::{Column, Marker};
+use crate::scene::pieces::marker::{Linked, Marker};
 use crate::system::{ConstraintLevel, Sums};
 use crate::vector::{Vector, add, cross, dot, scale};
 

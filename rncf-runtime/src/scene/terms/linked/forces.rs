@@ -1,19 +1,13 @@
 //! Forces on markers, and declared loads where frames are free: the frame feels them, too.
 
+use super::constraints::{block_product, part};
+use super::jets::Column;
 use crate::emitted::{FrameMotion, LoadKind};
-use crate::scene::mesh_scene::{MeshPoint, MeshScene};
-use crate::scene::terms::linked::constraints::{block_product, part};
-use crate::scene::terms::linked::jets::{Column, Marker};
+use crate::scene::bodies::place::MeshPoint;
+use crate::scene::mesh_scene::MeshScene;
+use crate::scene::pieces::marker::Marker;
 use crate::system::Sums;
 use crate::vector::{Matrix, Vector, apply, cross, dot};
-
-/// A declared load on a body whose frame is free, or along the axes of a free frame.
-pub(crate) struct MarkedLoad {
-    /// Load.
-    pub load: usize,
-    /// What it acts on at its place: the point, or the slope or section's axes for a moment.
-    pub markers: Vec<Marker>,
-}
 
 impl MeshScene {
     /// Adds the forces on markers (to the left side, where they are negative) at the loaded state.

@@ -1,40 +1,11 @@
 //! Markers at a state: values, time derivatives, and how they depend on the unknowns.
 
+use super::triad::{Axes, Triad, turning};
 use crate::emitted::FrameMotion;
-use crate::scene::mesh_scene::{MeshPoint, MeshScene, PlaceVector};
-use crate::scene::terms::linked::triad::{Axes, Triad, turning};
+use crate::scene::bodies::place::{MeshPoint, PlaceVector};
+use crate::scene::mesh_scene::MeshScene;
+use crate::scene::pieces::marker::Marker;
 use crate::vector::{Vector, add, apply, cross, dot};
-
-/// A marker with what it needs at run time.
-#[derive(Clone, Debug)]
-pub(crate) enum Marker {
-    /// Fixed in a frame: a point, else a direction.
-    Fixed { frame: usize, at: Vector, is_point: bool },
-    /// A vector at a place on a body.
-    Body { point: MeshPoint, of: PlaceVector },
-    /// A direction that is fixed in a section, with its components in the triad of the section.
-    Section { point: MeshPoint, along: Vector },
-    /// The turning of a frame.
-    Turn { frame: usize },
-    /// The turning of a section.
-    SectionTurn { point: MeshPoint },
-    /// The angle of a free frame (index among the free ones).
-    Angle { free: usize },
-}
-
-impl Marker {
-    /// Whether it is a point rather than a direction, turning or angle.
-    pub fn is_point(&self) -> bool {
-        matches!(
-            self,
-            Self::Fixed { is_point: true, .. }
-                | Self::Body {
-                    of: PlaceVector::Position,
-                    ..
-                }
-        )
-    }
-}
 
 /// What one component of the full arrays does to a marker. All are linear in the component's change.
 #[derive(Clone, Copy, Debug, Default)]

@@ -1,8 +1,8 @@
 //! Round-off of constraints: what rounding of the places that they compare leaves of them.
 
 use super::constraints::part;
-use super::{Linked, Marker};
 use crate::scene::MeshScene;
+use crate::scene::pieces::marker::{Linked, Marker};
 use crate::vector::norm;
 
 impl MeshScene {

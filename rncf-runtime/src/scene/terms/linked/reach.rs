@@ -2,9 +2,9 @@
 //!
 //! Found by trial, as in `symmetry`: the emitted function is evaluated at arbitrary vectors, and at the same ones after a shift. An analytic function that does not change there does so nowhere but by chance.
 
-use super::{Linked, Marker};
 use crate::emitted::{ForceSpec, Parts};
 use crate::scene::MeshScene;
+use crate::scene::pieces::marker::{Linked, Marker};
 use crate::system::ConstraintLevel;
 use crate::vector::{Vector, add, norm};
 

@@ -1,10 +1,11 @@
 //! From declared markers to those of the run: places on bodies, and constants at t = 0.
 
-use super::Marker;
 use crate::emitted::{BodySpec, MarkerSpec, Motions, Parts};
 use crate::error::ModelError;
+use crate::scene::bodies::place::{MeshPoint, PlaceVector, mesh_point};
 use crate::scene::frames::free_frames::{FreeFrame, normal_of};
-use crate::scene::mesh_scene::{MeshPoint, MeshScene, PlaceVector, mesh_point};
+use crate::scene::mesh_scene::MeshScene;
+use crate::scene::pieces::marker::Marker;
 use crate::vector::{Vector, cross, norm, perpendicular, scale};
 
 /// Deepest chain of markers that refer to each other.

@@ -1,8 +1,8 @@
 //! Names what has no finite value: a spring whose ends coincide, a motion that leaves the range of its
 //! function.
 
-use super::Linked;
 use crate::scene::MeshScene;
+use crate::scene::pieces::marker::Linked;
 use crate::system::System;
 use crate::vector::{Vector, norm, subtract};
 

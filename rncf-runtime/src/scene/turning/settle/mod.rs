@@ -13,12 +13,11 @@ use crate::emitted::{BodySpec, Fidelity, FrameMotion, FrameTie, JointSpec, Motio
 use crate::error::ModelError;
 use crate::model::Joints;
 use crate::scene::MeshScene;
-use crate::scene::build::numbering;
 use crate::scene::frames::ties::{ChordEnds, Tie};
 use crate::scene::numbering::conditions::{Condition, condition, directions, joint_data, vector_kinds};
 use crate::scene::numbering::layout::Layout;
-use crate::scene::numbering::shared::Shared;
-use crate::scene::terms::linked::Marker;
+use crate::scene::numbering::shared::{Shared, numbering};
+use crate::scene::pieces::marker::Marker;
 use crate::vector::{Vector, add, cross, norm, subtract};
 use balance::Balance;
 

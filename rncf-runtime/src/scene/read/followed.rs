@@ -1,11 +1,11 @@
 //! Poses of frames that follow a body in absolute coordinates. There they are no unknowns: outputs find the pose from the
 //! body, as the one in which the conditions of [`Tie`] hold, on the branch that goes on from the start.
 
-use super::ties::{self, Tie};
 use crate::emitted::{FrameMotion, FrameTie};
 use crate::linalg::{solve_full, symmetric_eigen};
 use crate::rotation::Rotation;
 use crate::scene::MeshScene;
+use crate::scene::frames::ties::{self, Tie};
 use crate::vector::{Matrix, Vector, add, apply, cross, dot, norm, scale, subtract, transpose};
 
 impl MeshScene {

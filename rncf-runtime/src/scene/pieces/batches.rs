@@ -6,9 +6,9 @@
 use rayon::prelude::*;
 
 use crate::emitted::{Fidelity, LANES, Parts, elastic_force_one_by_one, elastic_tangent_one_by_one};
-use crate::scene::mesh_scene::MeshBody;
+use crate::scene::bodies::mesh_body::MeshBody;
 use crate::scene::numbering::assembly::PARALLEL_FROM;
-use crate::scene::units::{Lanes, Units};
+use crate::scene::numbering::units::{Lanes, Units};
 use crate::vector::Matrix;
 
 /// Units that are evaluated before their results are added.

@@ -1,9 +1,9 @@
 //! Centres of what free frames and rigid bodies carry, where these move freely.
 
-use super::free_frames::{FreeFrame, angle_axis};
 use crate::linalg::Pattern;
 use crate::model::Scene;
 use crate::scene::MeshScene;
+use crate::scene::frames::free_frames::{FreeFrame, angle_axis};
 use crate::system::{Lever, System, Turning};
 use crate::vector::{Matrix, Vector, add, apply_transposed, cross, determinant, dot, inverse, scale};
 

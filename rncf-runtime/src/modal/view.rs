@@ -1,0 +1,190 @@
+//! A scene with modal bodies as the application sees it.
+
+use super::scene::{ModalScene, Told};
+use crate::model::{
+    Composition, Configuration, Curve, DescribedBody, FrameState, Scene, SectionBody, SectionState, Uniform, Warning,
+};
+use crate::system::{State, Tangent};
+
+/// Growth of what modes hinder from which on the part that is missing is found anew: it takes a static problem of the
+/// whole body.
+const WORSE: f64 = 1.1;
+
+impl ModalScene {
+    /// Increments of all nodal vectors in a mode.
+    fn expanded_shape(&self, shape: &[[f64; 2]]) -> Vec<[f64; 2]> {
+        let [real, imaginary] = [0, 1].map(|part| {
+            let unknowns: Vec<f64> = shape.iter().map(|value| value[part]).collect();
+            let mut full = Vec::new();
+            self.reduction.expand(&unknowns, false, &mut full);
+            full
+        });
+        real.into_iter().zip(imaginary).map(|(re, im)| [re, im]).collect()
+    }
+}
+
+impl Scene for ModalScene {
+    fn output_columns(&self) -> usize {
+        self.scene.output_columns()
+    }
+
+    fn outputs_need_acceleration(&self) -> bool {
+        self.scene.outputs_need_acceleration()
+    }
+
+    fn outputs(&mut self, state: &State, out: &mut [f64]) {
+        self.expand(state);
+        self.in_elements(|scene, full| scene.outputs(full, out));
+    }
+
+    fn curves(&self) -> Vec<Curve> {
+        self.scene.curves()
+    }
+
+    fn bodies(&self) -> Vec<DescribedBody> {
+        self.scene.described_bodies()
+    }
+
+    fn frame_names(&self) -> Vec<String> {
+        self.scene.frame_names()
+    }
+
+    fn configuration(&mut self, state: &State, out: &mut Configuration) {
+        self.expand(state);
+        self.in_elements(|scene, full| scene.configuration(full, out));
+    }
+
+    fn section_bodies(&self) -> Vec<SectionBody> {
+        self.scene.section_bodies()
+    }
+
+    fn section_states(&mut self, state: &State, out: &mut Vec<SectionState>) {
+        self.expand(state);
+        self.in_elements(|scene, full| scene.section_states(full, out));
+    }
+
+    fn uniform_section_states(&mut self, at: &Uniform, state: &State, out: &mut Vec<SectionState>) {
+        self.expand(state);
+        self.in_elements(|scene, full| scene.uniform_section_states(at, full, out));
+    }
+
+    fn rest(&self, t: f64) -> State {
+        self.restricted(&self.scene.rest(t))
+    }
+
+    fn frame_state(&mut self, state: &State) -> FrameState {
+        self.expand(state);
+        self.scene.frame_state(&self.full)
+    }
+
+    fn state_of_frame(&self, frame: &FrameState) -> State {
+        self.restricted(&self.scene.state_of_frame(frame))
+    }
+
+    fn is_referenced(&self) -> bool {
+        self.scene.is_referenced()
+    }
+
+    fn uniform_guess(&self, at: &Uniform) -> State {
+        self.restricted(&self.scene.uniform_guess(at))
+    }
+
+    fn carried(&mut self, at: &Uniform, state: &State, back: bool) -> State {
+        self.expand(state);
+        let full = self.scene.carried_state(at, &self.full, back);
+        let mut carried = self.restricted(&full);
+        carried.lambda.clone_from(&state.lambda);
+        carried
+    }
+
+    fn uniform_state(&mut self, at: &Uniform, state: &mut State) {
+        self.expand(state);
+        self.scene.set_uniform(at, &mut self.full);
+        state.t = at.t;
+        state.v = self.reduction.restrict(&self.full.v, false);
+        state.a = self.reduction.restrict(&self.full.a, false);
+    }
+
+    fn uniform_residual(&mut self, at: &Uniform, state: &State, out: &mut [f64]) {
+        self.expand(state);
+        self.scene.load_uniform(at, &self.full);
+        self.residual_of(at.t, at.load(), [&state.x, &state.v, &state.a], out);
+    }
+
+    fn small_motions(&mut self, at: &Uniform, state: &State, out: &mut Tangent) {
+        self.expand(state);
+        self.scene.load_uniform(at, &self.full);
+        self.scene.uniform_tangent(at, &self.full, &mut self.tangent);
+        self.reduce_tangent(at.t, at.load(), state, out);
+        for mut corotation in self.scene.corotations(at) {
+            if let Some(first) = self.reduction.same(corotation.first) {
+                corotation.first = first;
+                corotation.apply(&self.pattern, out);
+            }
+        }
+    }
+
+    fn uniform_outputs(&mut self, at: &Uniform, state: &State, out: &mut [f64]) {
+        self.expand(state);
+        self.in_elements(|scene, full| scene.uniform_outputs(at, full, out));
+    }
+
+    fn circulation(&mut self, at: &Uniform, state: &State, shape: &[[f64; 2]]) -> Option<f64> {
+        self.expand(state);
+        let full = self.expanded_shape(shape);
+        self.scene.circulation_of(at, &self.full, &full)
+    }
+
+    fn composition(&mut self, at: &Uniform, state: &State, shape: &[[f64; 2]]) -> Composition {
+        self.expand(state);
+        let full = self.expanded_shape(shape);
+        self.scene.composition_of(at, &self.full, &full)
+    }
+
+    fn uniform_obstacle(&mut self, at: &Uniform, state: &State) -> Option<String> {
+        self.expand(state);
+        self.scene.uniform_obstacle(at, &self.full)
+    }
+
+    fn neutral_motions(&mut self, at: &Uniform, state: &State) -> Vec<Vec<f64>> {
+        self.expand(state);
+        let motions = self.scene.neutral_motions(at, &self.full);
+        // Only poses of free frames move.
+        let restricted = motions.iter().map(|motion| self.reduction.restrict(motion, false));
+        restricted.collect()
+    }
+
+    fn spin(&self, t: f64) -> f64 {
+        self.scene.spin(t)
+    }
+
+    fn warnings(&mut self, state: &State) -> Vec<Warning> {
+        self.expand(state);
+        let mut warnings = self.scene.warnings(&self.full);
+        let mut worst = std::mem::take(&mut self.worst);
+        self.each_body([0.0; 3], |block, body, modes, elements, action| {
+            let own = |of: &[f64]| of[block.coordinate..][..block.count].to_vec();
+            let [p, v, a] = [&state.x, &state.v, &state.a].map(|of| own(of));
+            let loss = modes.loss_of_stiffness(elements, action, &p);
+            warnings.extend(loss.map(|loss| Warning {
+                text: loss.to_string(),
+                weight: loss.whole - loss.remaining,
+            }));
+            let Some(hindrance) = modes.hindrance(elements, &p) else {
+                return;
+            };
+            let told = &mut worst[body];
+            if told.as_ref().is_none_or(|told| hindrance > WORSE * told.hindrance) {
+                let locking = modes.locking(elements, [p.as_slice(), &v, &a]);
+                let warning = locking.map(|locking| Warning {
+                    text: locking.to_string(),
+                    weight: hindrance,
+                });
+                *told = Some(Told { hindrance, warning });
+            }
+            warnings.extend(told.iter().filter_map(|told| told.warning.clone()));
+        });
+        self.worst = worst;
+        warnings
+    }
+}

@@ -1,0 +1,267 @@
+//! Mass matrices of nodal vectors, and accelerations in space that they are multiplied with.
+
+use crate::emitted::{BodySpec, FrameMotion, RigidSpec};
+use crate::vector::{Matrix, Vector, add, apply, cross, multiply, scale, skew};
+
+/// Three components, and one more for the width of the machine.
+pub(crate) type Padded = [f64; 4];
+
+/// A vector with a fourth component, zero.
+pub(crate) fn padded([x, y, z]: Vector) -> Padded {
+    [x, y, z, 0.0]
+}
+
+/// The vector without the fourth component.
+pub(crate) fn vector([x, y, z, _]: Padded) -> Vector {
+    [x, y, z]
+}
+
+/// `sum += factor x`
+#[inline(always)]
+pub(crate) fn add_scaled(sum: &mut Padded, factor: f64, x: &Padded) {
+    for (sum, x) in sum.iter_mut().zip(x) {
+        *sum += factor * x;
+    }
+}
+
+/// A matrix by columns.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Columns([Padded; 3]);
+
+impl Columns {
+    /// The columns of a matrix with rows first.
+    pub fn new(matrix: &Matrix) -> Self {
+        Self(std::array::from_fn(|j| {
+            padded([matrix[0][j], matrix[1][j], matrix[2][j]])
+        }))
+    }
+
+    /// `sum += A x`
+    #[inline(always)]
+    pub fn add_product(&self, x: &Padded, sum: &mut Padded) {
+        for (column, &x) in self.0.iter().zip(x) {
+            add_scaled(sum, x, column);
+        }
+    }
+}
+
+/// What a frame does to everything in it, in space and frame axes.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Transport {
+    /// Acceleration of the origin minus gravity, e = A^T (r'' - g), m/s^2.
+    pub e: Vector,
+    /// Angular velocity w, rad/s; for planar bodies about the normal of their plane.
+    pub spin: Vector,
+    /// Angular acceleration w', rad/s^2; for planar bodies about the normal of their plane.
+    pub spin_rate: Vector,
+}
+
+impl Transport {
+    /// Of a frame on a body with these axes, under gravity (m/s^2, inertial axes).
+    pub fn new(frame: &FrameMotion, axes: &[usize], gravity: Vector) -> Self {
+        let along = |mut vector: Vector| {
+            if axes.len() == 2 {
+                axes.iter().for_each(|&axis| vector[axis] = 0.0);
+            }
+            vector
+        };
+        Self {
+            e: frame.felt(gravity),
+            spin: along(frame.spin),
+            spin_rate: along(frame.spin_rate),
+        }
+    }
+
+    /// `2 [w]`: acceleration by velocity in the frame.
+    pub fn coriolis(&self) -> Matrix {
+        skew(scale(2.0, self.spin))
+    }
+
+    /// `G = [w'] + [w][w]`: acceleration by place in the frame.
+    pub fn turning(&self) -> Matrix {
+        let (rate, square) = (skew(self.spin_rate), multiply(&skew(self.spin), &skew(self.spin)));
+        std::array::from_fn(|i| std::array::from_fn(|j| rate[i][j] + square[i][j]))
+    }
+
+    /// Inertia force and moment of rigid parts on the frame, Eq. (14).
+    pub fn of_rigid(&self, rigid: &RigidSpec) -> [Vector; 2] {
+        let (w, rate) = (self.spin, self.spin_rate);
+        let turning = add(cross(rate, rigid.moment), cross(w, cross(w, rigid.moment)));
+        let gyroscopic = cross(w, apply(&rigid.inertia, w));
+        [
+            add(scale(rigid.mass, self.e), turning),
+            add(
+                cross(rigid.moment, self.e),
+                add(apply(&rigid.inertia, rate), gyroscopic),
+            ),
+        ]
+    }
+}
+
+/// Constant mass matrix M^ab of the nodal vectors of one body, its entries other than zero row by row.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct NodalMass {
+    /// Start of every row in `columns` and `values`, and their length at the end.
+    pub starts: Vec<u32>,
+    pub columns: Vec<u32>,
+    /// kg for two positions, kg m and kg m^2 with slopes.
+    pub values: Vec<f64>,
+    /// First moments d^a = M^ab c_b.
+    pub first: Vec<f64>,
+    /// c_a: whether a vector is a position.
+    pub is_position: Vec<bool>,
+}
+
+impl NodalMass {
+    /// Sum of local matrices (scalars for an element's vectors, rows first) of elements.
+    /// `beside`: entries of single vectors, counted in the body.
+    pub fn new<'a>(
+        spec: &BodySpec,
+        parts: impl IntoIterator<Item = (usize, &'a [f64])>,
+        beside: impl IntoIterator<Item = ([usize; 2], f64)>,
+    ) -> Self {
+        let count = spec.nodal.len();
+        let mut rows: Vec<Vec<(u32, f64)>> = vec![Vec::new(); spec.vectors()];
+        for (element, local) in parts {
+            let place = |a: usize| element * spec.stride + spec.connectivity[a];
+            for (entry, &value) in local.iter().enumerate().filter(|(_, value)| **value != 0.0) {
+                add_entry(&mut rows[place(entry / count)], place(entry % count), value);
+            }
+        }
+        for ([row, column], value) in beside {
+            add_entry(&mut rows[row], column, value);
+        }
+        Self::of_rows(spec, rows)
+    }
+
+    /// All mass at the centre of mass, which is linear in the nodal vectors: M^ab = d^a d^b / m.
+    pub fn at_centre(&self, spec: &BodySpec) -> Self {
+        let counted = (0..self.vectors()).filter(|&vector| self.is_position[vector]);
+        let mass: f64 = counted.map(|vector| self.first[vector]).sum();
+        let row = |a: usize| {
+            let entries = (0..self.vectors()).map(move |b| (b as u32, self.first[a] * self.first[b] / mass));
+            entries.filter(|(_, value)| *value != 0.0).collect()
+        };
+        Self::of_rows(spec, (0..self.vectors()).map(row).collect())
+    }
+
+    /// The sum of two masses of one body.
+    pub fn plus(&self, other: &Self, spec: &BodySpec) -> Self {
+        let mut rows: Vec<Vec<(u32, f64)>> = vec![Vec::new(); spec.vectors()];
+        for mass in [self, other] {
+            for (row, sums) in rows.iter_mut().enumerate() {
+                let own = mass.starts[row] as usize..mass.starts[row + 1] as usize;
+                for (&column, &value) in mass.columns[own.clone()].iter().zip(&mass.values[own]) {
+                    add_entry(sums, column as usize, value);
+                }
+            }
+        }
+        Self::of_rows(spec, rows)
+    }
+
+    pub fn of_rows(spec: &BodySpec, mut rows: Vec<Vec<(u32, f64)>>) -> Self {
+        let is_position: Vec<bool> = (0..spec.vectors())
+            .map(|vector| spec.nodal[spec.locate(vector).1].is_position())
+            .collect();
+        let mut mass = Self {
+            starts: vec![0],
+            is_position,
+            ..Self::default()
+        };
+        for row in &mut rows {
+            row.sort_unstable_by_key(|&(column, _)| column);
+            let counted = row.iter().filter(|&&(column, _)| mass.is_position[column as usize]);
+            mass.first.push(counted.map(|(_, value)| value).sum());
+            mass.columns.extend(row.iter().map(|(column, _)| column));
+            mass.values.extend(row.iter().map(|(_, value)| value));
+            mass.starts.push(mass.columns.len() as u32);
+        }
+        mass
+    }
+
+    /// Whether there is no mass at all.
+    pub fn is_empty(&self) -> bool {
+        self.values.is_empty()
+    }
+
+    /// Number of vectors.
+    pub fn vectors(&self) -> usize {
+        self.first.len()
+    }
+
+    /// First moment d^a of a vector.
+    pub fn first(&self, vector: usize) -> f64 {
+        self.first[vector]
+    }
+
+    /// Whether a vector is a position.
+    pub fn is_position(&self, vector: usize) -> bool {
+        self.is_position[vector]
+    }
+
+    /// `M^ab x_b` of one row for several quantities of every vector.
+    #[inline(always)]
+    pub fn product<const N: usize>(&self, row: usize, x: &[[Padded; N]]) -> [Padded; N] {
+        let mut sums = [[0.0; 4]; N];
+        let own = self.starts[row] as usize..self.starts[row + 1] as usize;
+        for (&column, &value) in self.columns[own.clone()].iter().zip(&self.values[own]) {
+            for (sum, x) in sums.iter_mut().zip(&x[column as usize]) {
+                add_scaled(sum, value, x);
+            }
+        }
+        sums
+    }
+}
+
+/// Adds to the entry of a row in a column.
+pub(crate) fn add_entry(row: &mut Vec<(u32, f64)>, column: usize, value: f64) {
+    let column = column as u32;
+    match row.iter_mut().find(|(other, _)| *other == column) {
+        Some((_, sum)) => *sum += value,
+        None => row.push((column, value)),
+    }
+}
+
+/// Accelerations u_b of a body's vectors from their places, velocities and accelerations in the frame.
+pub(crate) struct Total {
+    pub coriolis: Columns,
+    pub turning: Columns,
+    pub e: Padded,
+}
+
+impl Total {
+    /// In a frame that moves so.
+    pub fn new(transport: &Transport) -> Self {
+        Self {
+            coriolis: Columns::new(&transport.coriolis()),
+            turning: Columns::new(&transport.turning()),
+            e: padded(transport.e),
+        }
+    }
+
+    /// `q'' + 2 w x q' + w' x q + w x (w x q)`, with e for positions.
+    #[inline(always)]
+    pub fn acceleration(&self, is_position: bool, [q, v, a]: [&Padded; 3]) -> Padded {
+        let mut u = *a;
+        self.turning.add_product(q, &mut u);
+        self.coriolis.add_product(v, &mut u);
+        if is_position {
+            add_scaled(&mut u, 1.0, &self.e);
+        }
+        u
+    }
+}
+
+/// The vector `place` of a body's components, in space.
+#[inline(always)]
+pub(crate) fn spread(axes: &[usize], components: &[f64], place: usize) -> Padded {
+    if let [_, _, _] = axes {
+        let own = &components[3 * place..3 * place + 3];
+        return [own[0], own[1], own[2], 0.0];
+    }
+    let mut vector = [0.0; 4];
+    for (value, &axis) in components[axes.len() * place..].iter().zip(axes) {
+        vector[axis & 3] = *value;
+    }
+    vector
+}

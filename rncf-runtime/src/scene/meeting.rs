@@ -1,0 +1,55 @@
+//! Ends that are one node start at one place.
+
+use crate::emitted::BodySpec;
+use crate::error::ModelError;
+use crate::scene::MeshScene;
+use crate::scene::numbering::shared::{Shared, VECTORS};
+use crate::vector::{Vector, cross, dot, norm, subtract};
+
+/// How far apart ends may start, as a part of the shorter body's length.
+const APART: f64 = 0.01;
+
+/// Angle between directions at the start of ends that are one, rad (10 degrees).
+const TURNED: f64 = 10.0 * std::f64::consts::PI / 180.0;
+
+impl MeshScene {
+    /// Refuses ends that are one and start apart.
+    pub(crate) fn check_shared(&self, shared: &Shared) -> Result<(), ModelError> {
+        let specs: Vec<&BodySpec> = self.bodies.iter().map(|body| &body.spec).collect();
+        for (index, spec) in shared.specs.iter().enumerate() {
+            let at = spec
+                .ends
+                .map(|(body, at_end)| self.initial_vectors(body, f64::from(u8::from(at_end)))[0]);
+            let lengths = spec.ends.map(|(body, _)| specs[body].line.length());
+            let Some(what) = misplaced(at, lengths[0].min(lengths[1]), spec.smooth) else {
+                continue;
+            };
+            let specs: Vec<BodySpec> = specs.iter().map(|&spec| spec.clone()).collect();
+            return Err(ModelError::new(format!(
+                "{} {what}: let the bodies' lines or initial shapes meet there",
+                shared.describe(index, &specs)
+            )));
+        }
+        Ok(())
+    }
+}
+
+/// How two ends that are one differ at the start, in words; vectors in the order of [`VECTORS`].
+fn misplaced([first, second]: [[Vector; 4]; 2], length: f64, smooth: bool) -> Option<String> {
+    let gap = norm(subtract(first[0], second[0]));
+    if gap > APART * length {
+        return Some(format!("has ends that start {gap:.3e} m apart"));
+    }
+    let directions = (1..VECTORS.len()).filter(|_| smooth);
+    directions.into_iter().find_map(|place| {
+        let (a, b) = (first[place], second[place]);
+        let angle = norm(cross(a, b)).atan2(dot(a, b));
+        (angle > TURNED).then(|| {
+            let name = VECTORS[place].2;
+            format!(
+                "has ends whose {name} differs by {:.1} degrees at the start, and they would be one",
+                angle.to_degrees()
+            )
+        })
+    })
+}

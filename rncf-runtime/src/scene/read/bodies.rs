@@ -1,0 +1,30 @@
+//! The bodies of a scene as they are described.
+
+use crate::model::DescribedBody;
+use crate::scene::MeshScene;
+
+impl MeshScene {
+    /// The bodies of the declaration in its order.
+    pub(crate) fn described_bodies(&self) -> Vec<DescribedBody> {
+        let mut all: Vec<DescribedBody> = Vec::new();
+        for body in &self.bodies {
+            let spec = &body.spec;
+            match all
+                .last_mut()
+                .filter(|last| spec.instance.is_some() && last.name == spec.name)
+            {
+                Some(last) => {
+                    last.repetitions = last.repetitions.map(|count| count + 1);
+                    last.elements += spec.count;
+                }
+                None => all.push(DescribedBody {
+                    name: spec.name,
+                    repetitions: spec.instance.map(|_| 1),
+                    fidelity: spec.fidelity,
+                    elements: spec.count,
+                }),
+            }
+        }
+        all
+    }
+}
