@@ -3,7 +3,7 @@
 
 use rncf::prelude::*;
 use rncf_models::*;
-use rncf_tests::tangents::compare_tangents;
+use rncf_tests::tangents::{compare_tangents, compare_tangents_near};
 
 /// Scenes with a given number of elements have two of them: every kind of pair of nodes is there.
 fn small<M: Model>() -> M {
@@ -95,6 +95,13 @@ rncf::model! {
 fn what_varies_along_an_axis() {
     compare_tangents(&Along::default(), Formulation::Rncf, Joints::Eliminated);
     compare_tangents(&Along::default(), Formulation::Ancf, Joints::Multipliers);
+}
+
+/// Elements between stations are a few thousandths of the blade long. Hundreds of unknowns: one formulation each.
+#[test]
+fn blades() {
+    compare_tangents_near(&Nrel5mwBlade::default(), Formulation::Rncf, Joints::Eliminated, 0.01);
+    compare_tangents_near(&Iea15mwBlade::default(), Formulation::Ancf, Joints::Eliminated, 0.01);
 }
 
 /// Their loads per length have no form in absolute coordinates.

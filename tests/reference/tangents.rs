@@ -22,12 +22,12 @@ impl Numbers {
 }
 
 /// The initial state of a scene, disturbed in everything.
-fn disturbed(scene: &mut dyn Scene) -> State {
+fn disturbed(scene: &mut dyn Scene, part: f64) -> State {
     let mut numbers = Numbers(7);
     let mut state = scene.rest(0.3);
     for index in 0..state.x.len() {
         let size = scene.sizes()[index];
-        state.x[index] += 0.02 * size * numbers.next();
+        state.x[index] += 0.02 * part * size * numbers.next();
         state.v[index] += size * numbers.next();
         state.a[index] += size * numbers.next();
     }
@@ -113,9 +113,14 @@ fn compare(name: &str, what: &str, unknown: &str, ours: &[f64], differences: &[f
 /// # Panics
 /// Where one of them is not the derivative, naming it, or where there is no scene.
 pub fn compare_tangents<M: Model>(model: &M, formulation: Formulation, joints: Joints) {
+    compare_tangents_near(model, formulation, joints, 1.0);
+}
+
+/// The same with displacements and differences that are `part` of those: for elements that are shorter than these.
+pub fn compare_tangents_near<M: Model>(model: &M, formulation: Formulation, joints: Joints, part: f64) {
     let mut scene = model.build(formulation, joints).expect("the model has a scene");
     let scene = scene.as_mut();
-    let state = disturbed(scene);
+    let state = disturbed(scene, part);
     let name = format!("{} in {}", M::NAME, formulation.name());
     let (pattern, of_constraints) = (scene.pattern().clone(), scene.constraint_pattern().clone());
     let entries = || vec![0.0; pattern.entries()];
@@ -143,7 +148,7 @@ pub fn compare_tangents<M: Model>(model: &M, formulation: Formulation, joints: J
             .iter()
             .fold(1.0, |most: f64, force| most.max(force.abs()));
     for column in 0..scene.unknowns() {
-        let h = STEP * scene.sizes()[column];
+        let h = STEP * part * scene.sizes()[column];
         let unknown = scene.describe_unknown(column);
         let verify = |what: &str, ours: Vec<f64>, differences: Vec<f64>| {
             compare(

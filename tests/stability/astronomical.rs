@@ -188,7 +188,7 @@ fn absolute_coordinates_lose_the_wires_there() {
         Ok(far) => {
             let off = (far.0[6] - tension).abs() / tension;
             println!("tension {tension:.3e} N, off by {off:.1e} of it");
-            assert!(off > 1e-6, "{off:e}");
+            assert!(off > 1e-3, "{off:e}");
         }
         Err(text) => println!("refused: {text}"),
     }

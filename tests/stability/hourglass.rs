@@ -49,7 +49,7 @@ fn loose(points: [usize; 2], elements: usize) -> usize {
 
 #[test]
 fn fewer_points_leave_motions_without_stiffness() {
-    for elements in [1, 4] {
+    for (elements, printed) in [(1, [6, 9, 9, 6]), (4, [6, 9, 18, 6])] {
         let found = [[3, 2], [2, 2], [3, 1], [5, 5]].map(|points| loose(points, elements));
         let model = Loose { elements };
         let mut scene = referenced(&model);
@@ -57,9 +57,8 @@ fn fewer_points_leave_motions_without_stiffness() {
         let ours = modes(scene.as_mut(), &Uniform::at_rest(0.0), &state, Wanted { count }).unwrap();
         let still = ours.iter().filter(|mode| mode.im == 0.0).count();
         println!("{elements} elements: 3 and 2, 2 and 2, 3 and 1, 5 and 5 points {found:?}; ours {still}");
-        assert_eq!([found[0], found[3], still], [6; 3]);
-        assert!(found[1] > 6 && found[2] > 6);
-        assert!(elements > 1 || found[1] == 9);
+        assert_eq!(found, printed);
+        assert_eq!(still, 6);
     }
 }
 

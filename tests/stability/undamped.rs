@@ -39,8 +39,11 @@ fn without_dissipation_the_multiplier_diverges_however_short_the_step() {
     println!("Newmark: {:.1e} N/m before step 400", largest(&newmark, 0.0, 4.0));
     assert!(largest(&newmark, 0.0, 4.0) > 1e7);
     let [little, damped] = [0.95, 0.8].map(|rho| fixed_steps(Family::generalized_alpha(rho), Begin::Plain, 0.01, 4.0));
-    for all in [&little, &damped] {
+    for (all, printed) in [(&little, [2.7, 15.0, 13.0]), (&damped, [1.2, 1.2, 0.16])] {
         let found = SPANS.map(|(from, to)| largest(all, from, to));
+        for (found, printed) in found.iter().zip(printed) {
+            agrees(*found, printed, 0.1);
+        }
         println!(
             "rho 0.95 or 0.8: {}; at 1 s {:.1e}",
             crate::short(&found),
@@ -72,12 +75,16 @@ fn a_small_kick_along_the_rod_grows_like_that() {
 
 #[test]
 fn the_runtime_decays_or_refuses() {
-    let methods = [
-        Method::GeneralizedAlpha { rho_inf: 0.8 },
-        Method::Hht { alpha: -0.05 },
-        Method::Radau,
-    ];
-    for (method, stabilised) in methods.into_iter().flat_map(|method| [(method, false), (method, true)]) {
+    let (alpha, hht) = (Method::GeneralizedAlpha { rho_inf: 0.8 }, Method::Hht { alpha: -0.05 });
+    // The table of docs/stability.md.
+    for (method, stabilised, printed) in [
+        (alpha, false, [1.2e-2, 3.2e-2, 0.16]),
+        (alpha, true, [7.4e-3, 2.7e-2, 0.12]),
+        (hht, false, [1.2e-2, 3.4e-2, 0.17]),
+        (hht, true, [7.9e-3, 3.0e-2, 0.13]),
+        (Method::Radau, false, [2.1e-3, 1.5e-2, 1.5e-2]),
+        (Method::Radau, true, [7.7e-5, 1.2e-4, 1.2e-4]),
+    ] {
         let all = errors(&ours(
             method,
             Options {
@@ -89,7 +96,9 @@ fn the_runtime_decays_or_refuses() {
         let found = SPANS.map(|(from, to)| largest(&all, from, to));
         println!("{method:?}, stabilised {stabilised}: {}", crate::short(&found));
         // The pull grows from 9 to 40 N/m on the way down, and its errors with it.
-        assert!(found[0] < 0.013 && found[1] < 0.036 && found[2] < 0.17);
+        for (found, printed) in found.iter().zip(printed) {
+            agrees(*found, printed, 0.2);
+        }
     }
     for method in [Method::GeneralizedAlpha { rho_inf: 1.0 }, Method::Hht { alpha: 0.0 }] {
         let mut scene = scene();
@@ -139,11 +148,17 @@ fn little_dissipation_is_enough_for_short_steps_alone() {
         assert_eq!(found < 1700.0 * h * h, stable, "{found}");
     }
     // Every change of the step begins anew from the velocity on the constraint.
-    for rho_inf in [0.8, 0.95, 0.99, 0.999] {
+    for (rho_inf, steps, printed) in [
+        (0.8, 875.0, 0.018),
+        (0.95, 868.0, 0.018),
+        (0.99, 869.0, 0.017),
+        (0.999, 870.0, 0.021),
+    ] {
         let points = ours(Method::GeneralizedAlpha { rho_inf }, Options::default(), 4.0);
         let found = largest(&errors(&points), 0.0, 4.0);
         println!("rho {rho_inf}, {} steps to a tolerance: {found:.1e} N/m", points.len());
-        assert!(found < 0.05);
+        agrees(points.len() as f64, steps, 0.2);
+        agrees(found, printed, 0.3);
     }
 }
 
