@@ -27,8 +27,7 @@ pub const DAMPING_TIME: &str = "no solid answers so slowly: `damping` is the tim
 pub const POWER_METHOD: &str = "a power is written with `^`: `a^2`";
 pub const NOT_A_COUNT: &str =
     "a number of elements is a whole number of at least 1: write e.g. `6`, or a `param n: count = 6;`";
-pub const CONDITION: &str =
-    "a condition must not depend on the state: `t`, params and constants decide, e.g. `t <= T` or `sin(omega*t) > 0`; a force on one side is written with `max`, e.g. `stiffness * max(0 m, -ball.y)`";
+pub const CONDITION: &str = "a condition must not depend on the state: `t`, params and constants decide, e.g. `t <= T` or `sin(omega*t) > 0`; a force on one side is written with `max`, e.g. `stiffness * max(0 m, -ball.y)`";
 pub const CONDITION_ALONG: &str =
     "an initial shape is one smooth function of `x`: its cases cannot depend on `x`, only on parameters";
 pub const INITIAL_WITHOUT_TIME: &str = "an initial shape is a function of `x` alone: leave out motions";

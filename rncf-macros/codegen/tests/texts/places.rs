@@ -110,7 +110,13 @@ fn is_place(span: &str, files: &[String]) -> bool {
 fn every_file_that_is_named_exists() {
     let files = files();
     let mut wrong = Vec::new();
-    for path in ["ARCHITECTURE.md", "CONTRIBUTING.md", "README.md"] {
+    for path in [
+        "ARCHITECTURE.md",
+        "CONTRIBUTING.md",
+        "README.md",
+        "docs/inside.md",
+        "docs/stability.md",
+    ] {
         let text = prose(&page(path).text);
         for span in text.split('`').skip(1).step_by(2) {
             if !is_place(span, &files) {
@@ -126,4 +132,22 @@ fn every_file_that_is_named_exists() {
         }
     }
     assert!(wrong.is_empty(), "files that do not exist:\n{}", wrong.join("\n"));
+}
+
+/// ARCHITECTURE.md says so.
+#[test]
+fn every_scene_is_compared_with_differences() {
+    let read = |path: &str| std::fs::read_to_string(root().join(path)).unwrap();
+    let compared = read("tests/kernels/scenes.rs");
+    let exported = read("models/src/lib.rs");
+    // `pub use spin_up::{SpinUp, spin_up_equations};`
+    let names: Vec<&str> = exported
+        .lines()
+        .filter_map(|line| line.strip_prefix("pub use ")?.split_once("::{")?.1.split_once(','))
+        .map(|(name, _)| name)
+        .collect();
+    assert!(names.len() > 20, "{names:?}");
+    let words: Vec<&str> = compared.split(|c: char| !c.is_alphanumeric()).collect();
+    let missing: Vec<&&str> = names.iter().filter(|name| !words.contains(*name)).collect();
+    assert!(missing.is_empty(), "{missing:?}");
 }
