@@ -111,6 +111,8 @@ pub trait Sums {
     fn stiffness(&mut self, entry: usize, value: f64);
     /// What [`Sums::stiffness`] adds to, and what it multiplies values by: for many at once.
     fn all_stiffness(&mut self) -> (&mut [f64], f64);
+    /// The same of [`Sums::damping`], in columns that are no rotations.
+    fn all_damping(&mut self) -> (&mut [f64], f64);
 }
 
 impl Sums for Tangent {
@@ -128,6 +130,10 @@ impl Sums for Tangent {
 
     fn all_stiffness(&mut self) -> (&mut [f64], f64) {
         (&mut self.stiffness, 1.0)
+    }
+
+    fn all_damping(&mut self) -> (&mut [f64], f64) {
+        (&mut self.damping, 1.0)
     }
 }
 

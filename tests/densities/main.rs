@@ -1,5 +1,8 @@
 //! Loads per length and gravity fields as they are emitted: derivatives, self weight, loops, section forces.
 
+mod distributed;
+mod flows;
+
 use rncf::model::Configuration;
 use rncf::system::{State, Tangent};
 use rncf::{Formulation, Joints, Model, Scene};

@@ -13,7 +13,7 @@ pub use expression::{
     PointQuantity, Reduction, SectionQuantity,
 };
 pub use moving::{Constraint, Fixture, Force, Free, Marker, Motions, RigidPart};
-pub use repeated::{Caution, Density, Repeat, Share, Start};
+pub use repeated::{Caution, Density, Distributed, ParticleVector, Repeat, Share, Start};
 
 use std::collections::BTreeMap;
 
@@ -86,6 +86,8 @@ pub struct Model {
     pub fixtures: Vec<Fixture>,
     /// Loads per length of a body.
     pub densities: Vec<Density>,
+    /// Loads per length that are functions of the particle.
+    pub distributed: Vec<Distributed>,
     /// Loads in the order of the declaration: gravity, and dead loads in prescribed frames.
     pub loads: Vec<Load>,
     /// Outputs in the order of the declaration.
@@ -474,6 +476,8 @@ pub struct Load {
 pub enum LoadKind {
     /// Uniform gravity on all bodies, m/s^2, inertial axes.
     Gravity([Expr; 3]),
+    /// Gravity on all mass, m/s^2, inertial axes, as a function of the particle's position.
+    Around([Expr; 3]),
     /// Uniform gravity on what a free frame carries, m/s^2, inertial axes, as a function of markers fixed in
     /// that frame or in prescribed ones.
     Field {
@@ -512,6 +516,7 @@ impl LoadKind {
     /// Components of the load, in the axes of its frame.
     pub fn components(&self) -> &[Expr; 3] {
         let (Self::Gravity(components)
+        | Self::Around(components)
         | Self::Field { components, .. }
         | Self::Force { components, .. }
         | Self::Moment { components, .. }) = self;

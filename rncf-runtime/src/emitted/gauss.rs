@@ -16,3 +16,57 @@ pub(crate) const EIGHT: [(f64, f64); 4] = [
     (0.237_233_795_041_835_5, 0.156_853_322_938_943_64),
     (0.408_282_678_752_175_1, 0.181_341_891_689_181),
 ];
+
+/// Gauss's rule with this many points on [0, 1], places ascending and weights: zeros of Legendre's polynomial by Newton's iteration.
+pub(crate) fn legendre(points: usize) -> Vec<(f64, f64)> {
+    let count = points as f64;
+    let rule = (0..points).rev().map(|at| {
+        let mut x = (std::f64::consts::PI * (at as f64 + 0.75) / (count + 0.5)).cos();
+        let mut slope = 1.0;
+        for _ in 0..20 {
+            let (mut before, mut value) = (1.0, x);
+            for order in 2..=points {
+                let order = order as f64;
+                (before, value) = (
+                    value,
+                    ((2.0 * order - 1.0) * x * value - (order - 1.0) * before) / order,
+                );
+            }
+            slope = count * (before - x * value) / (1.0 - x * x);
+            x -= value / slope;
+        }
+        (0.5 * (1.0 + x), 1.0 / ((1.0 - x * x) * slope * slope))
+    });
+    rule.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rules_are_exact_up_to_twice_their_points() {
+        for points in 1..=8 {
+            let rule = legendre(points);
+            for power in 0..2 * points as i32 {
+                let sum: f64 = rule.iter().map(|(x, weight)| weight * x.powi(power)).sum();
+                assert!(
+                    (sum * f64::from(power + 1) - 1.0).abs() < 1e-14,
+                    "{points} {power}: {sum}"
+                );
+            }
+        }
+        let [five, eight] = [legendre(5), legendre(8)];
+        assert!(
+            FIVE.iter()
+                .zip(&five)
+                .all(|(a, b)| (a.0 - b.0).abs() < 1e-15 && (a.1 - b.1).abs() < 1e-15)
+        );
+        assert!(
+            EIGHT
+                .iter()
+                .zip(&eight)
+                .all(|(a, b)| (a.0 - b.0).abs() < 1e-15 && (a.1 - b.1).abs() < 1e-15)
+        );
+    }
+}

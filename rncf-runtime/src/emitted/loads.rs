@@ -7,6 +7,8 @@ use super::body_spec::Place;
 pub enum LoadKind {
     /// Uniform gravity on all bodies.
     Gravity,
+    /// Gravity on all mass that changes from place to place.
+    Around,
     /// Uniform gravity on what the load's frame, a free one, carries, as a function of markers.
     Field {
         /// Markers fixed in that frame or in prescribed ones.

@@ -4,6 +4,7 @@
 mod body_spec;
 mod checks;
 mod curve;
+mod distributed;
 mod frame;
 mod free;
 mod gauss;
@@ -27,6 +28,7 @@ pub use crate::system::ConstraintLevel;
 pub use body_spec::{BodySpec, Fidelity, FrameTie, Interpolant, NodalSpec, Place};
 pub use checks::{array, array_mut, finite, inertia, non_negative, part, poisson, positive, section};
 pub use curve::Spline;
+pub use distributed::DistributedSpec;
 pub use frame::FrameMotion;
 pub use free::{FreeSpec, Motions, RigidSpec};
 pub use joints::{JointData, JointKind, JointSpec, Prescribed};
@@ -46,6 +48,6 @@ pub use section_spec::{SectionQuantity, SectionShape, SectionSpec};
 pub use table::Table;
 
 pub(crate) use body_spec::MAX_SIZE;
-pub(crate) use gauss::FIVE;
+pub(crate) use gauss::{FIVE, legendre};
 pub(crate) use line::PARALLEL;
 pub(crate) use repeated::label;

@@ -1,5 +1,6 @@
 //! What the generator emits for one model, as the runtime sees it.
 
+use super::distributed::DistributedSpec;
 use super::frame::FrameMotion;
 use super::free::FreeSpec;
 use super::lanes::LANES;
@@ -116,6 +117,41 @@ pub trait Parts: Send + Sync + 'static {
         _by_values: &mut [[f64; LANES]],
     ) {
     }
+    /// Loads per length that are functions of vectors of a particle.
+    fn distributed(&self) -> Vec<DistributedSpec> {
+        Vec::new()
+    }
+    /// Force per length of such a load on the vectors of a particle, 3 k numbers, inertial axes, at an arclength of an axis with a
+    /// length (m), from their values and velocities.
+    fn distributed_force(
+        &self,
+        _load: usize,
+        _t: f64,
+        _at: [f64; 2],
+        _z: &[Vector],
+        _velocity: &[Vector],
+        _out: &mut [f64],
+    ) {
+    }
+    /// Its derivatives with respect to both: 3 k x 3 k each, rows first.
+    #[allow(clippy::too_many_arguments)]
+    fn distributed_tangent(
+        &self,
+        _load: usize,
+        _t: f64,
+        _at: [f64; 2],
+        _z: &[Vector],
+        _velocity: &[Vector],
+        _by_value: &mut [f64],
+        _by_velocity: &mut [f64],
+    ) {
+    }
+    /// Gravity of a load at a place, m/s^2, inertial axes.
+    fn around(&self, _load: usize, _t: f64, _place: Vector) -> Vector {
+        [0.0; 3]
+    }
+    /// Its derivatives by the place, rows first.
+    fn around_gradient(&self, _load: usize, _t: f64, _place: Vector, _gradient: &mut [f64; 9]) {}
     /// Gravity of a field load at its markers' values (inertial axes), m/s^2.
     fn field(&self, _load: usize, _t: f64, _z: &[Vector]) -> Vector {
         [0.0; 3]

@@ -30,18 +30,38 @@ impl Table {
         if x.is_nan() || x >= places[last] {
             return values[last];
         }
-        let Some(row) = places.partition_point(|&place| place <= x).checked_sub(1) else {
+        if x < places[0] {
             return values[0];
-        };
+        }
+        self.within(column, x)[0]
+    }
+
+    /// Value of a column (`order` 0) or its derivative (1) at a place in the unit of the places; at a step that beyond it, outside
+    /// of the rows no number.
+    pub fn look_up(&self, column: usize, order: usize, place: f64) -> f64 {
+        let (first, last) = (self.places[0], self.places[self.places.len() - 1]);
+        let margin = ROUND_OFF * (last - first);
+        if !(first - margin..=last + margin).contains(&place) {
+            return f64::NAN;
+        }
+        self.within(column, place)[order.min(1)]
+    }
+
+    /// Value and slope of a column within the rows.
+    fn within(&self, column: usize, x: f64) -> [f64; 2] {
+        let (places, values) = (self.places, self.columns[column]);
+        let row = places.partition_point(|&place| place <= x).clamp(1, places.len() - 1) - 1;
         let width = places[row + 1] - places[row];
         let (share, rise) = ((x - places[row]) / width, values[row + 1] - values[row]);
         if !self.is_smooth {
-            return values[row] + share * rise;
+            return [values[row] + share * rise, rise / width];
         }
         let [start, end] = [row, row + 1].map(|at| width * self.slope(column, at, row));
         // Hermite's cubic.
-        let bend = share * (1.0 - share);
-        values[row] + share * rise + bend * ((1.0 - share) * (start - rise) - share * (end - rise))
+        let (bend, tilt) = (share * (1.0 - share), 1.0 - 2.0 * share);
+        let bent = (1.0 - share) * (start - rise) - share * (end - rise);
+        let slope = rise + tilt * bent - bend * (start + end - 2.0 * rise);
+        [values[row] + share * rise + bend * bent, slope / width]
     }
 
     /// Slope of the monotone cubic at a row, seen from the span that begins at row `span`: the harmonic mean of the slopes beside it,
@@ -132,6 +152,25 @@ mod tests {
         let values: Vec<f64> = (0..=200).map(|step| at(f64::from(step) / 200.0)).collect();
         assert!(values.windows(2).all(|pair| pair[1] >= pair[0] - 1e-14));
         assert!((at(0.25) - 1.0).abs() < 1e-14);
+    }
+
+    #[test]
+    fn looked_up_columns_have_their_slope_and_end_at_the_last_row() {
+        static POLAR: Table = Table {
+            name: "polar",
+            places: &[-0.3, 0.0, 0.2, 0.7],
+            is_relative: false,
+            is_smooth: true,
+            columns: &[&[-1.0, 0.1, 1.2, 0.8]],
+        };
+        let (at, slope) = (|x: f64| POLAR.look_up(0, 0, x), |x: f64| POLAR.look_up(0, 1, x));
+        for x in [-0.29, -0.1, 0.07, 0.15, 0.3, 0.69] {
+            let difference = (at(x + 1e-6) - at(x - 1e-6)) / 2e-6;
+            assert!((slope(x) - difference).abs() < 1e-8, "{x}: {} {difference}", slope(x));
+        }
+        assert_eq!([at(-0.3), at(0.2), at(0.7)], [-1.0, 1.2, 0.8]);
+        assert!(at(0.71).is_nan() && at(-0.31).is_nan() && at(f64::NAN).is_nan());
+        assert_eq!([MAST.look_up(0, 1, 0.5), MAST.look_up(0, 1, 1.0)], [1.0, 2.0]);
     }
 
     #[test]

@@ -24,6 +24,7 @@ use crate::scene::pieces::batches::groups;
 use crate::scene::pieces::buffers::{Buffers, Row};
 use crate::scene::pieces::fixture::{Fixture, declare_normals};
 use crate::scene::pieces::marker::{Linked, MarkedLoad, Marker};
+use crate::scene::pieces::push::{Law, Push};
 use crate::scene::terms::linked::markers;
 use crate::scene::terms::moments::turned_by_moments;
 use crate::vector::{Vector, add, apply};
@@ -135,7 +136,8 @@ impl MeshScene {
             fixed,
             turns,
             turned: Arc::new([]),
-            forces: parts.forces(),
+            forces: parts.forces().into_iter().enumerate().map(Push::from).collect(),
+            spread: Vec::new(),
             force_anchors: Vec::new(),
             marked_loads: Vec::new(),
             densities: Vec::new(),
@@ -213,6 +215,7 @@ impl MeshScene {
             self.fixtures.push(fixture);
         }
         self.place_densities()?;
+        self.place_points()?;
         self.check_fields()?;
         self.check_fixed()
     }
@@ -223,7 +226,7 @@ impl MeshScene {
             .constraints
             .iter()
             .map(|linked| (linked.spec.name, linked.spec.markers));
-        let users = users.chain(self.forces.iter().map(|force| (force.name, force.markers)));
+        let users = users.chain(self.forces.iter().map(|force| (force.name, &force.markers[..])));
         for (name, markers) in users {
             for &marker in markers {
                 let frame = self.marker_frame(&self.markers[marker]);
@@ -289,7 +292,9 @@ impl MeshScene {
             let pairs = linked.spec.coupled.iter();
             groups.extend(pairs.map(|&[first, second]| of_markers(&[markers[first], markers[second]])));
         }
-        groups.extend(self.forces.iter().map(|force| of_markers(force.markers)));
+        // What acts at points of an element or a frame couples what they couple anyway.
+        let declared = self.forces.iter().filter(|force| matches!(force.law, Law::Force(_)));
+        groups.extend(declared.map(|force| of_markers(&force.markers)));
         for marked in &self.marked_loads {
             let turn = Marker::Turn {
                 frame: self.loads[marked.load].frame,

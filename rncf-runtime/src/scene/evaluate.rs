@@ -65,6 +65,10 @@ impl Sums for Combined<'_> {
     fn all_stiffness(&mut self) -> (&mut [f64], f64) {
         (self.values, self.combination.factors[2])
     }
+
+    fn all_damping(&mut self) -> (&mut [f64], f64) {
+        (self.values, self.combination.factors[1])
+    }
 }
 
 impl MeshScene {
@@ -225,7 +229,7 @@ impl MeshScene {
             let value = self.load_in_body(index, t, body).map(|x| load_scale * x);
             let components = body.connectivity.element(point.element);
             match self.loads[index].kind {
-                LoadKind::Gravity | LoadKind::Field { .. } => {}
+                LoadKind::Gravity | LoadKind::Around | LoadKind::Field { .. } => {}
                 LoadKind::Force { .. } => {
                     for (place, &component) in components.iter().enumerate() {
                         let weight = point.weights(PlaceVector::Position)[place / dimension];

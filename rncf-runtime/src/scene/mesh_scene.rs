@@ -5,7 +5,7 @@ use crate::scene::bodies::place::{MeshPoint, PlaceVector, place_on};
 use crate::scene::pieces::buffers::{Buffers, Row};
 use std::sync::Arc;
 
-use crate::emitted::{ForceSpec, JointSpec, LoadKind, LoadSpec, ObservedSpec, Parts, Place, label};
+use crate::emitted::{JointSpec, LoadKind, LoadSpec, ObservedSpec, Parts, Place, label};
 use crate::error::ModelError;
 use crate::linalg::Pattern;
 use crate::model::{Formulation, Warning};
@@ -20,6 +20,7 @@ use crate::scene::pieces::border::Border;
 use crate::scene::pieces::density::{Batches, Density};
 use crate::scene::pieces::fixture::Fixture;
 use crate::scene::pieces::marker::{Linked, MarkedLoad, Marker};
+use crate::scene::pieces::push::{Push, Spread};
 use crate::scene::pieces::rigid_section::RigidSection;
 use crate::vector::Vector;
 
@@ -54,7 +55,10 @@ pub struct MeshScene {
     pub(crate) turned: Arc<[TurnedColumns]>,
     pub(crate) markers: Vec<Marker>,
     pub(crate) constraints: Vec<Linked>,
-    pub(crate) forces: Vec<ForceSpec>,
+    /// Forces on markers: declared ones, then those at points of loads per length and of masses.
+    pub(crate) forces: Vec<Push>,
+    /// Those that are spread over elements, by body and element.
+    pub(crate) spread: Vec<Spread>,
     /// For every force the free frame near which differences of its points are taken.
     pub(crate) force_anchors: Vec<Option<usize>>,
     pub(crate) marked_loads: Vec<MarkedLoad>,
@@ -128,7 +132,7 @@ impl MeshScene {
 
     pub(crate) fn load_point(&self, load: &LoadSpec) -> Result<Option<MeshPoint>, ModelError> {
         match load.kind {
-            LoadKind::Gravity | LoadKind::Field { .. } => Ok(None),
+            LoadKind::Gravity | LoadKind::Around | LoadKind::Field { .. } => Ok(None),
             LoadKind::Force { body, at } | LoadKind::Moment { body, at } => self.point(body, at, load.name).map(Some),
         }
     }

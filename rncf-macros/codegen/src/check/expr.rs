@@ -117,7 +117,7 @@ impl<'a> Check<'a> {
             ExprKind::Member { .. } => match self
                 .of_element(expr)
                 .or_else(|| self.strain(expr))
-                .or_else(|| self.column(expr))
+                .or_else(|| self.column(expr, scope))
             {
                 Some(found) => found,
                 None => self.member(expr, scope),

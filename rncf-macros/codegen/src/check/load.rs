@@ -1,5 +1,6 @@
 //! Loads: gravity, dead forces and moments; per length and fields in `density`.
 
+use super::distributed::mentions;
 use super::expr::Scope;
 use super::place::Place;
 use super::plane::{AXES, is_parallel, normal, plane};
@@ -52,8 +53,12 @@ impl<'a> Check<'a> {
                 let _ = self.density(item, call);
                 None
             }
+            "distributed" => {
+                let _ = self.distributed_load(item, call);
+                None
+            }
             other => {
-                let known = ["gravity", "force", "moment", "follower", "density"];
+                let known = ["gravity", "force", "moment", "follower", "density", "distributed"];
                 let message = suggest::unknown("load", other, known);
                 self.errors.at(call.name.span, message);
                 None
@@ -78,6 +83,9 @@ impl<'a> Check<'a> {
         let arguments = self.arguments(call, &shape)?;
         if let Some(on) = arguments.named.get("on") {
             return self.field(&arguments, on);
+        }
+        if !self.names.contains_key("position") && mentions(arguments.positional[0], "position") {
+            return self.gravity_of_place(arguments.positional[0]);
         }
         let vector = self.vector(arguments.positional[0], Scope::Prescribed, GRAVITY)?;
         // One message for each plane that it leaves, however many bodies and frames move in it.

@@ -97,6 +97,19 @@ pub const FOLLOWER_IN_SPACE: &str =
 pub const AXES_OF_LOAD: &str = "the components stand in the axes of another frame already: leave out `in`, or make them components in it with `.in(..)`";
 pub const DENSITY_REPETITION: &str =
     "a density acts on all repetitions of a body: write it in the loop, with the loop's index in brackets";
+pub const DISTRIBUTED_AXES: &str =
+    "the components of a distributed load stand in inertial axes, or in those of the section: `in = section`";
+pub const DISTRIBUTED_IN_SECTION: &str = "with `in = section` the components are written out, along the axis, y and z: `[a, b, c]`, with numbers such as `dot(velocity, section_y)`; `velocity` and the like are vectors in inertial axes";
+pub const DISTRIBUTED_POINTS: &str =
+    "`points` is a whole number from 1 to 5: the points at which a load is looked at in each element";
+pub const DISTRIBUTED_ELSEWHERE: &str = "such a load is a function of `t`, `x`, parameters, tables and its own particle: `position`, `velocity`, `slope`, `tangent`, `section_y`, `section_z`; of nothing at another place";
+pub const LINE_WITHOUT_SECTION: &str =
+    "a centre line in space has a tangent and no section: write the load with `tangent`, or mesh the body with `beam`";
+pub const LINE_WITHOUT_MOMENT: &str = "a centre line in space has no torsion that a moment per length could turn: leave out `moment`, or mesh the body with `beam`";
+pub const SECTION_FORCE_IN_PLANE: &str =
+    "the body moves in a plane: the third component, along the section's z axis, must be 0";
+pub const SECTION_MOMENT_IN_PLANE: &str =
+    "the body moves in a plane: a moment has the third component only, about the plane's normal";
 pub const DENSITY_ON_MODES: &str = "a density acts on bodies that are described by all their nodal vectors: leave out `modal`, `small`, `rigid` or `point` of this body";
 pub const NO_OUTPUT: &str = "the model has no output: add e.g. `output u = beam.end.x;`";
 
@@ -257,6 +270,8 @@ messages! {
     balance_of_massless(name) = "`{name}` has no mass of its own: ask the bodies that it carries, or `total`";
     lacks_field(kind, name, field, example) = "{kind} `{name}` has no `{field}`: write e.g. `{example}`";
     rotation_leaves_plane(frame, plane, axis) = "frame `{frame}` turns out of the {plane} plane of the body: its axis must be `{axis}`, or the body `spatial`";
+    or_nothing_reads(message, name) = "{message}; a definition of the load's own, `{name} = ..`, must stand in it";
+    definition_has_meaning(name) = "`{name}` is declared in the model: give what the load defines another name";
     density_degree(degree) = "this is a polynomial of degree {degree} in `slope` and `position`: degrees to 4 are integrated, so write one of lower degree";
     density_not_polynomial(what) = "{what} of `slope` or `position` is no polynomial, which a density must be to be integrated exactly: use sums, products and whole powers of them, functions only of what is the same along the body";
     density_axes(from, to) = "the components stand in the axes of `{from}`, those of a density in the axes of its body's frame: see places and directions in it, e.g. `inertial.in({to})` or `{to}.ex.in({to})`";

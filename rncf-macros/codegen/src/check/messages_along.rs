@@ -2,6 +2,8 @@
 
 pub const COLUMN: &str = "a column is a list of values with one unit: `EI = [2, 1.5, 1] N*m^2;`";
 pub const COLUMN_ELSEWHERE: &str = "a column of a table has a value at a place along an axis: it stands in fields of sections and materials, and in `twist`";
+pub const LOOKUP_ELSEWHERE: &str = "a table is looked up where a `distributed` load stands: elsewhere its columns have the value at the place along an axis, `table.column`";
+pub const LOOKUP: &str = "a column is looked up at one place: `polar.lift(alpha)`";
 pub const STEP_AT_END: &str = "the first two or last two rows are at one place: a step stands between other rows";
 pub const DAMPING_ALONG: &str = "`damping` is the same along the whole body: leave out `x` and columns of tables";
 pub const CURVE_TABLE: &str = "a curve goes through points: its table needs the columns `x`, `y` and `z` in m";
@@ -44,8 +46,21 @@ pub fn column_twice(column: &str) -> String {
 
 pub fn table_without_places(table: &str) -> String {
     format!(
-        "table `{table}` does not say where its rows are: it needs a column `x` (m, along the axis) or `eta` (parts of its length), or the coordinates `x`, `y` and `z` (m) of points"
+        "table `{table}` does not say where its rows are: it needs a column `x` (m, along the axis) or `eta` (parts of its length), or the coordinates `x`, `y` and `z` (m) of points, or `at = column`"
     )
+}
+
+/// A table whose rows do not stand along an axis.
+pub fn lookup_without_place(table: &str, column: &str) -> String {
+    format!("the rows of `{table}` do not stand along an axis: say at which place, `{table}.{column}(..)`")
+}
+
+pub fn lookup_of(table: &str, wanted: &str, given: &str) -> String {
+    format!("the rows of `{table}` are at places that are {wanted}, but this is {given}")
+}
+
+pub fn lookup_of_angle(table: &str) -> String {
+    format!("this is an angle, and the rows of `{table}` are at plain numbers: give that column a unit, e.g. `deg`")
 }
 
 pub fn table_of_one_row(table: &str) -> String {

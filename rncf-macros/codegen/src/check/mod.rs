@@ -9,6 +9,7 @@ mod constant;
 mod constraint;
 mod curve;
 mod density;
+mod distributed;
 mod drive;
 mod eigen;
 mod element;
@@ -159,7 +160,7 @@ struct Check<'a> {
     /// Bodies that something holds; `None`: something unreadable may hold any.
     tied: Option<Vec<BodyId>>,
     /// Names of a law, such as `length` and `rate`.
-    locals: HashMap<&'static str, Typed>,
+    locals: HashMap<&'a str, Typed>,
     /// Fields of the element that is being checked.
     element_fields: Vec<element::FieldOfElement>,
     /// Those of it that could not be read.
@@ -169,7 +170,7 @@ struct Check<'a> {
     /// Whether what varies along an axis is being checked.
     is_along: bool,
     /// Vectors of the particle that a density is checked for.
-    particle: HashMap<&'static str, vector::Vectorial>,
+    particle: HashMap<&'a str, vector::Vectorial>,
     /// The loop or reduction that is being checked.
     turn: Option<repeat::Turn<'a>>,
     /// Unknown names that have been reported.

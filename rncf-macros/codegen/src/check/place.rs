@@ -285,7 +285,7 @@ impl<'a> Check<'a> {
     }
 
     /// Whether a body's element has cross-sections.
-    fn has_section(&self, id: BodyId) -> Option<bool> {
+    pub(super) fn has_section(&self, id: BodyId) -> Option<bool> {
         let body = self.body_of(id)?;
         Some(self.library.elements[body.element.0].has_section())
     }

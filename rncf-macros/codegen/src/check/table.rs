@@ -2,13 +2,14 @@
 
 use proc_macro2::TokenStream;
 
+use super::distributed::PARTICLE;
 use super::expr::Scope;
 use super::quantity::Typed;
 use super::{Check, fold, say};
 use crate::errors::Area;
 use crate::model::{Column, Expr as Value, Table, TableId};
 use crate::parse::cursor::Cursor;
-use crate::parse::tree::{Argument, Expr, ExprKind, Fields, Item, ItemKind, Keyword, Name};
+use crate::parse::tree::{Argument, Expr, ExprKind, Field, Fields, Item, ItemKind, Keyword, Name};
 use crate::parse::unit;
 use crate::suggest;
 use crate::units::{self, Compound, Dimension};
@@ -33,9 +34,14 @@ impl<'a> Check<'a> {
 
     fn table_of_columns(&mut self, item: &Item, fields: &'a Fields) -> Option<TableId> {
         let (mut columns, mut is_smooth, mut is_whole) = (Vec::new(), Some(false), fields.complete);
+        let mut places = None;
         for field in &fields.fields {
             if field.name.text == "interpolation" {
                 is_smooth = self.interpolation(&field.value);
+                continue;
+            }
+            if let Some(name) = places_named(field) {
+                places = Some(name);
                 continue;
             }
             match self.column_values(&field.value) {
@@ -48,10 +54,12 @@ impl<'a> Check<'a> {
             }
         }
         let rows = columns.first().map_or(0, |column| column.values.len());
-        for (column, field) in columns
-            .iter()
-            .zip(fields.fields.iter().filter(|field| field.name.text != "interpolation"))
-        {
+        for (column, field) in columns.iter().zip(
+            fields
+                .fields
+                .iter()
+                .filter(|field| field.name.text != "interpolation" && places_named(field).is_none()),
+        ) {
             if is_whole && column.values.len() != rows {
                 let message = say::rows_differ(&column.name, column.values.len(), &columns[0].name, rows);
                 self.errors.at(field.name.span, message);
@@ -61,7 +69,10 @@ impl<'a> Check<'a> {
         if !is_whole {
             return None;
         }
-        self.add_table(item, columns, is_smooth?, None, &|row| format!("value {}", row + 1))
+        let places = places.map(|name| (name.text.as_str(), Area::from(name.span)));
+        self.add_table(item, columns, (is_smooth?, places), None, &|row| {
+            format!("value {}", row + 1)
+        })
     }
 
     /// Values of a column in SI, and their dimension.
@@ -179,26 +190,8 @@ impl<'a> Check<'a> {
             }
         }
         let row = |row: usize| format!("line {} of `{path}`", numbers[row]);
-        if let Some(places) = places {
-            // Under its own name, and as the places.
-            let Some(column) = columns.iter().find(|column| column.name == places) else {
-                let known: Vec<&str> = columns.iter().map(|column| column.name.as_str()).collect();
-                self.errors.at(area, suggest::unknown("column", &places, known));
-                return None;
-            };
-            let name = if column.dimension == PLACES[0].1 {
-                PLACES[0].0
-            } else {
-                PLACES[1].0
-            };
-            let column = Column {
-                name: name.to_string(),
-                ..column.clone()
-            };
-            columns.retain(|column| column.name != name);
-            columns.push(column);
-        }
-        self.add_table(item, columns, is_smooth?, Some((path, area)), &row)
+        let places = places.as_deref().map(|name| (name, area));
+        self.add_table(item, columns, (is_smooth?, places), Some((path, area)), &row)
     }
 
     /// `name[unit]`, or `name` of a plain number; `[-]` is one, too.
@@ -253,20 +246,45 @@ impl<'a> Check<'a> {
     fn add_table(
         &mut self,
         item: &Item,
-        columns: Vec<Column>,
-        is_smooth: bool,
+        mut columns: Vec<Column>,
+        (is_smooth, named): (bool, Option<(&str, Area)>),
         file: Option<(&str, Area)>,
         row: &dyn Fn(usize) -> String,
     ) -> Option<TableId> {
         let area = file.map_or(item.name.span.into(), |(_, area)| area);
+        let mut dimension = None;
+        if let Some((name, area)) = named {
+            let Some(column) = columns.iter().find(|column| column.name == name) else {
+                let known: Vec<&str> = columns.iter().map(|column| column.name.as_str()).collect();
+                self.errors.at(area, suggest::unknown("column", name, known));
+                return None;
+            };
+            match PLACES.iter().find(|(_, own)| column.dimension == *own) {
+                // Under its own name, and as the places.
+                Some(&(word, _)) => {
+                    let column = Column {
+                        name: word.to_string(),
+                        ..column.clone()
+                    };
+                    columns.retain(|column| column.name != word);
+                    columns.push(column);
+                }
+                None => dimension = Some(column.dimension),
+            }
+        }
+        let columns = columns;
         let names: Vec<&str> = columns.iter().map(|column| column.name.as_str()).collect();
         if let Some(twice) = (1..names.len()).find(|&at| names[..at].contains(&names[at])) {
             self.errors.at(area, say::column_twice(names[twice]));
             return None;
         }
         let find = |name: &str| columns.iter().find(|column| column.name == name);
+        let named = named.map(|(name, _)| name);
         let coordinates = COORDINATES.map(|name| find(name).filter(|column| column.dimension == PLACES[0].1));
-        let (places, is_relative, is_points) = if let [Some(x), Some(y), Some(z)] = coordinates {
+        let looked_up = dimension.and_then(|_| find(named?));
+        let (places, is_relative, is_points) = if let Some(column) = looked_up {
+            (column.values.clone(), false, false)
+        } else if let [Some(x), Some(y), Some(z)] = coordinates {
             (chords([&x.values, &y.values, &z.values]), true, true)
         } else {
             let found = PLACES.iter().enumerate().find_map(|(at, (name, dimension))| {
@@ -294,11 +312,13 @@ impl<'a> Check<'a> {
             self.errors.at(area, say::STEP_AT_END);
             return None;
         }
+        let of_axis = PLACES[usize::from(is_relative)].1;
         let id = TableId(self.model.tables.len());
         self.model.tables.push(Table {
             name: item.name.text.clone(),
             file: file.map(|(path, _)| path.to_string()),
             places,
+            dimension: dimension.unwrap_or(of_axis),
             is_relative,
             is_smooth,
             columns,
@@ -313,13 +333,16 @@ impl<'a> Check<'a> {
     }
 
     /// `table.column` where the place along an axis is known; `None`: something else.
-    pub(super) fn column(&mut self, expr: &Expr) -> Option<Option<Typed>> {
+    pub(super) fn column(&mut self, expr: &'a Expr, scope: Scope) -> Option<Option<Typed>> {
         let ExprKind::Member { base, field, arguments } = &expr.kind else {
             return None;
         };
         let ExprKind::Name(name) = &base.kind else {
             return None;
         };
+        if self.particle.contains_key(name.text.as_str()) {
+            return None;
+        }
         let Some(item) = self.names.get(name.text.as_str()) else {
             let tables = self.known(&[Keyword::Table]);
             if !self.is_along || tables.is_empty() || !self.is_news(&name.text) {
@@ -331,7 +354,17 @@ impl<'a> Check<'a> {
         if item.keyword != Keyword::Table {
             return None;
         }
-        let Some(id) = self.tables.get(name.text.as_str()).copied().flatten() else {
+        let Some(known) = self.tables.get(name.text.as_str()) else {
+            // What is resolved before tables cannot read them.
+            let message = if arguments.is_some() {
+                say::LOOKUP_ELSEWHERE
+            } else {
+                say::COLUMN_ELSEWHERE
+            };
+            self.errors.at(expr.area, message);
+            return Some(None);
+        };
+        let Some(id) = *known else {
             return Some(None);
         };
         let table = &self.model.tables[id.0];
@@ -346,11 +379,60 @@ impl<'a> Check<'a> {
             return Some(None);
         };
         self.read_columns.insert((id, column));
-        if arguments.is_some() || !self.is_along {
+        if let Some(arguments) = arguments {
+            return Some(self.looked_up(expr, (id, column), arguments, scope));
+        }
+        if !table.is_along() {
+            let message = say::lookup_without_place(&name.text, &field.text);
+            self.errors.at(expr.area, message);
+            return Some(None);
+        }
+        if !self.is_along {
             self.errors.at(expr.area, say::COLUMN_ELSEWHERE);
             return Some(None);
         }
         Some(Some(self.column_at(id, column)))
+    }
+
+    /// `table.column(place)`
+    fn looked_up(
+        &mut self,
+        expr: &'a Expr,
+        (id, column): (TableId, usize),
+        arguments: &'a [Argument],
+        scope: Scope,
+    ) -> Option<Typed> {
+        if !self.particle.contains_key(PARTICLE) {
+            self.errors.at(expr.area, say::LOOKUP_ELSEWHERE);
+            return None;
+        }
+        let [Argument { name: None, value }] = arguments else {
+            self.errors.at(expr.area, say::LOOKUP);
+            return None;
+        };
+        let at = self.expr(value, scope)?;
+        let table = &self.model.tables[id.0];
+        let is_angle = table.dimension[5] != 0;
+        let wanted = Dimension::of(table.dimension);
+        if at.dimension != wanted {
+            let message = say::lookup_of(&table.name, &wanted.describe(is_angle), &at.describe());
+            self.errors.at(value.area, message);
+            return None;
+        }
+        if wanted.is_none() && at.nature.angle && !is_angle {
+            let message = say::lookup_of_angle(&table.name);
+            self.errors.at(value.area, message);
+            return None;
+        }
+        let typed = self.column_at(id, column);
+        Some(Typed {
+            value: Value::Lookup {
+                table: id,
+                column,
+                at: Box::new(at.value),
+            },
+            ..typed
+        })
     }
 
     /// A column as a value along the axis.
@@ -376,6 +458,14 @@ impl<'a> Check<'a> {
             self.locals.remove("x");
         }
         result
+    }
+}
+
+/// The column that a field `at = column` names as the places of a table.
+fn places_named(field: &Field) -> Option<&Name> {
+    match &field.value.kind {
+        ExprKind::Name(name) if field.name.text == "at" => Some(name),
+        _ => None,
     }
 }
 

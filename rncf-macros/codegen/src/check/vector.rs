@@ -89,7 +89,10 @@ impl<'a> Check<'a> {
             },
             ExprKind::Binary(operator, left, right) => check.operation(*operator, left, right, scope),
             ExprKind::Call(call) if is_function(&call.name.text) => check.vector_function(call, scope),
-            ExprKind::Member { .. } => check.observe(expr, scope),
+            ExprKind::Member { .. } => match check.column(expr, scope) {
+                Some(column) => column.map(Quantity::Scalar),
+                None => check.observe(expr, scope),
+            },
             ExprKind::Name(name) if check.particle.contains_key(name.text.as_str()) => {
                 Some(Quantity::Vector(check.particle[name.text.as_str()].clone()))
             }

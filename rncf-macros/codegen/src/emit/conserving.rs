@@ -70,7 +70,11 @@ fn load_that_works(model: &Model) -> Option<String> {
     if let Some(density) = model.densities.first() {
         return Some(format!("the load per length `{}` has no potential", density.name));
     }
+    if let Some(load) = model.distributed.first() {
+        return Some(format!("the load per length `{}` has no potential", load.name));
+    }
     model.loads.iter().find_map(|load| match &load.kind {
+        LoadKind::Around(_) => Some(format!("gravity `{}` changes with the place", load.name)),
         LoadKind::Gravity(components) | LoadKind::Force { components, .. } => {
             motions::varies(model, components).then(|| format!("load `{}` varies with time", load.name))
         }

@@ -31,6 +31,13 @@ impl Equations {
                 }
             }
         }
+        for kernels in &self.distributed {
+            text += &function(&kernels.force);
+            text += &kernels.tangent.as_ref().map_or(String::new(), function);
+        }
+        for (_, kernels) in &self.around {
+            kernels.iter().for_each(|kernel| text += &function(kernel));
+        }
         for field in &self.fields {
             text += &function(&field.value);
             text += &field.gradient.as_ref().map_or(String::new(), function);

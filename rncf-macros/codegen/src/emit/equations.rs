@@ -7,6 +7,7 @@ use super::moving::document_rows;
 use crate::elements::{Interpolant, Library};
 use crate::lower::constraints::{ConstraintKernels, constraint_kernels};
 use crate::lower::density::{DensityKernels, FieldKernels, density_kernels, field_kernels};
+use crate::lower::distributed::{DistributedKernels, around_kernels, distributed_kernels};
 use crate::lower::elastic::Form;
 use crate::lower::field_forces::field_forces_kernel;
 use crate::lower::forces::{ForceKernels, force_kernels};
@@ -74,6 +75,10 @@ pub struct Equations {
     pub loads: Vec<(usize, Kernel)>,
     /// Loads per length.
     pub densities: Vec<DensityKernels>,
+    /// Loads per length at points.
+    pub distributed: Vec<DistributedKernels>,
+    /// Gravity that changes from place to place, with the indices of the loads.
+    pub around: Vec<(usize, [Kernel; 2])>,
     /// Gravity fields.
     pub fields: Vec<FieldKernels>,
     /// Moment on a slope, or in a plane on a section's axis, by dimension, where needed.
@@ -151,6 +156,8 @@ impl Equations {
             forces: force_kernels(model),
             loads: loads::load_kernels(model),
             densities: density_kernels(model, library),
+            distributed: distributed_kernels(model),
+            around: around_kernels(model),
             fields: field_kernels(model),
             moments,
             section_moments,

@@ -264,6 +264,15 @@ impl<'g> Writer<'g> {
                     operations: m + n + 1,
                 }
             }
+            Node::Lookup(column, a) => {
+                let (argument, operations) = self.operand(a, Binding::Sum);
+                let table = self.graph.table(column).constant();
+                Text {
+                    text: format!("{table}.look_up({}, {}, {argument})", column.column, column.order),
+                    binding: Binding::Atom,
+                    operations: operations + 1,
+                }
+            }
             Node::Select(comparison, operands) => {
                 let parts = operands.map(|operand| self.operand(operand, Binding::Sum));
                 let [(left, a), (right, b), (then, c), (otherwise, d)] = parts;

@@ -63,7 +63,7 @@ pub fn fits_lanes(kernel: &Kernel) -> bool {
         && outputs.iter().all(|&id| !is_literal(id) || graph.is_zero(id))
         && graph.reachable(&outputs).into_iter().all(|id| match graph.node(id) {
             Node::Call(function, of) => function == Function::Sqrt && !is_literal(of),
-            Node::Call2(..) | Node::Select(..) => false,
+            Node::Call2(..) | Node::Select(..) | Node::Lookup(..) => false,
             Node::Negate(of) => !is_literal(of),
             Node::Power(of, _) => !is_literal(of),
             Node::Add(a, b) | Node::Subtract(a, b) | Node::Multiply(a, b) | Node::Divide(a, b) => {

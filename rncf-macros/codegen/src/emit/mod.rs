@@ -6,6 +6,7 @@ mod bodies;
 mod conserving;
 pub mod declaration;
 mod density;
+mod distributed;
 mod elements;
 pub mod equations;
 pub mod expression;

@@ -98,7 +98,10 @@ fn absent(model: &Model, equations: &Equations) -> Option<String> {
             "dead moments",
         ),
         (equations.fields.is_empty(), "gravity fields"),
-        (model.densities.is_empty(), "loads per length"),
+        (
+            model.densities.is_empty() && model.distributed.is_empty(),
+            "loads per length",
+        ),
         (equations.initial.is_empty(), "initial shapes"),
         (model.starts.is_empty(), "starts in equilibrium"),
         (equations.switches.is_empty(), "kinks of motions"),

@@ -95,6 +95,7 @@ pub fn parts(model: &Model, library: &Library, equations: &Equations) -> String 
     text += &writer.constraints();
     text += &writer.forces();
     text += &writer.densities();
+    text += &writer.distributed();
     text += &writer.fields();
     text += &writer.fixtures();
     text + "}\n"
@@ -179,6 +180,7 @@ impl Parts<'_> {
         for load in &self.model.loads {
             let (kind, frame) = match &load.kind {
                 LoadKind::Gravity(_) => ("Gravity".to_string(), 0),
+                LoadKind::Around(_) => ("Around".to_string(), 0),
                 LoadKind::Field { frame, markers, .. } => {
                     let markers: Vec<usize> = markers.iter().map(|marker| marker.0).collect();
                     (format!("Field {{ markers: &{markers:?} }}"), frame.0)

@@ -10,7 +10,7 @@ use crate::symbolic::{Graph, Id};
 /// Components of the loads that are functions of time alone, in their frames' axes, with their indices.
 pub fn load_kernels(model: &Model) -> Vec<(usize, Kernel)> {
     let loads = model.loads.iter().enumerate();
-    let timed = loads.filter(|(_, load)| !matches!(load.kind, LoadKind::Field { .. }));
+    let timed = loads.filter(|(_, load)| !matches!(load.kind, LoadKind::Field { .. } | LoadKind::Around(_)));
     timed.map(|(index, load)| (index, load_kernel(model, load))).collect()
 }
 

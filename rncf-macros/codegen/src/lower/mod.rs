@@ -4,6 +4,7 @@
 pub mod choose;
 pub mod constraints;
 pub mod density;
+pub mod distributed;
 pub mod elastic;
 pub mod field_forces;
 pub mod forces;

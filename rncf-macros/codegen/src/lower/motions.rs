@@ -205,6 +205,9 @@ fn timed_roots(time: &mut Time<'_>) -> Vec<Id> {
     for density in &model.densities {
         roots.extend(time.vector(&density.components));
     }
+    for (_, components) in model.distributed.iter().flat_map(|load| &load.forces) {
+        roots.extend(time.vector(components));
+    }
     for (_, row) in model.constraints.iter().flat_map(|constraint| &constraint.rows) {
         roots.push(time.expression(row));
     }

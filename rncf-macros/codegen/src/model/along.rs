@@ -5,6 +5,9 @@ use std::collections::BTreeMap;
 use super::{Body, Expr, TableId, fold};
 use crate::vocabulary::DAMPINGS;
 
+/// Part of the range of a table by which a place may lie outside, as round-off.
+const ROUND_OFF: f64 = 1e-9;
+
 /// Numbers along an axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
@@ -12,8 +15,10 @@ pub struct Table {
     pub name: String,
     /// The file that it stands in, beside the manifest of its crate.
     pub file: Option<String>,
-    /// Places along the axis, ascending; two equal ones are a step.
+    /// Places along the axis, or of another quantity, ascending; two equal ones are a step.
     pub places: Vec<f64>,
+    /// Exponents of m, kg, s, K, A, angle of the places.
+    pub dimension: [i8; 6],
     /// Whether places are fractions of the length, or else in m.
     pub is_relative: bool,
     /// Whether values between rows follow a monotone cubic, or else a line.
@@ -44,6 +49,11 @@ impl Table {
         format!("{}.at({column}, x, length)", self.constant())
     }
 
+    /// Whether its rows stand along an axis; else it is looked up.
+    pub fn is_along(&self) -> bool {
+        [[1, 0, 0, 0, 0, 0], [0; 6]].contains(&self.dimension)
+    }
+
     /// Value of a column at an arclength: what `rncf_runtime::Table::at` returns, which reads the same table when it runs.
     pub fn value(&self, column: usize, x: f64, length: f64) -> f64 {
         let (places, values) = (&self.places, &self.columns[column].values);
@@ -52,18 +62,37 @@ impl Table {
         if x.is_nan() || x >= places[last] {
             return values[last];
         }
-        let Some(row) = places.partition_point(|&place| place <= x).checked_sub(1) else {
+        if x < places[0] {
             return values[0];
-        };
+        }
+        self.within(column, x)[0]
+    }
+
+    /// Value of a column (order 0) or its derivative (1) at a place: what `rncf_runtime::Table::look_up` returns.
+    pub fn look_up(&self, column: usize, order: usize, place: f64) -> f64 {
+        let (first, last) = (self.places[0], self.places[self.places.len() - 1]);
+        let margin = ROUND_OFF * (last - first);
+        if !(first - margin..=last + margin).contains(&place) {
+            return f64::NAN;
+        }
+        self.within(column, place)[order]
+    }
+
+    /// Value and slope of a column within the rows.
+    fn within(&self, column: usize, x: f64) -> [f64; 2] {
+        let (places, values) = (&self.places, &self.columns[column].values);
+        let row = places.partition_point(|&place| place <= x).clamp(1, places.len() - 1) - 1;
         let width = places[row + 1] - places[row];
         let (share, rise) = ((x - places[row]) / width, values[row + 1] - values[row]);
         if !self.is_smooth {
-            return values[row] + share * rise;
+            return [values[row] + share * rise, rise / width];
         }
         let [start, end] = [row, row + 1].map(|at| width * self.slope(column, at, row));
         // Hermite's cubic.
-        let bend = share * (1.0 - share);
-        values[row] + share * rise + bend * ((1.0 - share) * (start - rise) - share * (end - rise))
+        let (bend, tilt) = (share * (1.0 - share), 1.0 - 2.0 * share);
+        let bent = (1.0 - share) * (start - rise) - share * (end - rise);
+        let slope = rise + tilt * bent - bend * (start + end - 2.0 * rise);
+        [values[row] + share * rise + bend * bent, slope / width]
     }
 
     /// Slope of the monotone cubic (Fritsch and Carlson) at a row, seen from the span that begins at row `span`.

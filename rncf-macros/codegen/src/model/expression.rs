@@ -32,6 +32,15 @@ pub enum Expr {
         /// Number of the column.
         column: usize,
     },
+    /// A column of a table at a place among its rows.
+    Lookup {
+        /// Which table.
+        table: TableId,
+        /// Number of the column.
+        column: usize,
+        /// The place, in the unit of the table's places.
+        at: Box<Expr>,
+    },
     /// Component of the Green strain tensor, section axes with x along the body: xx, yy, zz, xy, xz, yz;
     /// in the energy density of a material only (THEORY 4.2).
     Strain(usize),
@@ -68,7 +77,7 @@ impl Expr {
             | Expr::Strain(_)
             | Expr::Element(_)
             | Expr::Observed(_) => Vec::new(),
-            Expr::Motion(_, inner) | Expr::Negate(inner) => vec![inner],
+            Expr::Motion(_, inner) | Expr::Negate(inner) | Expr::Lookup { at: inner, .. } => vec![inner],
             Expr::Binary(_, left, right) | Expr::Power(left, right) => vec![left, right],
             Expr::Call(_, arguments) => arguments.iter().collect(),
             Expr::If(_, left, right, then, otherwise) => vec![left, right, then, otherwise],
@@ -81,6 +90,11 @@ impl Expr {
         Some(match self {
             Expr::Motion(motion, inner) => Expr::Motion(*motion, boxed(inner)?),
             Expr::Negate(inner) => Expr::Negate(boxed(inner)?),
+            Expr::Lookup { table, column, at } => Expr::Lookup {
+                table: *table,
+                column: *column,
+                at: boxed(at)?,
+            },
             Expr::Binary(operator, left, right) => Expr::Binary(*operator, boxed(left)?, boxed(right)?),
             Expr::Power(base, exponent) => Expr::Power(boxed(base)?, boxed(exponent)?),
             Expr::Call(function, arguments) => Expr::Call(*function, arguments.iter().map(of).collect::<Option<_>>()?),

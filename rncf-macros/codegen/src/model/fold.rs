@@ -74,6 +74,7 @@ fn value(expr: &Expr, leaf: &dyn Fn(&Expr) -> Option<f64>) -> Option<f64> {
         | Expr::Strain(_)
         | Expr::Element(_)
         | Expr::Motion(..)
+        | Expr::Lookup { .. }
         | Expr::Observed(_) => {
             return leaf(expr);
         }

@@ -41,6 +41,51 @@ pub struct Density {
     pub components: [Expr; 3],
 }
 
+/// A load per length that is a function of the particle: place, velocity, slope and axes of the section. It is integrated at
+/// points of every element.
+#[derive(Clone, Debug)]
+pub struct Distributed {
+    /// Name.
+    pub name: String,
+    /// Documentation comment.
+    pub doc: String,
+    /// Body; all its repetitions, the expressions may contain [`Expr::Index`].
+    pub body: BodyId,
+    /// Number of points of an element.
+    pub points: usize,
+    /// Forces per length on vectors of the particle, inertial axes: N/m on the position, N on directions; as functions of the
+    /// markers of [`ParticleVector`], arclength, time and index.
+    pub forces: Vec<(ParticleVector, [Expr; 3])>,
+}
+
+/// A vector of a particle of an axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum ParticleVector {
+    /// Its place, m.
+    Position,
+    /// Slope dp/dx.
+    Slope,
+    /// The section's y axis, not normalised.
+    SectionY,
+    /// The section's z axis.
+    SectionZ,
+}
+
+impl ParticleVector {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Position, Self::Slope, Self::SectionY, Self::SectionZ];
+
+    /// What stands for it in expressions: no marker of a model.
+    pub fn marker(self) -> MarkerId {
+        MarkerId(usize::MAX - self as usize)
+    }
+
+    /// The vector that a marker stands for.
+    pub fn of(marker: MarkerId) -> Option<Self> {
+        Self::ALL.into_iter().find(|vector| vector.marker() == marker)
+    }
+}
+
 /// The bodies of a frame start in relative equilibrium: at rest in the frame, which turns uniformly, without
 /// loads.
 #[derive(Clone, Debug)]

@@ -77,7 +77,7 @@ impl Graph {
             Node::Multiply(..) => cost.multiplications = 1,
             Node::Power(_, n) => cost.multiplications = (n.ilog2() + n.count_ones() - 1) as usize,
             Node::Divide(..) => cost.divisions = 1,
-            Node::Call(..) | Node::Call2(..) => cost.functions = 1,
+            Node::Call(..) | Node::Call2(..) | Node::Lookup(..) => cost.functions = 1,
         }
         cost
     }

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::ops::Index;
 
-use super::{Graph, Id, Node};
+use super::{Column, Graph, Id, Node};
 use crate::model::Function;
 
 /// What became of the nodes that a graph had at the start; a table, since a walk asks for each of them many times.
@@ -91,6 +91,14 @@ impl Graph {
             Node::Select(comparison, [left, right, then, otherwise]) => {
                 self.select(comparison, left, right, done[&then], done[&otherwise])
             }
+            Node::Lookup(column, a) => {
+                if self.is_zero(done[&a]) || column.order > 0 {
+                    // Of second derivatives a linear table has none; nothing asks for those of cubics.
+                    return self.zero();
+                }
+                let slope = self.intern(Node::Lookup(Column { order: 1, ..column }, a));
+                self.multiply(slope, done[&a])
+            }
         }
     }
 
@@ -134,7 +142,8 @@ impl Graph {
             Function::Sqrt => {
                 let two = self.number(2.0);
                 let double = self.multiply(two, value);
-                self.divide(one, double)
+                let slope = self.divide(one, double);
+                self.unless_zero(value, slope)
             }
             Function::Abs => {
                 let zero = self.zero();
@@ -147,6 +156,15 @@ impl Graph {
         }
     }
 
+    /// A derivative that has no value where something that is never negative is zero: zero there, where the graph guards zeros.
+    fn unless_zero(&mut self, value: Id, derivative: Id) -> Id {
+        if !self.guards_zeros || self.is_zero(derivative) {
+            return derivative;
+        }
+        let zero = self.zero();
+        self.select(crate::model::Comparison::Greater, value, zero, derivative, zero)
+    }
+
     fn function2_derivative(&mut self, function: Function, (a, da): (Id, Id), (b, db): (Id, Id)) -> Id {
         use crate::model::Comparison::{Greater, Less};
         match function {
@@ -157,7 +175,8 @@ impl Graph {
                 let norm = self.add(aa, bb);
                 let (left, right) = (self.multiply(b, da), self.multiply(a, db));
                 let numerator = self.subtract(left, right);
-                self.divide(numerator, norm)
+                let slope = self.divide(numerator, norm);
+                self.unless_zero(norm, slope)
             }
             // Nothing that is differentiated depends on the index of a repetition.
             Function::Remainder => da,
@@ -188,6 +207,7 @@ impl Graph {
             Node::Negate(a) => self.negate(done[&a]),
             Node::Power(a, n) => self.power(done[&a], n as i32),
             Node::Call(function, a) => self.call(function, done[&a]),
+            Node::Lookup(column, a) => self.intern(Node::Lookup(column, done[&a])),
             Node::Call2(function, a, b) => self.call2(function, done[&a], done[&b]),
             Node::Select(comparison, [a, b, c, d]) => self.select(comparison, done[&a], done[&b], done[&c], done[&d]),
         }

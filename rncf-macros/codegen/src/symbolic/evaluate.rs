@@ -93,6 +93,17 @@ impl Graph {
                     let holds = compare(comparison, at(left).real(), at(right).real());
                     if holds { at(then) } else { at(otherwise) }
                 }
+                Node::Lookup(column, a) => {
+                    let table = self.table(column);
+                    let look = |order: usize| T::from_f64(table.look_up(column.column, order, at(a).real()));
+                    if column.order == 0 {
+                        // The column is a line or a cubic near the place: its slope there is all that small changes need.
+                        let apart = at(a).subtract(T::from_f64(at(a).real()));
+                        look(0).add(look(1).multiply(apart))
+                    } else {
+                        look(column.order)
+                    }
+                }
             };
             values.insert(id, value);
         }

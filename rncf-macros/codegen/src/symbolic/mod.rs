@@ -12,8 +12,9 @@ pub mod linear;
 mod time;
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
-use crate::model::{Comparison, Function};
+use crate::model::{Comparison, Function, Table};
 
 pub use cost::Cost;
 pub use evaluate::Scalar;
@@ -49,6 +50,19 @@ pub enum Node {
     Call2(Function, Id, Id),
     /// `if left < right { then } else { otherwise }` (or another comparison).
     Select(Comparison, [Id; 4]),
+    /// A column of a table (index into the graph's tables) at a place among its rows, or its derivative.
+    Lookup(Column, Id),
+}
+
+/// A column that is looked up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Column {
+    /// Index into the tables of the graph.
+    pub table: usize,
+    /// Number of the column.
+    pub column: usize,
+    /// 0 its value, 1 the derivative by the place.
+    pub order: usize,
 }
 
 /// A hash-consed expression graph.
@@ -58,6 +72,11 @@ pub struct Graph {
     places: HashMap<Node, Id>,
     symbols: Vec<String>,
     names: HashMap<Id, String>,
+    /// Tables that are looked up.
+    tables: Vec<Arc<Table>>,
+    /// Whether the derivatives of roots and angles of what is zero are zero: right where they are multiplied with it, as in
+    /// `abs(v) v`.
+    guards_zeros: bool,
 }
 
 impl Graph {
@@ -353,6 +372,31 @@ impl Graph {
         self.intern(Node::Select(comparison, [left, right, then, otherwise]))
     }
 
+    /// Takes derivatives of roots and angles of what is zero as zero.
+    pub fn guard_zeros(&mut self) {
+        self.guards_zeros = true;
+    }
+
+    /// A column of a table at a place among its rows.
+    pub fn look_up(&mut self, table: &Table, column: usize, at: Id) -> Id {
+        let known = self.tables.iter().position(|known| known.name == table.name);
+        let table = known.unwrap_or_else(|| {
+            self.tables.push(Arc::new(table.clone()));
+            self.tables.len() - 1
+        });
+        let column = Column {
+            table,
+            column,
+            order: 0,
+        };
+        self.intern(Node::Lookup(column, at))
+    }
+
+    /// A table that is looked up.
+    pub fn table(&self, column: Column) -> &Table {
+        &self.tables[column.table]
+    }
+
     /// Children of a node.
     pub fn children(&self, id: Id) -> Vec<Id> {
         match self.node(id) {
@@ -364,7 +408,7 @@ impl Graph {
             | Node::Call2(_, a, b) => {
                 vec![a, b]
             }
-            Node::Negate(a) | Node::Power(a, _) | Node::Call(_, a) => vec![a],
+            Node::Negate(a) | Node::Power(a, _) | Node::Call(_, a) | Node::Lookup(_, a) => vec![a],
             Node::Select(_, operands) => operands.to_vec(),
         }
     }

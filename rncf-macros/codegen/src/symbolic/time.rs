@@ -99,6 +99,11 @@ impl<'m> Time<'m> {
                 let text = self.model.tables[table.0].lookup(*column);
                 self.graph.input(text)
             }
+            Expr::Lookup { table, column, at } => {
+                let at = self.expression_at(at, t);
+                let model = self.model;
+                self.graph.look_up(&model.tables[table.0], *column, at)
+            }
             Expr::Index => self.index,
             Expr::Local { order, component } => self.local(*order, *component),
             Expr::EndTime => self.end_time,

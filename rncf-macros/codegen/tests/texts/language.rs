@@ -31,7 +31,7 @@ const WORDS: &[&str] = &[
     "curve", "through", "file", "columns", "beamdyn", "eta", "interpolation", "monotone",
     "linear", "law", "torsional", "torsional_law", "stiffness", "rate", "follower", "dot", "norm",
     "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "ln", "sqrt", "abs", "min", "max",
-    "atan2", "for", "share", "merge", "sum", "mean", "spinning", "slack", "true", "false",
+    "atan2", "distributed", "tangent", "section_z", "for", "share", "merge", "sum", "mean", "spinning", "slack", "true", "false",
     "component", "part", "library", "use", "number", "vector", "place",
     "domain", "vector", "shape", "field", "coefficient", "option", "strain", "stress", "when", "is", "and", "space", "also",
 ];

@@ -57,6 +57,16 @@ pub(crate) struct MeshPoint {
 }
 
 impl MeshPoint {
+    /// The place beside it that is a sum of its vectors with these factors.
+    pub fn combined(&self, factors: [f64; 4]) -> Self {
+        let mut point = self.clone();
+        for (place, weight) in point.weights[0].iter_mut().enumerate() {
+            let parts = factors.iter().zip(&self.weights);
+            *weight = parts.map(|(factor, of)| factor * of[place]).sum();
+        }
+        point
+    }
+
     /// Weights of the element's nodal vectors in a vector.
     pub fn weights(&self, of: PlaceVector) -> &[f64] {
         &self.weights[of as usize]

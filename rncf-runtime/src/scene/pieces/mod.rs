@@ -9,4 +9,5 @@ pub(crate) mod displacement;
 pub(crate) mod fixture;
 pub(crate) mod marker;
 pub(crate) mod point_force;
+pub(crate) mod push;
 pub(crate) mod rigid_section;

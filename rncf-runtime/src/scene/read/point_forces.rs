@@ -60,7 +60,7 @@ impl MeshScene {
             let body = &self.bodies[point.body];
             let value = self.load_in_body(index, t, body).map(|x| load_scale * x);
             match self.loads[index].kind {
-                LoadKind::Gravity | LoadKind::Field { .. } => {}
+                LoadKind::Gravity | LoadKind::Around | LoadKind::Field { .. } => {}
                 LoadKind::Force { .. } => act(point, PlaceVector::Position, body.spread(value)),
                 LoadKind::Moment { .. } => {
                     let forces = self.moment_at(point, value);

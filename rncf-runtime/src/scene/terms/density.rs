@@ -349,7 +349,7 @@ impl MeshScene {
         self.buffers.density_scale = load_scale;
     }
 
-    /// Generalised forces of all densities on the nodal vectors of one element, axes of the frame that they live in;
+    /// Generalised forces of all densities and other loads that are spread over it on the nodal vectors of one element, axes of the frame that they live in;
     /// the state's values are remembered.
     pub(crate) fn densities_on(&self, body: usize, element: usize) -> [f64; MAX_SIZE] {
         let (at, n) = (&self.bodies[body], self.bodies[body].spec.element_size());
@@ -374,6 +374,11 @@ impl MeshScene {
             }
             sum.iter_mut().zip(force).for_each(|(sum, value)| *sum += value);
         }
+        let spread = self.spread_on(body, element);
+        let scale = self.buffers.density_scale;
+        sum.iter_mut()
+            .zip(spread)
+            .for_each(|(sum, value)| *sum += scale * value);
         sum
     }
 

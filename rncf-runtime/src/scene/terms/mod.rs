@@ -4,6 +4,7 @@ pub(crate) mod conserving;
 pub(crate) mod density;
 pub(crate) mod density_lanes;
 pub(crate) mod density_sums;
+pub(crate) mod distributed;
 pub(crate) mod fields;
 pub(crate) mod fixtures;
 pub(crate) mod inertia;

@@ -116,7 +116,7 @@ impl MeshScene {
     fn groups(&self) -> Vec<Vec<usize>> {
         let mut group: Vec<usize> = (0..self.free.len()).collect();
         let constraints = self.constraints.iter().map(|linked| linked.spec.markers);
-        for markers in constraints.chain(self.forces.iter().map(|force| force.markers)) {
+        for markers in constraints.chain(self.forces.iter().map(|force| &force.markers[..])) {
             let frames = markers.iter().map(|&marker| self.marker_frame(&self.markers[marker]));
             self.join(frames, &mut group);
         }
@@ -159,7 +159,7 @@ impl MeshScene {
         axes.extend((0..3).map(unit));
         let frames: Vec<usize> = group.iter().map(|&free| self.free[free].spec.frame).collect();
         let constraints = self.constraints.iter().map(|linked| linked.spec.markers);
-        for markers in constraints.chain(self.forces.iter().map(|force| force.markers)) {
+        for markers in constraints.chain(self.forces.iter().map(|force| &force.markers[..])) {
             let markers = markers.iter().map(|&marker| &self.markers[marker]);
             if !markers
                 .clone()

@@ -6,6 +6,7 @@ use crate::model::{Kind, Spin, Uniform};
 use crate::scene::MeshScene;
 use crate::scene::numbering::conditions::Condition;
 use crate::scene::pieces::displacement::Displacement;
+use crate::scene::pieces::push::Law;
 use crate::system::State;
 use crate::vector::{add, cross, dot, norm, scale, subtract};
 
@@ -176,10 +177,12 @@ impl MeshScene {
     /// Whether things in different frames act on each other, or frames move freely: all must turn alike.
     fn is_coupled(&self) -> bool {
         let constraints = self.constraints.iter().map(|linked| linked.spec.markers);
-        let mut users = constraints.chain(self.forces.iter().map(|force| force.markers));
+        let mut users = constraints.chain(self.forces.iter().map(|force| &force.markers[..]));
         let frame = |marker: usize| self.marker_frame(&self.markers[marker]);
+        // Loads at points depend on places and velocities in space.
         !self.free.is_empty()
             || self.is_marked_elsewhere()
+            || self.forces.iter().any(|force| !matches!(force.law, Law::Force(_)))
             || users.any(|markers| markers.iter().any(|&marker| frame(marker) != frame(markers[0])))
     }
 
@@ -236,7 +239,8 @@ impl MeshScene {
         let value = frames[load.frame].direction_to_inertial(self.parts.load(index, t));
         let acts_on = |body: usize| match load.kind {
             LoadKind::Gravity => true,
-            LoadKind::Field { .. } => false,
+            // Looked at with the forces on markers.
+            LoadKind::Around | LoadKind::Field { .. } => false,
             LoadKind::Force { body: other, .. } | LoadKind::Moment { body: other, .. } => body == other,
         };
         let turned = |frame: usize| turns(&frames[load.frame], &frames[frame], value);

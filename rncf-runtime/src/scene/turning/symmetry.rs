@@ -71,7 +71,7 @@ impl MeshScene {
             .filter(|&index| is_looked_at(self.constraining(index, t).values != self.constraining(index, later).values))
             .collect();
         let forces: Vec<usize> = (0..self.forces.len())
-            .filter(|&index| touches(self, self.forces[index].markers))
+            .filter(|&index| touches(self, &self.forces[index].markers))
             .filter(|&index| is_looked_at(self.forcing(index, t).values != self.forcing(index, later).values))
             .collect();
         let look = |scene: &Self, t: f64| -> [Vec<Acting>; 2] {
@@ -158,15 +158,14 @@ impl MeshScene {
 
     /// A force on its markers, and its derivatives by their values and velocities.
     fn forcing(&self, index: usize, t: f64) -> Acting {
-        let markers = self.forces[index].markers;
+        let markers = &self.forces[index].markers;
         let jets = markers.iter().map(|&marker| self.jet(&self.markers[marker]));
         let (z, velocity): (Vec<Vector>, Vec<Vector>) = jets.map(|jet| (jet[0], jet[1])).unzip();
         let count = 3 * z.len();
         let zeros = |count: usize| vec![0.0; count];
         let [mut values, mut by_value, mut by_velocity] = [zeros(count), zeros(count * count), zeros(count * count)];
-        self.parts.marker_force(index, t, &z, &velocity, &mut values);
-        self.parts
-            .marker_force_tangent(index, t, &z, &velocity, &mut by_value, &mut by_velocity);
+        self.push(index, t, &z, &velocity, &mut values);
+        self.push_tangent(index, t, &z, &velocity, [&mut by_value, &mut by_velocity]);
         Acting {
             values,
             derivatives: vec![by_value, by_velocity],

@@ -1,5 +1,6 @@
 mod along;
 mod density;
+mod distributed;
 mod elements;
 mod free;
 mod influence;

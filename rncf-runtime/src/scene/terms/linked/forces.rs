@@ -12,11 +12,15 @@ use crate::vector::{Matrix, Vector, apply, cross, dot};
 impl MeshScene {
     /// Adds the forces on markers (to the left side, where they are negative) at the loaded state.
     pub(crate) fn add_marker_forces(&mut self, t: f64, load_scale: f64) {
+        self.add_spread_forces(t, load_scale);
         for index in 0..self.forces.len() {
             let spec = &self.forces[index];
+            if spec.element.is_some() {
+                continue;
+            }
             let (z, velocity) = self.force_arguments(index);
             let mut forces = vec![0.0; 3 * z.len()];
-            self.parts.marker_force(index, t, &z, &velocity, &mut forces);
+            self.push(index, t, &z, &velocity, &mut forces);
             self.apply_part(index, load_scale, &mut forces);
             for (place, &marker) in spec.markers.iter().enumerate() {
                 let columns = self.columns(&self.markers[marker]);
@@ -38,7 +42,7 @@ impl MeshScene {
     }
 
     /// Calls with every marker that a force, a load or a constraint acts on at the loaded state, and what acts
-    /// there, inertial axes.
+    /// there, inertial axes; not with what is spread over elements.
     pub(crate) fn each_marker_force(
         &self,
         t: f64,
@@ -46,10 +50,15 @@ impl MeshScene {
         lambda: &[f64],
         mut call: impl FnMut(&Marker, Vector),
     ) {
-        for (index, spec) in self.forces.iter().enumerate() {
+        let at_places = self
+            .forces
+            .iter()
+            .enumerate()
+            .filter(|(_, spec)| spec.element.is_none());
+        for (index, spec) in at_places {
             let (z, velocity) = self.force_arguments(index);
             let mut forces = vec![0.0; 3 * z.len()];
-            self.parts.marker_force(index, t, &z, &velocity, &mut forces);
+            self.push(index, t, &z, &velocity, &mut forces);
             self.apply_part(index, load_scale, &mut forces);
             for (place, &marker) in spec.markers.iter().enumerate() {
                 call(&self.markers[marker], part(&forces, place));
@@ -66,7 +75,7 @@ impl MeshScene {
 
     /// Multiplies the forces of a load, or their derivatives, by a part of it.
     fn apply_part(&self, force: usize, load_scale: f64, values: &mut [f64]) {
-        if load_scale != 1.0 && self.parts.is_load(force) {
+        if load_scale != 1.0 && self.is_load(force) {
             values.iter_mut().for_each(|value| *value *= load_scale);
         }
     }
@@ -81,14 +90,17 @@ impl MeshScene {
 
     /// Adds the derivatives of the forces on markers at the loaded state.
     pub(crate) fn add_marker_force_tangents(&self, t: f64, load_scale: f64, out: &mut impl Sums) {
+        self.add_spread_tangents(t, load_scale, out);
         for (index, spec) in self.forces.iter().enumerate() {
+            if self.is_added_by_element(index) {
+                continue;
+            }
             let (z, velocity) = self.force_arguments(index);
             let count = z.len();
             let mut forces = vec![0.0; 3 * count];
-            self.parts.marker_force(index, t, &z, &velocity, &mut forces);
+            self.push(index, t, &z, &velocity, &mut forces);
             let [mut by_value, mut by_velocity] = [vec![0.0; 9 * count * count], vec![0.0; 9 * count * count]];
-            self.parts
-                .marker_force_tangent(index, t, &z, &velocity, &mut by_value, &mut by_velocity);
+            self.push_tangent(index, t, &z, &velocity, [&mut by_value, &mut by_velocity]);
             for values in [&mut forces, &mut by_value, &mut by_velocity] {
                 self.apply_part(index, load_scale, values);
             }

@@ -4,6 +4,7 @@ mod constraints;
 mod forces;
 mod jets;
 mod noise;
+mod pushes;
 mod reach;
 mod resolve;
 mod triad;

@@ -2,9 +2,10 @@
 //!
 //! Found by trial, as in `symmetry`: the emitted function is evaluated at arbitrary vectors, and at the same ones after a shift. An analytic function that does not change there does so nowhere but by chance.
 
-use crate::emitted::{ForceSpec, Parts};
+use crate::emitted::Parts;
 use crate::scene::MeshScene;
 use crate::scene::pieces::marker::{Linked, Marker};
+use crate::scene::pieces::push::{Law, Push};
 use crate::system::ConstraintLevel;
 use crate::vector::{Vector, add, norm};
 
@@ -143,12 +144,13 @@ impl MeshScene {
             constraint_is_of_differences(&*self.parts, constraint, &markers, length).then_some(anchor)
         };
         let anchors: Vec<Option<usize>> = self.constraints.iter().map(of_constraint).collect();
-        let of_force = |(index, spec): (usize, &ForceSpec)| {
-            let anchor = self.anchor(spec.markers)?;
+        let of_force = |spec: &Push| {
+            let Law::Force(index) = spec.law else { return None };
+            let anchor = self.anchor(&spec.markers)?;
             let markers: Vec<&Marker> = spec.markers.iter().map(|&marker| &self.markers[marker]).collect();
             force_is_of_differences(&*self.parts, index, &markers, length).then_some(anchor)
         };
-        self.force_anchors = self.forces.iter().enumerate().map(of_force).collect();
+        self.force_anchors = self.forces.iter().map(of_force).collect();
         for (linked, anchor) in self.constraints.iter_mut().zip(anchors) {
             linked.anchor = anchor;
         }

@@ -96,13 +96,12 @@ impl MeshScene {
     fn undefined_force(&self, t: f64) -> Option<String> {
         for (index, spec) in self.forces.iter().enumerate() {
             let (mut z, velocity) = self.force_arguments(index);
-            self.merge_points(spec.markers, &mut z);
+            self.merge_points(&spec.markers, &mut z);
             let mut forces = vec![0.0; 3 * z.len()];
-            self.parts.marker_force(index, t, &z, &velocity, &mut forces);
+            self.push(index, t, &z, &velocity, &mut forces);
             let size = 9 * z.len() * z.len();
             let [mut by_value, mut by_velocity] = [vec![0.0; size], vec![0.0; size]];
-            self.parts
-                .marker_force_tangent(index, t, &z, &velocity, &mut by_value, &mut by_velocity);
+            self.push_tangent(index, t, &z, &velocity, [&mut by_value, &mut by_velocity]);
             if !(finite(&forces) && finite(&by_value) && finite(&by_velocity)) {
                 return Some(format!("the force of `{}` is not finite: {APART}", spec.name));
             }

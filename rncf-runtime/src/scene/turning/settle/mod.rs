@@ -121,8 +121,8 @@ impl MeshScene {
         let constraints = constraints.filter(|linked| linked.spec.when == When::Always);
         let constraints = constraints.map(|linked| (linked.spec.name, linked.spec.markers));
         let forces = self.forces.iter().enumerate();
-        let forces = forces.filter(|&(index, _)| !self.parts.is_load(index));
-        let forces = forces.map(|(_, force)| (force.name, force.markers));
+        let forces = forces.filter(|&(index, _)| !self.is_load(index));
+        let forces = forces.map(|(_, force)| (force.name, &force.markers[..]));
         for (name, markers) in constraints.chain(forces) {
             if let Some(body) = bodies_of(markers) {
                 return refuse(format!(

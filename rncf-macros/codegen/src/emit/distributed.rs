@@ -1,0 +1,113 @@
+//! Loads per length at points, and gravity that changes from place to place, in the `Parts` implementation.
+
+use std::fmt::Write;
+
+use super::parts::Parts;
+use crate::lower::Kernel;
+use crate::lower::distributed::DistributedKernels;
+use crate::model::{Distributed, fold};
+
+const VECTORS: &str = "&[[f64; 3]]";
+
+impl Parts<'_> {
+    /// Such loads and their functions.
+    pub(super) fn distributed(&self) -> String {
+        let mut text = self.around();
+        let loads = &self.model.distributed;
+        if loads.is_empty() {
+            return text;
+        }
+        let entries = loads.iter().zip(&self.equations.distributed);
+        let entries: Vec<_> = entries
+            .map(|(load, kernels)| self.distributed_entry(load, kernels))
+            .collect();
+        text += &self.list("distributed", "DistributedSpec", &entries);
+        let repeats: Vec<_> = loads.iter().map(|load| self.model.bodies[load.body.0].repeat).collect();
+        let counts: Vec<String> = repeats
+            .iter()
+            .map(|repeat| repeat.map_or("1".to_string(), |repeat| format!("self.counts[{}]", repeat.0)))
+            .collect();
+        let kind = if repeats.iter().all(Option::is_none) {
+            String::new()
+        } else {
+            format!(
+                "let (load, instance) = ::rncf::emitted::declared(&[{}], load);\n",
+                counts.join(", ")
+            )
+        };
+        let arms = |kernel: &dyn Fn(&DistributedKernels) -> Option<&Kernel>, results: &str| {
+            let all = self.equations.distributed.iter().enumerate();
+            let arms = all.filter_map(|(index, kernels)| {
+                let number = if repeats[index].is_some() {
+                    "instance as f64, "
+                } else {
+                    ""
+                };
+                let name = &kernel(kernels)?.name;
+                Some(format!(
+                    "{index} => {name}(&self.model, t, at, {number}z, velocity, {results}),\n"
+                ))
+            });
+            format!("match load {{\n{}_ => {{}}\n}}\n", arms.collect::<String>())
+        };
+        let arguments = format!("load: usize, t: f64, at: [f64; 2], z: {VECTORS}, velocity: {VECTORS}");
+        let _ = write!(
+            text,
+            "fn distributed_force(&self, {arguments}, out: &mut [f64]) {{\nout.fill(0.0);\n{kind}{}}}\n\
+             fn distributed_tangent(&self, {arguments}, by_value: &mut [f64], by_velocity: &mut [f64]) {{\nby_value.fill(0.0);\nby_velocity.fill(0.0);\n{kind}{}}}\n",
+            arms(&|kernels| Some(&kernels.force), "out"),
+            arms(&|kernels| kernels.tangent.as_ref(), "by_value, by_velocity"),
+        );
+        text
+    }
+
+    fn distributed_entry(
+        &self,
+        load: &Distributed,
+        kernels: &DistributedKernels,
+    ) -> (Option<crate::model::RepeatId>, String) {
+        let repeat = self.model.bodies[load.body.0].repeat;
+        let mut tables: Vec<usize> = load
+            .forces
+            .iter()
+            .flat_map(|(_, components)| components)
+            .flat_map(fold::tables)
+            .map(|table| table.0)
+            .collect();
+        tables.sort_unstable();
+        tables.dedup();
+        let tables: Vec<String> = tables
+            .into_iter()
+            .map(|table| format!("&{}", self.model.tables[table].constant()))
+            .collect();
+        let vectors: Vec<usize> = kernels.vectors.iter().map(|&vector| vector as usize).collect();
+        let entry = format!(
+            "::rncf::emitted::DistributedSpec {{ name: {:?}, body: {}{}, points: {}, vectors: &{vectors:?}, tables: ::std::vec::Vec::from([{}]) }}",
+            load.name,
+            self.first_of(load.body),
+            if repeat.is_some() { " + instance" } else { "" },
+            load.points,
+            tables.join(", ")
+        );
+        (repeat, entry)
+    }
+
+    /// Gravity as a function of the place.
+    fn around(&self) -> String {
+        let kernels = &self.equations.around;
+        if kernels.is_empty() {
+            return String::new();
+        }
+        let arms = |which: usize, result: &str| -> String {
+            let arms = kernels.iter();
+            arms.map(|(load, kernels)| format!("{load} => {}(&self.model, t, place, {result}),\n", kernels[which].name))
+                .collect()
+        };
+        format!(
+            "fn around(&self, load: usize, t: f64, place: [f64; 3]) -> [f64; 3] {{\nlet mut gravity = [0.0; 3];\nmatch load {{\n{}_ => {{}}\n}}\ngravity\n}}\n\
+             fn around_gradient(&self, load: usize, t: f64, place: [f64; 3], gradient: &mut [f64; 9]) {{\ngradient.fill(0.0);\nmatch load {{\n{}_ => {{}}\n}}\n}}\n",
+            arms(0, "&mut gravity"),
+            arms(1, "gradient")
+        )
+    }
+}
