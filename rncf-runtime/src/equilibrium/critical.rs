@@ -1,7 +1,7 @@
 //! Where a static equilibrium loses its stability as the loads grow: buckling and limit points.
 
+use super::continuation::{Continued, LOAD_STEP, SMALLEST, along, check};
 use super::newton::{Newton, Patience};
-use super::{Continued, LOAD_STEP, SMALLEST, along, check};
 use crate::error::SolveError;
 use crate::model::{Scene, Uniform};
 use crate::system::State;

@@ -1,7 +1,8 @@
 use super::*;
+use crate::error::SolveErrorKind;
 use crate::linalg::Pattern;
-use crate::model::FrameState;
-use crate::system::{ConstraintLevel, System, Tangent};
+use crate::model::{FrameState, Scene};
+use crate::system::{ConstraintLevel, State, System, Tangent};
 
 /// A mass of 1 kg in a plane that turns with `spin`, on a spring along the arm (stiffness N/m, cubic
 /// part N/m^3, length 1 m) and one sideways (N/m), pushed sideways (N), perhaps on a rod to the hub (m).

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::Pattern;
+use super::pattern::Pattern;
 
 /// Node blocks of a square pattern in the order of elimination.
 #[derive(Debug)]

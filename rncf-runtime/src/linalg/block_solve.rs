@@ -1,7 +1,7 @@
 //! Substitution with block factors, for one right side or several at once.
 
 use super::block_kernels::{add, is_specialised};
-use super::blocks::{Node, Segment};
+use super::node::{Node, Segment};
 use super::scalar::Scalar;
 
 /// One row of `W` right sides.

@@ -2,10 +2,11 @@
 
 use pulp::Arch;
 
-use super::Pattern;
 use super::block_kernels::{self as kernels, Update, Vectorised};
 use super::block_order::Nodes;
 use super::block_solve::{backward, forward};
+use super::node::{Node, Segment};
+use super::pattern::Pattern;
 use super::scalar::Scalar;
 
 /// Growth of entries, which are at most 1 at first, beyond which pivots inside the nodes do not
@@ -46,42 +47,6 @@ pub(super) struct Blocks<T> {
     of_rows: Vec<f64>,
     right: Vec<[T; 1]>,
     right_together: Vec<[T; TOGETHER]>,
-}
-
-/// A node: `size` rows of `size + below` values from `start` on, then `size` columns of `below`.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Node {
-    /// Place of its first unknown.
-    pub first: usize,
-    pub size: usize,
-    /// Number of unknowns of later nodes that it is coupled to.
-    pub below: usize,
-    pub start: usize,
-    /// Its segments and updates: from those of the node before to here.
-    pub segments_end: usize,
-    pub updates_end: usize,
-}
-
-impl Node {
-    fn width(&self) -> usize {
-        self.size + self.below
-    }
-
-    /// Start of the columns below it.
-    fn lower(&self) -> usize {
-        self.start + self.size * self.width()
-    }
-
-    fn end(&self) -> usize {
-        self.lower() + self.size * self.below
-    }
-}
-
-/// Consecutive places of later unknowns.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Segment {
-    pub place: u32,
-    pub length: u32,
 }
 
 /// Why there are no factors.

@@ -7,7 +7,7 @@ use faer::linalg::evd::{ComputeEigenvectors, EvdParams, evd_real, evd_scratch};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Par, Side, Spec};
 
-use super::c64;
+use super::scalar::c64;
 
 /// Eigenvalues that differ relatively by less than this belong to one subspace of modes.
 const EQUAL: f64 = 1e-6;

@@ -1,9 +1,9 @@
 //! LU factorization of a square matrix on a fixed pattern, equilibrated by rows and columns.
 
-use super::Pattern;
 use super::banded::Banded;
 use super::blocks::{Blocks, Failure};
 use super::order::{half_bandwidth, reverse_cuthill_mckee};
+use super::pattern::Pattern;
 use super::scalar::Scalar;
 use super::sparse::Sparse;
 

@@ -9,6 +9,7 @@ mod border_kernels;
 mod dense;
 mod eigen;
 mod lu;
+mod node;
 mod order;
 mod pattern;
 mod saddle;

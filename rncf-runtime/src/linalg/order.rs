@@ -1,6 +1,6 @@
 //! Reverse Cuthill-McKee ordering: neighbours in the matrix become neighbours in the order.
 
-use super::Pattern;
+use super::pattern::Pattern;
 
 /// Order of the unknowns of a square pattern (taken as symmetric) with a small bandwidth:
 /// `order[new] = old`.

@@ -7,7 +7,7 @@ use faer::sparse::linalg::{LuError, SupernodalThreshold};
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, MatMut, Par};
 
-use super::Pattern;
+use super::pattern::Pattern;
 use super::scalar::Scalar;
 
 /// Factors of a sparse matrix; memory is kept from one factorization to the next.

@@ -8,9 +8,8 @@
 //! as an invariant subspace, and the iteration starts again beside it, until a start finds nothing new:
 //! one vector alone does not see an eigenvalue twice.
 
+use super::pair::{Failure, Pair, better_shift, scattered};
 use super::pencil::Pencil;
-use super::scattered;
-use super::spectrum::{Failure, Pair, better_shift};
 use crate::linalg::{Lu, c64, general_eigen};
 
 /// Residual of an eigenpair of the inverse, relative to the eigenvalue, at which it is locked.

@@ -1,7 +1,7 @@
 //! Small systems: all modes from full matrices on the null space of the constraints.
 
+use super::pair::{Failure, Pair, better_shift};
 use super::pencil::Pencil;
-use super::spectrum::{Failure, Pair, better_shift};
 use crate::linalg::{c64, general_eigen, negative_eigenvalues, solve_full, symmetric_eigen, times};
 
 /// Constraints whose part that others do not fix is smaller than this depend on those.

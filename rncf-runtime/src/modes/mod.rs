@@ -8,6 +8,8 @@
 mod arnoldi;
 mod critical;
 mod dense;
+mod mode;
+mod pair;
 mod pencil;
 mod refinement;
 mod spectrum;
@@ -16,6 +18,7 @@ mod whirl;
 
 pub use crate::model::{Composition, Motion};
 pub use critical::{Critical, critical};
+pub use mode::Mode;
 pub use pencil::Pencil;
 pub use tracking::{assurance, followed, matched};
 pub use whirl::Whirl;
@@ -24,29 +27,7 @@ use crate::error::{SolveError, SolveErrorKind};
 use crate::linalg::Pattern;
 use crate::model::{Scene, Uniform};
 use crate::system::{State, Tangent};
-use spectrum::{Failure, Pair};
-
-/// A mode of small motions: `x(t) = Re(shape exp((re + i im) t))`.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Mode {
-    /// Rate of growth, 1/s: positive where the equilibrium is unstable.
-    pub re: f64,
-    /// Angular frequency in the co-rotating axes, rad/s, not negative: one mode stands for two conjugate
-    /// ones. 0 where the mode does not oscillate.
-    pub im: f64,
-    /// Real and imaginary parts of the unknowns (increments of orientations, co-rotating). The first of the
-    /// entries that are largest relative to [`sizes`](crate::system::System::sizes) is its size times 1.
-    pub shape: Vec<[f64; 2]>,
-}
-
-impl Mode {
-    /// The conjugate one, which stands for the same motion.
-    pub fn conjugate(&self) -> Self {
-        let mut mode = self.clone();
-        mode.shape.iter_mut().for_each(|value| value[1] = -value[1]);
-        mode
-    }
-}
+use pair::{Failure, Pair};
 
 /// Which modes are wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -177,7 +158,7 @@ fn mode(pencil: &Pencil, sizes: &[f64], Pair { s, mut x }: Pair) -> Mode {
     for (value, (scale, size)) in x.iter_mut().zip(pencil.scales().iter().zip(sizes)) {
         *value *= scale / size;
     }
-    spectrum::normalise(&mut x, &mut []);
+    pair::normalise(&mut x, &mut []);
     let shape = x
         .iter()
         .zip(sizes)
@@ -237,18 +218,6 @@ fn error(scene: &dyn Scene, at: &Uniform, failure: &Failure) -> SolveError {
         h: 0.0,
         worst,
     }
-}
-
-/// Numbers between -1 and 1 without order, the same ones for the same start.
-fn scattered(count: usize, start: usize) -> Vec<f64> {
-    let mut seed = 0x9e37_79b9_7f4a_7c15_u64.wrapping_mul(start as u64 + 1);
-    let next = |_| {
-        seed = seed
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (seed >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    };
-    (0..count).map(next).collect()
 }
 
 #[cfg(test)]

@@ -1,8 +1,7 @@
 //! Eigenpairs as exact as the entries of the pencil tell them, checked against it.
 
+use super::pair::{CLOSE, Pair, normalise, scattered};
 use super::pencil::Pencil;
-use super::scattered;
-use super::spectrum::{CLOSE, Pair, normalise};
 use crate::linalg::{Lu, c64};
 
 /// Most refinements of a pair.

@@ -1,5 +1,6 @@
 //! The lowest eigenpairs of a pencil: found, refined, and one mode for every motion.
 
+use super::pair::{CLOSE, Failure, Pair, SLOW};
 use super::pencil::Pencil;
 use super::refinement::Refinement;
 use super::{arnoldi, dense};
@@ -10,38 +11,8 @@ const SMALL: usize = 60;
 const STILL_SMALL: usize = 600;
 /// Part of the unknowns that counts as many modes: one of this many.
 const MANY: usize = 4;
-/// Parts of the shift that the lowest frequency may be.
-const FITTING: std::ops::Range<f64> = 0.2..20.0;
-/// Part of the shift below which eigenvalues may be zeros.
-const SLOW: f64 = 0.05;
 /// Multiple of the shift beyond which an eigenvalue that fits no equation is infinite.
 const BEYOND: f64 = 1e5;
-/// Eigenvalues closer than this, relative to their distance from the shift, may be one.
-pub(super) const CLOSE: f64 = 1e-6;
-
-/// An eigenvalue and the unknowns of its vector, relative to the pencil's sizes.
-#[derive(Clone, Debug)]
-pub(super) struct Pair {
-    pub s: c64,
-    pub x: Vec<c64>,
-}
-
-/// Why modes were not found. Rows count unknowns first, then constraints.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Failure {
-    /// The pencil is singular whatever the eigenvalue.
-    Singular(Option<usize>),
-    /// An entry is not finite.
-    NotFinite,
-    /// The iteration for eigenvalues of a full matrix did not converge.
-    NotFound,
-    /// Arnoldi's iteration did not converge beyond this number of modes.
-    Slow(usize),
-    /// The mode of this number does not satisfy its equation.
-    Inexact(usize),
-    /// No mode was found though this number of motions is free.
-    Nothing(usize),
-}
 
 /// The `count` modes of lowest |s|, one of two conjugates, sorted by frequency, then by growth; all, if
 /// there are fewer; none only where constraints leave no motion free.
@@ -118,28 +89,4 @@ fn order(a: c64, b: c64) -> std::cmp::Ordering {
         .total_cmp(&b.norm())
         .then(a.re.total_cmp(&b.re))
         .then(b.im.total_cmp(&a.im))
-}
-
-/// A shift that suits the given approximate pairs better than the present one: near the lowest frequency
-/// that is not zero.
-pub(super) fn better_shift(pencil: &Pencil, shift: f64, pairs: impl Iterator<Item = Pair>) -> Option<f64> {
-    let none = vec![c64::default(); pencil.constraints()];
-    // Either estimate may be off: that of the inverse by its round-off, the other by a stiff part.
-    let speed = |pair: Pair| pair.s.norm().min(pencil.residual(pair.s, &pair.x, &none).1.norm());
-    // Beside a stiff part the round-off of zeros is no small part of the shift: towards it the pencil becomes singular.
-    let lowest = pairs
-        .filter(|pair| pair.s.norm() > SLOW * shift || !pencil.is_still(&pair.x, CLOSE * shift))
-        .map(speed)
-        .filter(|&speed| speed > CLOSE * shift)
-        .fold(f64::INFINITY, f64::min);
-    (lowest.is_finite() && !FITTING.contains(&(lowest / shift))).then_some(0.5 * lowest)
-}
-
-/// Scales the vector such that its first entry of the largest size is 1.
-pub(super) fn normalise(x: &mut [c64], lambda: &mut [c64]) {
-    let largest = x.iter().map(|value| value.norm()).fold(0.0, f64::max);
-    let entry = x.iter().copied().find(|value| value.norm() >= (1.0 - CLOSE) * largest);
-    if let Some(entry) = entry.filter(|entry| entry.norm() > 0.0) {
-        x.iter_mut().chain(lambda).for_each(|value| *value /= entry);
-    }
 }

@@ -1,6 +1,6 @@
 //! Which mode is which when a parameter changes.
 
-use super::Mode;
+use super::mode::Mode;
 use crate::linalg::c64;
 
 /// Assurance below this tells two modes from each other.

@@ -1,6 +1,7 @@
 //! Rotors, pendulums and bodies of few unknowns.
 
-use super::super::spectrum::{Failure, lowest};
+use super::super::pair::Failure;
+use super::super::spectrum::lowest;
 use super::super::{Critical, critical, dense};
 use super::*;
 

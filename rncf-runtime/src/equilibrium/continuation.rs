@@ -1,0 +1,292 @@
+//! Continuation of equilibria from the start, in the scale of the motion or of the loads.
+
+use super::newton::{Failure, Newton, Patience};
+use crate::error::{SolveError, SolveErrorKind};
+use crate::model::{Kind, Scene, Uniform};
+use crate::system::State;
+
+/// Smallest increment of the scale.
+pub(super) const SMALLEST: f64 = 1.0 / 65536.0;
+
+/// Part of the angular velocity up to which a way that ends has led nowhere.
+pub(super) const NO_WAY: f64 = 1.0 / 64.0;
+
+/// Increment of the loads at which Newton's iteration seldom leaps over a limit point.
+pub(super) const LOAD_STEP: f64 = 1.0 / 32.0;
+
+/// Distance, relative to the sizes of the unknowns, at which a way back has come to where it began.
+pub(super) const RETURNED: f64 = 1e-6;
+
+/// An equilibrium and the way to it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Equilibrium {
+    /// The continuation steps in their order, the last one at scale 1.
+    pub path: Vec<Continued>,
+    /// Newton iterations of attempts that failed and were repeated with a smaller increment.
+    pub wasted_iterations: u32,
+}
+
+/// One continuation step.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Continued {
+    /// Part of the angular velocity, or of the loads of a static equilibrium, 0 to 1.
+    pub scale: f64,
+    /// Equilibrium at that scale: positions and orientations, velocities and accelerations of the uniform
+    /// motion, multipliers.
+    pub state: State,
+    /// Newton iterations that it took.
+    pub iterations: u32,
+    /// Of a static equilibrium the number of negative eigenvalues of the stiffness on what the constraints
+    /// leave free: it changes where the bodies buckle or reach a limit point. Its parity alone (0 or 1) where
+    /// there are more than some hundred unknowns, or where the stiffness is not symmetric.
+    pub negative: Option<usize>,
+}
+
+impl Equilibrium {
+    /// The equilibrium at the full angular velocity or load.
+    pub fn state(&self) -> Option<&State> {
+        self.path.last().map(|step| &step.state)
+    }
+
+    /// Newton iterations of all attempts.
+    pub fn iterations(&self) -> u32 {
+        self.wasted_iterations + self.path.iter().map(|step| step.iterations).sum::<u32>()
+    }
+}
+
+/// Relative equilibrium of `scene` with the spin, loads and constraints of time `t` (s).
+///
+/// # Errors
+/// As [`follow`].
+pub fn steady(scene: &mut dyn Scene, t: f64) -> Result<Equilibrium, SolveError> {
+    follow(scene, &Uniform::steady(t), 1.0, |_, _| ())
+}
+
+/// Equilibrium at rest of `scene` under the loads of time `t` (s), which are stepped from zero.
+///
+/// # Errors
+/// As [`follow`].
+pub fn static_load(scene: &mut dyn Scene, t: f64) -> Result<Equilibrium, SolveError> {
+    follow(scene, &Uniform::at_rest(t), LOAD_STEP, |_, _| ())
+}
+
+/// The equilibria from the start of `scene` up to `at` with growing [`Uniform::scale`], in increments of
+/// at most `largest`; `visit` sees every step when it is found, so that the way is known up to where it
+/// ends.
+///
+/// # Errors
+/// [`SolveErrorKind::NoEquilibrium`] if the unknowns are not those of the turning frames, if a frame,
+/// load, joint, force or constraint is not invariant under the rotation (by name), or if no equilibrium
+/// continues those before.
+pub fn follow(
+    scene: &mut dyn Scene,
+    at: &Uniform,
+    largest: f64,
+    visit: impl FnMut(&mut dyn Scene, &Continued),
+) -> Result<Equilibrium, SolveError> {
+    along(scene, at, largest, Patience::Patient, visit)
+}
+
+/// [`follow`] with the given patience of the iteration.
+pub(super) fn along(
+    scene: &mut dyn Scene,
+    at: &Uniform,
+    largest: f64,
+    patience: Patience,
+    mut visit: impl FnMut(&mut dyn Scene, &Continued),
+) -> Result<Equilibrium, SolveError> {
+    let mut last = scene.uniform_guess(at);
+    check(scene, at, &last)?;
+    let mut newton = Newton::new(scene);
+    let largest = largest.clamp(SMALLEST, 1.0);
+    let (mut scale, mut increment) = (0.0, largest);
+    let mut found = Equilibrium {
+        path: vec![],
+        wasted_iterations: 0,
+    };
+    while scale < at.scale {
+        let target = (scale + increment).min(at.scale);
+        // At small spins the equilibria need not be near the start: they hang on the ratio of the loads alone.
+        let patiences = match (patience, at.kind) {
+            (Patience::Patient, Kind::Steady) if scale == 0.0 => &[Patience::Strict, Patience::Patient][..],
+            _ => &[patience],
+        };
+        let mut result = Err(Failure::NotFinite);
+        for &patience in patiences {
+            if result.is_err() {
+                let wasted;
+                (result, wasted) = attempt(scene, &mut newton, at, [scale, target], &last, patience);
+                found.wasted_iterations += wasted;
+            }
+        }
+        match result {
+            Ok(step) => {
+                scale = target;
+                increment = (2.0 * increment).min(largest);
+                last.clone_from(&step.state);
+                visit(scene, &step);
+                found.path.push(step);
+            }
+            Err(failure) => {
+                increment = 0.5 * (target - scale);
+                if increment < SMALLEST {
+                    let is_patient = patience == Patience::Patient && at.kind == Kind::Steady;
+                    if is_patient
+                        && scale < NO_WAY * at.scale
+                        && let Some(step) = settled(scene, &mut newton, at)
+                    {
+                        visit(scene, &step);
+                        found.path.push(step);
+                        return Ok(found);
+                    }
+                    return Err(failed(scene, at, &failure, scale));
+                }
+            }
+        }
+    }
+    Ok(found)
+}
+
+/// The equilibrium at the whole angular velocity that the start flows to: where next to rest nothing is stiff, as hinged
+/// blades, no way leads there.
+pub(super) fn settled(scene: &mut dyn Scene, newton: &mut Newton, at: &Uniform) -> Option<Continued> {
+    let speed = at.speed()
+        * at.spin
+            .map_or_else(|| scene.spin(at.t), |spin| crate::vector::norm(spin.velocity));
+    let mut state = scene.uniform_guess(at);
+    newton.flow(scene, at, &mut state, speed).ok()?;
+    let (result, iterations) = newton.solve(scene, at, &mut state, Patience::Strict);
+    result.ok()?;
+    Some(Continued {
+        scale: at.scale,
+        state,
+        iterations,
+        negative: newton.count(at),
+    })
+}
+
+/// The equilibrium at the second of two scales from that at the first one; also the iterations that led nowhere or
+/// back. What an iteration that wandered found counts only if it lies on the side that the first increment pointed to
+/// and if the way back ends where it began: of another branch neither needs to hold.
+pub(super) fn attempt(
+    scene: &mut dyn Scene,
+    newton: &mut Newton,
+    at: &Uniform,
+    [scale, target]: [f64; 2],
+    last: &State,
+    patience: Patience,
+) -> (Result<Continued, Failure>, u32) {
+    let mut state = last.clone();
+    let (result, iterations) = newton.solve(scene, &at.scaled(target), &mut state, patience);
+    if let Err(failure) = result {
+        return (Err(failure), iterations);
+    }
+    let step = Continued {
+        scale: target,
+        state,
+        iterations,
+        negative: newton.count(at),
+    };
+    if patience == Patience::Strict || !newton.has_wandered() {
+        return (Ok(step), 0);
+    }
+    let leapt = Failure::Leapt(newton.farthest());
+    if newton.has_turned_back() {
+        return (Err(leapt), iterations);
+    }
+    // The way back from another branch leads elsewhere.
+    let (mut start, mut wasted) = (last.clone(), 0);
+    if scale == 0.0 {
+        // The start need be no equilibrium, nor be there one without loads.
+        let (result, more) = newton.solve(scene, &at.scaled(0.0), &mut start, patience);
+        wasted += more;
+        if result.is_err() {
+            let (result, more) = attempt(scene, newton, at, [scale, target], last, Patience::Strict);
+            return (result, wasted + iterations + more);
+        }
+    }
+    let mut back = step.state.clone();
+    let (result, more) = newton.solve(scene, &at.scaled(scale), &mut back, patience);
+    wasted += more;
+    if result.is_ok() && distance(scene, &back, &start) <= RETURNED {
+        (Ok(step), wasted)
+    } else {
+        (Err(leapt), wasted + iterations)
+    }
+}
+
+/// Largest difference of two states' positions and orientations, relative to the sizes of the unknowns.
+pub(super) fn distance(scene: &dyn Scene, a: &State, b: &State) -> f64 {
+    let mut b = b.clone();
+    // In the charts of a.
+    for (index, &unknown) in scene.turns().iter().enumerate() {
+        let away = a.turns[index].inverse().times(&b.orientation(index, unknown));
+        b.x[unknown..unknown + 3].copy_from_slice(&away.log());
+    }
+    // Those of equilibria have just begun anew.
+    let parts = a.x.iter().zip(&b.x).zip(scene.sizes());
+    parts.fold(0.0, |largest: f64, ((a, b), size)| largest.max((a - b).abs() / size))
+}
+
+/// The equilibrium near a guess, e.g. that of nearby parameters: positions, orientations and
+/// multipliers are read.
+///
+/// # Errors
+/// As [`follow`].
+pub fn continue_from(scene: &mut dyn Scene, at: &Uniform, guess: &State) -> Result<Continued, SolveError> {
+    check(scene, at, guess)?;
+    let mut state = guess.clone();
+    state.t = at.t;
+    let mut newton = Newton::new(scene);
+    let (result, iterations) = newton.solve(scene, at, &mut state, Patience::Strict);
+    match result {
+        Ok(()) => Ok(Continued {
+            scale: at.scale,
+            state,
+            iterations,
+            negative: newton.count(at),
+        }),
+        Err(failure) => Err(failed(scene, at, &failure, at.scale)),
+    }
+}
+
+pub(super) fn error(at: &Uniform, text: String, worst: Option<String>) -> SolveError {
+    SolveError {
+        kind: SolveErrorKind::NoEquilibrium(text),
+        t: at.t,
+        h: 0.0,
+        worst,
+    }
+}
+
+/// Whether an equilibrium may exist.
+pub(super) fn check(scene: &mut dyn Scene, at: &Uniform, guess: &State) -> Result<(), SolveError> {
+    if !scene.is_referenced() {
+        let text = "the unknowns do not turn with the bodies; take the formulation rncf";
+        return Err(error(at, text.into(), None));
+    }
+    match scene.uniform_obstacle(at, guess) {
+        Some(obstacle) => Err(error(at, obstacle, None)),
+        None => Ok(()),
+    }
+}
+
+pub(super) fn failed(scene: &dyn Scene, at: &Uniform, failure: &Failure, scale: f64) -> SolveError {
+    let of = match at.kind {
+        Kind::Steady => "the angular velocity",
+        Kind::Static => "the load",
+    };
+    let (text, row) = failure.explain(&format!("beyond {scale} of {of}"));
+    error(at, text, row.map(|row| describe(scene, row)))
+}
+
+pub(super) fn describe(scene: &dyn Scene, row: usize) -> String {
+    let n = scene.unknowns();
+    if row < n {
+        scene.describe_unknown(row)
+    } else if row < n + scene.constraints() {
+        scene.describe_constraint(row - n)
+    } else {
+        "a motion that nothing ties".into()
+    }
+}
