@@ -64,6 +64,8 @@ pub struct ModalScene {
     pub(super) constraint_pattern: Pattern,
     pub(super) turns: Vec<usize>,
     pub(super) sizes: Vec<f64>,
+    /// Mass matrix of the nodal vectors with all elements, for the energy.
+    whole_mass: Vec<f64>,
     /// By body, where its modes have hindered its deflection most.
     pub(super) worst: Vec<Option<Told>>,
     /// The state with all nodal vectors.
@@ -98,6 +100,7 @@ impl ModalScene {
             all.push(modes);
             scene.check_loose(index)?;
         }
+        let whole_mass = scene.mass.clone();
         scene.in_modes = true;
         scene.assemble_mass();
         let reduction = Reduction::new(blocks, scene.unknowns());
@@ -117,6 +120,7 @@ impl ModalScene {
         let zeros = || vec![0.0; entries];
         Ok(Self {
             modes: all,
+            whole_mass,
             worst: vec![None; scene.bodies.len()],
             full: State::of(&scene, 0.0),
             tangent: Tangent {
@@ -474,15 +478,13 @@ impl System for ModalScene {
 
     fn energy(&mut self, state: &State) -> Option<f64> {
         // Eqs. (18)-(20) do not conserve it.
-        if self.is_small() {
+        if self.is_small() || !self.scene.parts.conservative() {
             return None;
         }
         self.expand(state);
-        self.scene.in_modes = false;
-        self.scene.assemble_mass();
-        let energy = self.scene.energy(&self.full);
-        self.scene.in_modes = true;
-        self.scene.assemble_mass();
+        std::mem::swap(&mut self.scene.mass, &mut self.whole_mass);
+        let energy = self.in_elements(|scene, full| scene.energy(full));
+        std::mem::swap(&mut self.scene.mass, &mut self.whole_mass);
         energy
     }
 }
