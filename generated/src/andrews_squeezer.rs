@@ -879,6 +879,7 @@ pub mod andrews_squeezer_equations {
                     markers: &[1, 0],
                     coupled: &[],
                     first_party: 1,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
                 ::rncf::emitted::ConstraintSpec {
@@ -888,6 +889,7 @@ pub mod andrews_squeezer_equations {
                     markers: &[3, 2],
                     coupled: &[],
                     first_party: 1,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
                 ::rncf::emitted::ConstraintSpec {
@@ -897,6 +899,7 @@ pub mod andrews_squeezer_equations {
                     markers: &[4, 2],
                     coupled: &[],
                     first_party: 1,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
                 ::rncf::emitted::ConstraintSpec {
@@ -906,6 +909,7 @@ pub mod andrews_squeezer_equations {
                     markers: &[6, 5],
                     coupled: &[],
                     first_party: 1,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
                 ::rncf::emitted::ConstraintSpec {
@@ -915,6 +919,7 @@ pub mod andrews_squeezer_equations {
                     markers: &[7, 8],
                     coupled: &[],
                     first_party: 1,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
                 ::rncf::emitted::ConstraintSpec {
@@ -924,6 +929,7 @@ pub mod andrews_squeezer_equations {
                     markers: &[9, 10],
                     coupled: &[],
                     first_party: 1,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
                 ::rncf::emitted::ConstraintSpec {
@@ -933,6 +939,7 @@ pub mod andrews_squeezer_equations {
                     markers: &[11, 12],
                     coupled: &[],
                     first_party: 1,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
                 ::rncf::emitted::ConstraintSpec {
@@ -942,6 +949,7 @@ pub mod andrews_squeezer_equations {
                     markers: &[13, 14],
                     coupled: &[],
                     first_party: 1,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
                 ::rncf::emitted::ConstraintSpec {
@@ -951,6 +959,7 @@ pub mod andrews_squeezer_equations {
                     markers: &[13, 15],
                     coupled: &[],
                     first_party: 1,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
                 ::rncf::emitted::ConstraintSpec {
@@ -960,6 +969,7 @@ pub mod andrews_squeezer_equations {
                     markers: &[13, 16],
                     coupled: &[],
                     first_party: 1,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
             ])
@@ -1014,11 +1024,13 @@ pub mod andrews_squeezer_equations {
                     name: "tension",
                     markers: &[17, 18],
                     conservative: true,
+                    branches: 0,
                 },
                 ::rncf::emitted::ForceSpec {
                     name: "motor",
                     markers: &[19],
                     conservative: false,
+                    branches: 0,
                 },
             ])
         }

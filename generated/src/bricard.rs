@@ -876,6 +876,7 @@ pub mod bricard_equations {
                     markers: &[1, 2, 0, 3, 4],
                     coupled: &[[1, 3], [1, 4]],
                     first_party: 2,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
                 ::rncf::emitted::ConstraintSpec {
@@ -891,6 +892,7 @@ pub mod bricard_equations {
                     markers: &[5, 7, 6, 8, 9],
                     coupled: &[[1, 3], [1, 4]],
                     first_party: 2,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
                 ::rncf::emitted::ConstraintSpec {
@@ -906,6 +908,7 @@ pub mod bricard_equations {
                     markers: &[10, 12, 11, 13, 14],
                     coupled: &[[1, 3], [1, 4]],
                     first_party: 2,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
                 ::rncf::emitted::ConstraintSpec {
@@ -921,6 +924,7 @@ pub mod bricard_equations {
                     markers: &[15, 17, 16, 18, 19],
                     coupled: &[[1, 3], [1, 4]],
                     first_party: 2,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
                 ::rncf::emitted::ConstraintSpec {
@@ -936,6 +940,7 @@ pub mod bricard_equations {
                     markers: &[20, 22, 21, 23, 24],
                     coupled: &[[1, 3], [1, 4]],
                     first_party: 2,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
                 ::rncf::emitted::ConstraintSpec {
@@ -945,6 +950,7 @@ pub mod bricard_equations {
                     markers: &[25, 27, 26, 29],
                     coupled: &[[1, 3]],
                     first_party: 2,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
             ])

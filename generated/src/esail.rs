@@ -3527,6 +3527,7 @@ pub mod esail_equations {
                     markers: &[0, 1],
                     coupled: &[[0, 1]],
                     first_party: 2,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
                 ::rncf::emitted::ConstraintSpec {
@@ -3536,6 +3537,7 @@ pub mod esail_equations {
                     markers: &[2, 1],
                     coupled: &[[0, 1]],
                     first_party: 2,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
             ])

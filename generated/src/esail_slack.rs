@@ -4296,6 +4296,7 @@ pub mod esail_slack_equations {
                     markers: &[0, 1],
                     coupled: &[[0, 1]],
                     first_party: 2,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
                 ::rncf::emitted::ConstraintSpec {
@@ -4305,6 +4306,7 @@ pub mod esail_slack_equations {
                     markers: &[2, 1],
                     coupled: &[[0, 1]],
                     first_party: 2,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
             ])

@@ -1342,6 +1342,7 @@ pub mod flyball_governor_equations {
                     markers: &[1, 2, 0, 3, 4],
                     coupled: &[[1, 3], [1, 4]],
                     first_party: 2,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
                 ::rncf::emitted::ConstraintSpec {
@@ -1357,6 +1358,7 @@ pub mod flyball_governor_equations {
                     markers: &[2, 7, 8, 5, 6, 9],
                     coupled: &[[0, 3], [0, 4], [1, 4], [2, 3], [2, 4], [3, 5], [4, 5]],
                     first_party: 3,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
                 ::rncf::emitted::ConstraintSpec {
@@ -1372,6 +1374,7 @@ pub mod flyball_governor_equations {
                     markers: &[10, 12, 11, 13, 14],
                     coupled: &[[1, 3], [1, 4]],
                     first_party: 2,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
                 ::rncf::emitted::ConstraintSpec {
@@ -1387,6 +1390,7 @@ pub mod flyball_governor_equations {
                     markers: &[15, 12, 16, 17, 18],
                     coupled: &[[1, 3], [1, 4]],
                     first_party: 2,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
             ])
@@ -1490,11 +1494,13 @@ pub mod flyball_governor_equations {
                     name: "right_strut",
                     markers: &[19, 20],
                     conservative: false,
+                    branches: 0,
                 },
                 ::rncf::emitted::ForceSpec {
                     name: "left_strut",
                     markers: &[21, 22],
                     conservative: false,
+                    branches: 0,
                 },
             ])
         }

@@ -528,6 +528,7 @@ pub mod four_bar_equations {
                     markers: &[1, 0],
                     coupled: &[],
                     first_party: 1,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
                 ::rncf::emitted::ConstraintSpec {
@@ -537,6 +538,7 @@ pub mod four_bar_equations {
                     markers: &[3, 2],
                     coupled: &[],
                     first_party: 1,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
                 ::rncf::emitted::ConstraintSpec {
@@ -546,6 +548,7 @@ pub mod four_bar_equations {
                     markers: &[5, 4],
                     coupled: &[],
                     first_party: 1,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
                 ::rncf::emitted::ConstraintSpec {
@@ -555,6 +558,7 @@ pub mod four_bar_equations {
                     markers: &[6, 7],
                     coupled: &[],
                     first_party: 1,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
                 ::rncf::emitted::ConstraintSpec {
@@ -564,6 +568,7 @@ pub mod four_bar_equations {
                     markers: &[8, 9],
                     coupled: &[],
                     first_party: 1,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
                 ::rncf::emitted::ConstraintSpec {
@@ -573,6 +578,7 @@ pub mod four_bar_equations {
                     markers: &[8, 10],
                     coupled: &[],
                     first_party: 1,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
                 ::rncf::emitted::ConstraintSpec {
@@ -582,6 +588,7 @@ pub mod four_bar_equations {
                     markers: &[11, 12],
                     coupled: &[],
                     first_party: 1,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
             ])

@@ -391,6 +391,7 @@ pub mod heavy_top_equations {
                     markers: &[0, 1],
                     coupled: &[],
                     first_party: 1,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
             ])

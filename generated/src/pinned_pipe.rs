@@ -1315,51 +1315,61 @@ pub mod pinned_pipe_equations {
                     name: "support_0",
                     markers: &[0, 1],
                     conservative: true,
+                    branches: 0,
                 },
                 ::rncf::emitted::ForceSpec {
                     name: "support_1",
                     markers: &[2, 3],
                     conservative: true,
+                    branches: 0,
                 },
                 ::rncf::emitted::ForceSpec {
                     name: "support_2",
                     markers: &[4, 5],
                     conservative: true,
+                    branches: 0,
                 },
                 ::rncf::emitted::ForceSpec {
                     name: "support_3",
                     markers: &[6, 7],
                     conservative: true,
+                    branches: 0,
                 },
                 ::rncf::emitted::ForceSpec {
                     name: "support_4",
                     markers: &[8, 9],
                     conservative: true,
+                    branches: 0,
                 },
                 ::rncf::emitted::ForceSpec {
                     name: "support_5",
                     markers: &[10, 11],
                     conservative: true,
+                    branches: 0,
                 },
                 ::rncf::emitted::ForceSpec {
                     name: "support_6",
                     markers: &[12, 13],
                     conservative: true,
+                    branches: 0,
                 },
                 ::rncf::emitted::ForceSpec {
                     name: "support_7",
                     markers: &[14, 15],
                     conservative: true,
+                    branches: 0,
                 },
                 ::rncf::emitted::ForceSpec {
                     name: "support_8",
                     markers: &[16, 17],
                     conservative: true,
+                    branches: 0,
                 },
                 ::rncf::emitted::ForceSpec {
                     name: "shake",
                     markers: &[18],
                     conservative: false,
+                    branches: 0,
                 },
             ])
         }

@@ -2884,6 +2884,7 @@ pub mod slider_crank_equations {
                     markers: &[0, 1],
                     coupled: &[],
                     first_party: 1,
+                    branches: 0,
                     when: ::rncf::emitted::When::Absolute(0),
                 },
                 ::rncf::emitted::ConstraintSpec {
@@ -2893,6 +2894,7 @@ pub mod slider_crank_equations {
                     markers: &[2, 3, 4],
                     coupled: &[[0, 2], [1, 2]],
                     first_party: 1,
+                    branches: 0,
                     when: ::rncf::emitted::When::Absolute(0),
                 },
                 ::rncf::emitted::ConstraintSpec {
@@ -2902,6 +2904,7 @@ pub mod slider_crank_equations {
                     markers: &[2, 3, 5],
                     coupled: &[[0, 2], [1, 2]],
                     first_party: 1,
+                    branches: 0,
                     when: ::rncf::emitted::When::Absolute(0),
                 },
                 ::rncf::emitted::ConstraintSpec {
@@ -2911,6 +2914,7 @@ pub mod slider_crank_equations {
                     markers: &[5],
                     coupled: &[],
                     first_party: 1,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
                 ::rncf::emitted::ConstraintSpec {
@@ -2920,6 +2924,7 @@ pub mod slider_crank_equations {
                     markers: &[2],
                     coupled: &[],
                     first_party: 1,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
                 ::rncf::emitted::ConstraintSpec {
@@ -2929,6 +2934,7 @@ pub mod slider_crank_equations {
                     markers: &[2],
                     coupled: &[],
                     first_party: 1,
+                    branches: 0,
                     when: ::rncf::emitted::When::Always,
                 },
             ])

@@ -75,6 +75,8 @@ pub enum SolveErrorKind {
     NotFinite,
     /// A prescribed position or angle jumps; the text says which and by how much.
     Discontinuous(String),
+    /// An angle passes half a turn and jumps, and a law that reads it jumps with it; the text names the law.
+    HalfTurn(String),
     /// The run will not come to its end; the text says what grows or how many steps are left.
     Endless(String),
     /// A force, constraint, load or motion has no finite value; the text names it.
@@ -142,6 +144,12 @@ impl fmt::Display for SolveError {
                 f,
                 "at t = {t} s {text}, which no body can follow: let each case of its motion begin with the value at which the one before ends"
             )?,
+            SolveErrorKind::HalfTurn(text) => {
+                return write!(
+                    f,
+                    "at t = {t} s the angle in {text} passes half a turn, where it jumps from 180 to -180 deg: let what it lies between move in a plane (`plane`) or about a `hinged` frame, where angles count on, or make the law periodic"
+                );
+            }
             SolveErrorKind::NoModes(text) => write!(f, "no modes at t = {t} s: {text}")?,
             SolveErrorKind::NoEquilibrium(text) => write!(f, "no relative equilibrium at t = {t} s: {text}")?,
         }

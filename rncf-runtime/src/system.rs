@@ -194,6 +194,46 @@ pub struct Lever {
     pub inertia: Option<[Matrix; 2]>,
 }
 
+/// An angle that a law reads by its sine and cosine. The law jumps where the angle goes from pi to -pi, unless it is periodic.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Branch {
+    /// Sine, times what it has in common with the cosine.
+    pub sine: f64,
+    /// Cosine, likewise.
+    pub cosine: f64,
+    /// By how much the law jumps half a turn away from 0, and its size there, in its unit.
+    pub jump: f64,
+    /// See `jump`.
+    pub size: f64,
+}
+
+/// Part of the size of a law by which it jumps for round-off.
+const PERIODIC: f64 = 1e-9;
+/// What is left to half a turn, rad, where that is near.
+const NEAR: f64 = 0.1;
+
+impl Branch {
+    /// rad, in (-pi, pi].
+    fn angle(&self) -> f64 {
+        self.sine.atan2(self.cosine)
+    }
+
+    fn jumps(&self) -> bool {
+        self.jump > PERIODIC * self.size
+    }
+
+    /// Whether a step that ends here has passed the place where the law jumps, by the shorter way.
+    pub fn is_passed_from(&self, before: &Branch) -> bool {
+        let straight = self.angle() - before.angle();
+        self.jumps() && straight.abs() > std::f64::consts::PI
+    }
+
+    /// Whether the law jumps within some degrees.
+    pub fn is_near(&self) -> bool {
+        self.jumps() && self.angle().abs() > std::f64::consts::PI - NEAR
+    }
+}
+
 /// A second-order differential-algebraic system. Functions write into the caller's memory and
 /// take `&mut self` for scratch only: the result depends on the arguments alone.
 pub trait System {
@@ -312,6 +352,16 @@ pub trait System {
     /// sides of a kink.
     fn jumps(&mut self, _state: &State, _behind: f64) -> Vec<Jump> {
         Vec::new()
+    }
+
+    /// Angles that laws read, always in the same order.
+    fn branches(&mut self, _state: &State) -> Vec<Branch> {
+        Vec::new()
+    }
+
+    /// The law that reads an angle, in the user's words.
+    fn describe_branch(&self, index: usize) -> String {
+        format!("angle {index}")
     }
 
     /// What moves faster than light at the state, and how fast, in the user's words: a motion that has grown beyond all

@@ -1,5 +1,6 @@
 //! Generated models, integrated, against references that were written by hand from THEORY.
 
+mod closed_forms;
 mod dense;
 mod determinism;
 mod energy;

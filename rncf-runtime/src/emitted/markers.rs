@@ -120,6 +120,8 @@ pub struct ConstraintSpec {
     pub coupled: &'static [[usize; 2]],
     /// The first so many markers belong to the first party: reactions act on it.
     pub first_party: usize,
+    /// Number of angles in it ([`super::Parts::marker_constraint_branches`]).
+    pub branches: usize,
     /// Where it is there.
     pub when: When,
 }
@@ -133,6 +135,8 @@ pub struct ForceSpec {
     pub markers: &'static [usize],
     /// Whether it has a potential ([`super::Parts::marker_energy`]).
     pub conservative: bool,
+    /// Number of angles in it ([`super::Parts::marker_force_branches`]).
+    pub branches: usize,
 }
 
 /// A rigid fixture at a place of a flexible body (THEORY 5.4). Its inertia is constant; a section below it becomes rigid, with

@@ -374,6 +374,11 @@ pub trait Parts: Send + Sync + 'static {
         by_value.fill(0.0);
         by_velocity.fill(0.0);
     }
+    /// For each angle that a force reads by its sine and cosine: both, by how much the force jumps where the angle goes from pi to -pi, and its
+    /// size there.
+    fn marker_force_branches(&self, _force: usize, _t: f64, _z: &[Vector], _velocity: &[Vector], _out: &mut [f64]) {}
+    /// The same of a constraint.
+    fn marker_constraint_branches(&self, _constraint: usize, _t: f64, _z: &[Vector], _out: &mut [f64]) {}
     /// Potential of a conservative force, J.
     fn marker_energy(&self, _force: usize, _t: f64, _z: &[Vector]) -> f64 {
         0.0

@@ -15,7 +15,7 @@ use super::watch::{Trouble, Watch};
 use super::{Method, Options, Statistics, StepSize, Stop, diagnose, newton, noise};
 use crate::error::{SolveError, SolveErrorKind};
 use crate::linalg::Singular;
-use crate::system::{ConstraintLevel, State, System};
+use crate::system::{Branch, ConstraintLevel, State, System};
 
 /// Switches are looked for so many steps ahead: the last two before one share what is left.
 const AHEAD: f64 = 2.0;
@@ -116,6 +116,7 @@ impl Driver {
             self.restart(system)?;
         }
         let (t, low) = (self.state().t, self.scheme.time_rest());
+        let branches = system.branches(self.state());
         if self.segments.is_at_end(t) {
             return Ok(Stop::End);
         }
@@ -131,6 +132,9 @@ impl Driver {
                     // A step cut short by a kink or the end says little about the next one.
                     self.wanted = if next >= h { next.max(limited) } else { next };
                     let stop = self.accepted(system, t, h);
+                    if let Some(error) = self.half_turn(system, &branches, (t, h)) {
+                        return Err(error);
+                    }
                     if let Some(error) = self.trouble(system, stop, h, fixed) {
                         return Err(error);
                     }
@@ -277,6 +281,17 @@ impl Driver {
         }
     }
 
+    /// An angle that has jumped in a step from `t` of size `h`.
+    fn half_turn(&self, system: &mut dyn System, before: &[Branch], (t, h): (f64, f64)) -> Option<SolveError> {
+        let now = system.branches(self.state());
+        let passed = now
+            .iter()
+            .zip(before)
+            .position(|(now, before)| now.is_passed_from(before))?;
+        let law = system.describe_branch(passed);
+        Some(error(system, SolveErrorKind::HalfTurn(law), t, h, None))
+    }
+
     /// Why the run will not come to its end, or means nothing.
     fn trouble(&mut self, system: &mut dyn System, stop: Stop, h: f64, fixed: bool) -> Option<SolveError> {
         let t = self.state().t;
@@ -318,6 +333,10 @@ impl Driver {
     }
 
     fn rejection_error(&mut self, system: &mut dyn System, t: f64, h: f64, cause: Cause) -> SolveError {
+        if let Some(near) = system.branches(self.scheme.state()).iter().position(Branch::is_near) {
+            let law = system.describe_branch(near);
+            return error(system, SolveErrorKind::HalfTurn(law), t, h, None);
+        }
         let branching = match &cause {
             Cause::Newton { .. } | Cause::Singular { .. } => diagnose::near_singular(system, self.scheme.state()),
             Cause::Error | Cause::NotFinite => None,

@@ -310,6 +310,7 @@ impl Parts for Arm {
             markers: &[1, 2],
             coupled: &[[0, 1]],
             first_party: 1,
+            branches: 0,
             when: When::Always,
         };
         if self.linked { vec![rod] } else { Vec::new() }
@@ -319,6 +320,7 @@ impl Parts for Arm {
             name: "spring",
             markers: &[0, 2],
             conservative: false,
+            branches: 0,
         };
         if self.linked { vec![spring] } else { Vec::new() }
     }

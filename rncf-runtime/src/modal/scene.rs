@@ -14,7 +14,7 @@ use crate::linalg::Pattern;
 use crate::model::{Formulation, Joints, Scene, Warning};
 use crate::scene::MeshScene;
 use crate::scene::bodies::described::{Elements, Kernels};
-use crate::system::{Conserving, ConstraintLevel, Jump, Lever, State, System, Tangent, Turning};
+use crate::system::{Branch, Conserving, ConstraintLevel, Jump, Lever, State, System, Tangent, Turning};
 
 /// Builds the scene of a model with emitted parts: with modal coordinates where a body asks for them, and with bodies, by
 /// their names, described otherwise than they are declared.
@@ -469,6 +469,15 @@ impl System for ModalScene {
     fn too_fast(&mut self, state: &State) -> Option<String> {
         self.expand(state);
         self.scene.too_fast(&self.full)
+    }
+
+    fn branches(&mut self, state: &State) -> Vec<Branch> {
+        self.expand(state);
+        self.scene.branches(&self.full)
+    }
+
+    fn describe_branch(&self, index: usize) -> String {
+        self.scene.describe_branch(index)
     }
 
     fn jumps(&mut self, state: &State, behind: f64) -> Vec<Jump> {

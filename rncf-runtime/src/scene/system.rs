@@ -8,7 +8,7 @@ use crate::scene::numbering::conditions::{Condition, row_count, width};
 use crate::scene::numbering::layout::VectorKind;
 use crate::scene::pieces::buffers::{Regime, Row};
 use crate::scene::pieces::combination::Combination;
-use crate::system::{Conserving, ConstraintLevel, Jump, Lever, State, System, Tangent};
+use crate::system::{Branch, Conserving, ConstraintLevel, Jump, Lever, State, System, Tangent};
 
 /// Letters of the components.
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -252,6 +252,14 @@ impl System for MeshScene {
 
     fn too_fast(&mut self, state: &State) -> Option<String> {
         self.faster_than_light(state)
+    }
+
+    fn branches(&mut self, state: &State) -> Vec<Branch> {
+        self.branches_at(state)
+    }
+
+    fn describe_branch(&self, index: usize) -> String {
+        self.law_of_branch(index)
     }
 
     fn jumps(&mut self, state: &State, behind: f64) -> Vec<Jump> {

@@ -9,6 +9,7 @@
 use std::collections::{HashMap, HashSet};
 
 use super::balance::TOTAL;
+use super::distant::distant_axes;
 use super::loose::loose_ties;
 use super::messages as say;
 use super::read::mentioned;
@@ -24,6 +25,7 @@ pub fn influence(tree: &Tree, model: &Model, library: &Library) -> Vec<Mistake> 
     let mut warnings = Graph::new(tree).warnings();
     warnings.extend(unread_properties(tree, model, library));
     warnings.extend(loose_ties(tree, model, library));
+    warnings.extend(distant_axes(tree, model));
     if tree.is_copied {
         warnings = crate::errors::at_each_place_once(warnings);
     }

@@ -9,6 +9,7 @@ mod constant;
 mod constraint;
 mod curve;
 mod density;
+mod distant;
 mod distributed;
 mod drive;
 mod eigen;

@@ -240,11 +240,12 @@ impl Equations {
         for constraint in &self.constraints {
             kernels.extend(&constraint.levels);
             kernels.push(&constraint.gradient);
-            kernels.extend(constraint.rate_gradient.iter().chain(&constraint.hessian));
+            let others = [&constraint.rate_gradient, &constraint.hessian, &constraint.branches];
+            kernels.extend(others.into_iter().flatten());
         }
         for force in &self.forces {
             kernels.push(&force.force);
-            kernels.extend(force.tangent.iter().chain(&force.energy));
+            kernels.extend([&force.tangent, &force.energy, &force.branches].into_iter().flatten());
         }
         kernels.extend(self.moments.iter().flat_map(|(_, kernels)| kernels));
         kernels.extend(self.section_moments.iter().flatten());

@@ -7,6 +7,7 @@ use std::fmt::Write;
 use super::expression::inline;
 use super::parts::Parts;
 use crate::lower::Kernel;
+use crate::lower::branches;
 use crate::lower::camel_case;
 use crate::lower::constraints::ConstraintKernels;
 use crate::lower::joints::LEVELS;
@@ -231,8 +232,8 @@ impl Parts<'_> {
                 Some(body) => format!("Absolute({})", self.first_of(body)),
             };
             let entry = format!(
-                "::rncf::emitted::ConstraintSpec {{ name: {:?}, kind: {:?}, rows: &{rows:?}, markers: &{markers:?}, coupled: &{coupled:?}, first_party: {}, when: ::rncf::emitted::When::{when} }}",
-                constraint.name, constraint.kind, constraint.first_party
+                "::rncf::emitted::ConstraintSpec {{ name: {:?}, kind: {:?}, rows: &{rows:?}, markers: &{markers:?}, coupled: &{coupled:?}, first_party: {}, branches: {}, when: ::rncf::emitted::When::{when} }}",
+                constraint.name, constraint.kind, constraint.first_party, branches::count(kernels.and_then(|kernels| kernels.branches.as_ref()))
             );
             (None, entry)
         });
@@ -275,6 +276,14 @@ impl Parts<'_> {
                 "fn marker_constraint_rate_gradient(&self, constraint: usize, t: f64, z: {VECTORS}, velocity: {VECTORS}, gradient: &mut [f64]) {{\ngradient.fill(0.0);\nmatch constraint {{\n{rate}}}\n}}"
             );
         }
+        let angles = kernels.iter().filter_map(|k| Some((&k.of[..], k.branches.as_ref()?)));
+        let angles = arms(angles, "&self.model, t, z, out");
+        if angles != NOTHING {
+            let _ = writeln!(
+                text,
+                "fn marker_constraint_branches(&self, constraint: usize, t: f64, z: {VECTORS}, out: &mut [f64]) {{\nmatch constraint {{\n{angles}}}\n}}"
+            );
+        }
         let hessian = kernels.iter().filter_map(|k| Some((&k.of[..], k.hessian.as_ref()?)));
         let hessian = arms(hessian, "&self.model, t, z, lambda, hessian");
         if hessian != NOTHING {
@@ -291,12 +300,14 @@ impl Parts<'_> {
         if self.model.forces.is_empty() {
             return String::new();
         }
-        let entries = self.model.forces.iter().map(|force| {
+        let entries = self.model.forces.iter().enumerate().map(|(index, force)| {
+            let kernels = self.equations.forces.iter().find(|kernels| kernels.of.contains(&index));
             let markers: Vec<usize> = force.markers.iter().map(|marker| marker.0).collect();
             let entry = format!(
-                "::rncf::emitted::ForceSpec {{ name: {:?}, markers: &{markers:?}, conservative: {} }}",
+                "::rncf::emitted::ForceSpec {{ name: {:?}, markers: &{markers:?}, conservative: {}, branches: {} }}",
                 force.name,
-                force.energy.is_some()
+                force.energy.is_some(),
+                branches::count(kernels.and_then(|kernels| kernels.branches.as_ref()))
             );
             (None, entry)
         });
@@ -325,6 +336,14 @@ impl Parts<'_> {
             let _ = writeln!(
                 text,
                 "fn marker_force_tangent(&self, force: usize, t: f64, z: {VECTORS}, velocity: {VECTORS}, by_value: &mut [f64], by_velocity: &mut [f64]) {{\nby_value.fill(0.0);\nby_velocity.fill(0.0);\nmatch force {{\n{tangent}}}\n}}"
+            );
+        }
+        let angles = kernels.iter().filter_map(|k| Some((&k.of[..], k.branches.as_ref()?)));
+        let angles = arms(angles, "&self.model, t, z, velocity, out");
+        if angles != NOTHING {
+            let _ = writeln!(
+                text,
+                "fn marker_force_branches(&self, force: usize, t: f64, z: {VECTORS}, velocity: {VECTORS}, out: &mut [f64]) {{\nmatch force {{\n{angles}}}\n}}"
             );
         }
         let energy = kernels.iter().filter_map(|k| Some((&k.of[..], k.energy.as_ref()?)));

@@ -3,6 +3,7 @@
 
 use std::collections::{BTreeSet, HashMap};
 
+use super::branches;
 use super::joints::LEVELS;
 use super::kernel::{Kernel, derivatives, values};
 use super::markers::{Marked, describe, function_name, localise};
@@ -22,6 +23,8 @@ pub struct ConstraintKernels {
     pub rate_gradient: Option<Kernel>,
     /// `sum_i lambda_i d^2 C_i/dz dz`, where it is not zero.
     pub hessian: Option<Kernel>,
+    /// Where angles in it jump.
+    pub branches: Option<Kernel>,
     /// Markers of the constraint's own list that it couples: two in ascending order, each pair once, ascending.
     pub coupled: Vec<[usize; 2]>,
 }
@@ -98,8 +101,16 @@ impl Rows<'_> {
             gradient: self.gradient(),
             rate_gradient: self.rate_gradient(),
             hessian,
+            branches: self.branches(),
             coupled,
         }
+    }
+
+    fn branches(&self) -> Option<Kernel> {
+        let mut marked = Marked::values_and_rates(self.model, self.count);
+        let outputs = branches::outputs(&mut marked, &self.rows);
+        let arguments = ["z: &[[f64; 3]]", "out: &mut [f64]"];
+        (!outputs.is_empty()).then(|| self.kernel(marked, "branches", branches::TITLE, outputs, &arguments))
     }
 
     /// The rows in a graph whose markers are `z[marker][component]`.

@@ -1,6 +1,7 @@
 //! Forces on markers: f(z, z', t) with both tangents, and the potential. Forces that differ in
 //! nothing but their markers share their functions.
 
+use super::branches;
 use super::kernel::{Kernel, derivatives};
 use super::markers::{Marked, describe, function_name, list, localise};
 use crate::model::{Expr, Model};
@@ -17,6 +18,8 @@ pub struct ForceKernels {
     pub tangent: Option<Kernel>,
     /// Potential.
     pub energy: Option<Kernel>,
+    /// Where angles in it jump.
+    pub branches: Option<Kernel>,
 }
 
 /// The functions of all forces of a model, each once.
@@ -62,6 +65,7 @@ pub fn force_kernels(model: &Model) -> Vec<ForceKernels> {
             force: law.force(),
             tangent: law.tangent(),
             energy: energy.as_ref().map(|energy| law.energy(energy)),
+            branches: law.branches(),
         });
     }
     kernels
@@ -133,6 +137,13 @@ impl Law<'_> {
             "by_velocity: &mut [f64]",
         ];
         (!outputs.is_empty()).then(|| self.kernel(marked, "tangent", title, outputs, &arguments))
+    }
+
+    fn branches(&self) -> Option<Kernel> {
+        let mut marked = Marked::values_and_rates(self.model, self.count);
+        let outputs = branches::outputs(&mut marked, self.components);
+        let arguments = ["z: &[[f64; 3]]", "velocity: &[[f64; 3]]", "out: &mut [f64]"];
+        (!outputs.is_empty()).then(|| self.kernel(marked, "branches", branches::TITLE, outputs, &arguments))
     }
 
     fn energy(&self, energy: &Expr) -> Kernel {

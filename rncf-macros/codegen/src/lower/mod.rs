@@ -1,6 +1,7 @@
 //! From energies and motions to kernels: everything that is derived is derived here, and the
 //! cheapest form is chosen by counted operations.
 
+pub mod branches;
 pub mod choose;
 pub mod constraints;
 pub mod density;

@@ -69,3 +69,27 @@ fn models_of_this_repository_have_no_warnings() {
         warnings.join("\n")
     );
 }
+
+/// Of two frames without a point the origin of the first is the place of a joint; where the other one is elsewhere, it may have been meant.
+#[test]
+fn an_axis_at_either_of_two_origins_is_told() {
+    let told = |joint: &str| -> Vec<String> {
+        let text = format!(
+            "model Gear {{ rigid wheel {{ plane xy; mass = 1 kg; inertia = 1 kg*m^2; origin = [1, 0, 0] m; }} joint bearing = {joint}; output a = bearing.angle; }}"
+        );
+        let tokens = text.parse().expect("tokens");
+        let warnings = expand::warnings(tokens, &Library::standard());
+        warnings.into_iter().map(|warning| warning.message).collect()
+    };
+    let warnings = told("revolute(inertial, wheel)");
+    assert!(
+        warnings.len() == 1 && warnings[0].contains("the origin of `inertial`, and that of `wheel` is 1 m away"),
+        "{warnings:?}"
+    );
+    for clear in [
+        "revolute(inertial.at([0, 0, 0] m), wheel)",
+        "revolute(inertial, wheel.at([0, 0, 0] m))",
+    ] {
+        assert_eq!(told(clear), Vec::<String>::new());
+    }
+}

@@ -176,6 +176,7 @@ fn flyer(mean_axes: bool) -> Hand {
         markers: &[0, 1, 2, 3, 4, 5],
         coupled: EVERY,
         first_party: 2,
+        branches: 0,
         when: When::Absolute(0),
     };
     let unit = |axis: usize| std::array::from_fn(|i| if i == axis { 1.0 } else { 0.0 });
@@ -266,6 +267,7 @@ fn flyer(mean_axes: bool) -> Hand {
                 name: "rope",
                 markers: &[6, 7],
                 conservative: false,
+                branches: 0,
             },
             Law::Spring(3.0, 0.6, 0.4),
         )],
@@ -452,6 +454,7 @@ fn a_joint_carries_the_weight_and_its_moment_vanishes_at_its_point() {
         markers: &[0, 1],
         coupled: &[],
         first_party: 1,
+        branches: 0,
         when: When::Always,
     };
     let reaction = |moment: bool, component| ObservedSpec::ConstraintReaction {

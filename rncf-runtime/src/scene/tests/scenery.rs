@@ -119,6 +119,7 @@ pub fn everything() -> Hand {
             name,
             markers,
             conservative: false,
+            branches: 0,
         };
         (spec, law)
     };
@@ -263,6 +264,7 @@ fn constraints() -> Vec<(ConstraintSpec, Vec<Quadratic>)> {
         markers,
         coupled: &EVERY[..PAIRS[markers.len()]],
         first_party: 1,
+        branches: 0,
         when: When::Always,
     };
     let unit = |axis: usize| std::array::from_fn(|i| if i == axis { 1.0 } else { 0.0 });

@@ -206,6 +206,7 @@ pub fn everything_with_sections() -> Hand {
         markers: &[15, 16, 17, 18],
         coupled: &EVERY[..PAIRS[4]],
         first_party: 1,
+        branches: 0,
         when: When::Always,
     };
     let product = |products| Quadratic {
@@ -222,12 +223,14 @@ pub fn everything_with_sections() -> Hand {
         name: "wind",
         markers: &[17, 16],
         conservative: false,
+        branches: 0,
     };
     hand.forces.push((wind, Law::Along(0.8)));
     let turning = |name, markers| ForceSpec {
         name,
         markers,
         conservative: false,
+        branches: 0,
     };
     hand.forces.push((turning("spanner", &[19, 18]), Law::Along(0.6)));
     hand.forces.push((turning("brake", &[19]), Law::Drag(0.3)));

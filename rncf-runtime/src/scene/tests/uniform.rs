@@ -145,6 +145,7 @@ fn ball(name: &'static str, markers: &'static [usize]) -> (ConstraintSpec, Vec<Q
         markers,
         coupled: &[],
         first_party: 1,
+        branches: 0,
         when: When::Always,
     };
     let row = |axis| Quadratic {
@@ -319,6 +320,7 @@ fn what_is_not_invariant_is_refused_by_name() {
             name: "stay",
             markers,
             conservative: true,
+            branches: 0,
         };
         (spec, Law::Spring(40.0, 0.4, 0.0))
     };
@@ -378,6 +380,7 @@ fn an_unbalanced_moment_along_a_neutral_motion_is_told() {
         name: "air",
         markers: &[2],
         conservative: false,
+        branches: 0,
     };
     hand.forces = vec![(spec, Law::Drag(0.3))];
     let mut scene = hand.scene(Formulation::Rncf);

@@ -34,7 +34,7 @@ impl MeshScene {
     }
 
     /// Values of the markers of a constraint and of their velocities.
-    fn arguments(&self, linked: &Linked) -> [Vec<Vector>; 2] {
+    pub(super) fn arguments(&self, linked: &Linked) -> [Vec<Vector>; 2] {
         let jets = linked
             .spec
             .markers

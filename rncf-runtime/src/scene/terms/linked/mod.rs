@@ -1,5 +1,6 @@
 //! What acts between frames and bodies: constraints and forces on markers (THEORY 2.2, 6).
 
+mod branches;
 mod constraints;
 mod forces;
 mod jets;

@@ -1,0 +1,50 @@
+//! Angles that forces and constraints read by their sines and cosines.
+
+use crate::scene::MeshScene;
+use crate::system::{Branch, State};
+
+impl MeshScene {
+    /// Of all forces, then of all constraints.
+    pub(in crate::scene) fn branches_at(&mut self, state: &State) -> Vec<Branch> {
+        let of_forces: usize = self.forces.iter().map(|spec| spec.branches).sum();
+        let of_constraints: usize = self.constraints.iter().map(|linked| linked.spec.branches).sum();
+        if of_forces + of_constraints == 0 {
+            return Vec::new();
+        }
+        self.load_state(state);
+        let mut numbers = vec![[0.0; 4]; of_forces + of_constraints];
+        let mut rest = numbers.as_flattened_mut();
+        for (index, spec) in self.forces.iter().enumerate().filter(|(_, spec)| spec.branches > 0) {
+            let (z, velocity) = self.force_arguments(index);
+            let (own, others) = rest.split_at_mut(4 * spec.branches);
+            self.parts.marker_force_branches(index, state.t, &z, &velocity, own);
+            rest = others;
+        }
+        for linked in self.constraints.iter().filter(|linked| linked.spec.branches > 0) {
+            let [z, _] = self.arguments(linked);
+            let (own, others) = rest.split_at_mut(4 * linked.spec.branches);
+            self.parts.marker_constraint_branches(linked.index, state.t, &z, own);
+            rest = others;
+        }
+        let branch = |&[sine, cosine, jump, size]: &[f64; 4]| Branch {
+            sine,
+            cosine,
+            jump,
+            size,
+        };
+        numbers.iter().map(branch).collect()
+    }
+
+    /// The force or constraint that reads an angle.
+    pub(in crate::scene) fn law_of_branch(&self, index: usize) -> String {
+        let forces = self.forces.iter().map(|spec| (spec.branches, spec.name));
+        let constraints = self
+            .constraints
+            .iter()
+            .map(|linked| (linked.spec.branches, linked.spec.name));
+        let mut names = forces
+            .chain(constraints)
+            .flat_map(|(count, name)| std::iter::repeat_n(name, count));
+        names.nth(index).map_or_else(String::new, |name| format!("`{name}`"))
+    }
+}
