@@ -10,6 +10,8 @@ pub(crate) struct Push {
     pub markers: Vec<usize>,
     /// Whether it has a potential.
     pub conservative: bool,
+    /// Number of angles in it.
+    pub branches: usize,
     pub law: Law,
     /// Body and element that it is spread over; else it acts at one place.
     pub element: Option<(usize, usize)>,
@@ -32,6 +34,7 @@ impl From<(usize, ForceSpec)> for Push {
             name: spec.name,
             markers: spec.markers.to_vec(),
             conservative: spec.conservative,
+            branches: spec.branches,
             law: Law::Force(index),
             element: None,
         }

@@ -92,6 +92,7 @@ impl MeshScene {
                 name,
                 markers: (first..self.markers.len()).collect(),
                 conservative: false,
+                branches: 0,
                 law,
                 element,
             });

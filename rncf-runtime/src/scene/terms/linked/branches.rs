@@ -1,6 +1,7 @@
 //! Angles that forces and constraints read by their sines and cosines.
 
-use crate::scene::MeshScene;
+use crate::scene::mesh_scene::MeshScene;
+use crate::scene::pieces::push::Law;
 use crate::system::{Branch, State};
 
 impl MeshScene {
@@ -14,11 +15,13 @@ impl MeshScene {
         self.load_state(state);
         let mut numbers = vec![[0.0; 4]; of_forces + of_constraints];
         let mut rest = numbers.as_flattened_mut();
-        for (index, spec) in self.forces.iter().enumerate().filter(|(_, spec)| spec.branches > 0) {
-            let (z, velocity) = self.force_arguments(index);
-            let (own, others) = rest.split_at_mut(4 * spec.branches);
-            self.parts.marker_force_branches(index, state.t, &z, &velocity, own);
-            rest = others;
+        for (index, push) in self.forces.iter().enumerate() {
+            if let (Law::Force(force), 1..) = (push.law, push.branches) {
+                let (z, velocity) = self.force_arguments(index);
+                let (own, others) = rest.split_at_mut(4 * push.branches);
+                self.parts.marker_force_branches(force, state.t, &z, &velocity, own);
+                rest = others;
+            }
         }
         for linked in self.constraints.iter().filter(|linked| linked.spec.branches > 0) {
             let [z, _] = self.arguments(linked);
