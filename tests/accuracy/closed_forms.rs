@@ -290,10 +290,7 @@ fn an_angle_that_passes_half_a_turn_stops_a_law_that_jumps_there() {
         );
     }
     // Up to there the nut falls with m g / (m + J / pitch^2).
-    let nut = Nut {
-        pitch: 1.0,
-        ..Nut::default()
-    };
+    let nut = Nut { pitch: 2.0 };
     let row = last(&nut, 1e-8).unwrap();
     assert_near(row[0], -0.5 * 9.81 * 2.0 / (2.0 + 0.0005), 1e-8);
     let energy = last(&Turning::default(), 1e-8).unwrap()[0];
