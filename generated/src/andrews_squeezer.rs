@@ -616,9 +616,6 @@ pub mod andrews_squeezer_equations {
         }
     }
     impl ::rncf::emitted::Parts for Equations {
-        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
-            Some("force `motor` has no potential")
-        }
         fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
@@ -671,11 +668,22 @@ pub mod andrews_squeezer_equations {
         fn conservative(&self) -> bool {
             false
         }
+        fn kinks(&self) -> ::std::vec::Vec<f64> {
+            ::std::vec::Vec::new()
+        }
+        fn gaps(&self, t: f64, out: &mut ::std::vec::Vec<[f64; 2]>) {}
         fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
             motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
         }
         fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
             outputs(&self.model, t, observed, out);
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            Some("force `motor` has no potential")
+        }
+        fn check(&self) -> ::std::result::Result<(), ::rncf::ModelError> {
+            let model = &self.model;
+            Ok(())
         }
         fn free(&self) -> ::std::vec::Vec<::rncf::emitted::FreeSpec> {
             let still = ::rncf::emitted::FreeSpec {
@@ -869,6 +877,14 @@ pub mod andrews_squeezer_equations {
                 },
             ])
         }
+    }
+    impl ::rncf::emitted::WithoutBodies for Equations {}
+    impl ::rncf::emitted::WithoutConservingForces for Equations {}
+    impl ::rncf::emitted::WithoutJointConditions for Equations {}
+    impl ::rncf::emitted::WithoutLoads for Equations {}
+    impl ::rncf::emitted::WithoutSlopeMoments for Equations {}
+    impl ::rncf::emitted::WithoutSectionMoments for Equations {}
+    impl ::rncf::emitted::MarkerConstraints for Equations {
         fn constraints(&self) -> ::std::vec::Vec<::rncf::emitted::ConstraintSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
@@ -1017,6 +1033,35 @@ pub mod andrews_squeezer_equations {
                 _ => {}
             }
         }
+        fn marker_constraint_rate_gradient(
+            &self,
+            constraint: usize,
+            t: f64,
+            z: &[[f64; 3]],
+            velocity: &[[f64; 3]],
+            gradient: &mut [f64],
+        ) {
+            gradient.fill(0.0);
+        }
+        fn marker_constraint_branches(
+            &self,
+            constraint: usize,
+            t: f64,
+            z: &[[f64; 3]],
+            out: &mut [f64],
+        ) {}
+        fn marker_constraint_hessian(
+            &self,
+            constraint: usize,
+            t: f64,
+            z: &[[f64; 3]],
+            lambda: &[f64],
+            hessian: &mut [f64],
+        ) {
+            hessian.fill(0.0);
+        }
+    }
+    impl ::rncf::emitted::MarkerForces for Equations {
         fn forces(&self) -> ::std::vec::Vec<::rncf::emitted::ForceSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
@@ -1077,6 +1122,14 @@ pub mod andrews_squeezer_equations {
                 _ => {}
             }
         }
+        fn marker_force_branches(
+            &self,
+            force: usize,
+            t: f64,
+            z: &[[f64; 3]],
+            velocity: &[[f64; 3]],
+            out: &mut [f64],
+        ) {}
         fn marker_energy(&self, force: usize, t: f64, z: &[[f64; 3]]) -> f64 {
             let mut energy = 0.0;
             match force {
@@ -1086,4 +1139,8 @@ pub mod andrews_squeezer_equations {
             energy
         }
     }
+    impl ::rncf::emitted::WithoutDensities for Equations {}
+    impl ::rncf::emitted::WithoutDistributedLoads for Equations {}
+    impl ::rncf::emitted::WithoutPlacedGravity for Equations {}
+    impl ::rncf::emitted::WithoutGravityFields for Equations {}
 }

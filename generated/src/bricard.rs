@@ -605,31 +605,6 @@ pub mod bricard_equations {
         }
     }
     impl ::rncf::emitted::Parts for Equations {
-        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
-            None
-        }
-        fn loads(&self) -> ::std::vec::Vec<::rncf::emitted::LoadSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::emitted::LoadSpec {
-                    name: "weight",
-                    kind: ::rncf::emitted::LoadKind::Gravity,
-                    frame: 0,
-                },
-            ])
-        }
-        fn load_varies(&self, load: usize) -> bool {
-            const VARIES: [bool; 1] = [false];
-            VARIES[load]
-        }
-        fn load(&self, load: usize, t: f64) -> [f64; 3] {
-            let mut value = [0.0; 3];
-            match load {
-                0 => load_weight(&self.model, t, &mut value),
-                _ => {}
-            }
-            value
-        }
         fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
@@ -662,11 +637,22 @@ pub mod bricard_equations {
         fn conservative(&self) -> bool {
             true
         }
+        fn kinks(&self) -> ::std::vec::Vec<f64> {
+            ::std::vec::Vec::new()
+        }
+        fn gaps(&self, t: f64, out: &mut ::std::vec::Vec<[f64; 2]>) {}
         fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
             motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
         }
         fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
             outputs(&self.model, t, observed, out);
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            None
+        }
+        fn check(&self) -> ::std::result::Result<(), ::rncf::ModelError> {
+            let model = &self.model;
+            Ok(())
         }
         fn free(&self) -> ::std::vec::Vec<::rncf::emitted::FreeSpec> {
             let still = ::rncf::emitted::FreeSpec {
@@ -860,6 +846,37 @@ pub mod bricard_equations {
                 },
             ])
         }
+    }
+    impl ::rncf::emitted::WithoutBodies for Equations {}
+    impl ::rncf::emitted::WithoutConservingForces for Equations {}
+    impl ::rncf::emitted::WithoutJointConditions for Equations {}
+    impl ::rncf::emitted::Loads for Equations {
+        fn loads(&self) -> ::std::vec::Vec<::rncf::emitted::LoadSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::emitted::LoadSpec {
+                    name: "weight",
+                    kind: ::rncf::emitted::LoadKind::Gravity,
+                    frame: 0,
+                },
+            ])
+        }
+        fn load_varies(&self, load: usize) -> bool {
+            const VARIES: [bool; 1] = [false];
+            VARIES[load]
+        }
+        fn load(&self, load: usize, t: f64) -> [f64; 3] {
+            let mut value = [0.0; 3];
+            match load {
+                0 => load_weight(&self.model, t, &mut value),
+                _ => {}
+            }
+            value
+        }
+    }
+    impl ::rncf::emitted::WithoutSlopeMoments for Equations {}
+    impl ::rncf::emitted::WithoutSectionMoments for Equations {}
+    impl ::rncf::emitted::MarkerConstraints for Equations {
         fn constraints(&self) -> ::std::vec::Vec<::rncf::emitted::ConstraintSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
@@ -1030,6 +1047,13 @@ pub mod bricard_equations {
                 _ => {}
             }
         }
+        fn marker_constraint_branches(
+            &self,
+            constraint: usize,
+            t: f64,
+            z: &[[f64; 3]],
+            out: &mut [f64],
+        ) {}
         fn marker_constraint_hessian(
             &self,
             constraint: usize,
@@ -1048,4 +1072,9 @@ pub mod bricard_equations {
             }
         }
     }
+    impl ::rncf::emitted::WithoutMarkerForces for Equations {}
+    impl ::rncf::emitted::WithoutDensities for Equations {}
+    impl ::rncf::emitted::WithoutDistributedLoads for Equations {}
+    impl ::rncf::emitted::WithoutPlacedGravity for Equations {}
+    impl ::rncf::emitted::WithoutGravityFields for Equations {}
 }

@@ -3232,6 +3232,307 @@ pub mod esail_slack_equations {
         }
     }
     impl ::rncf::emitted::Parts for Equations {
+        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
+            let model = &self.model;
+            let mut specs = ::std::vec::Vec::new();
+            specs
+                .push(::rncf::emitted::ObservedSpec::Marker {
+                    marker: 1,
+                    derivative: 0,
+                    component: 0,
+                });
+            specs
+                .push(::rncf::emitted::ObservedSpec::Marker {
+                    marker: 1,
+                    derivative: 0,
+                    component: 1,
+                });
+            specs
+                .push(::rncf::emitted::ObservedSpec::Marker {
+                    marker: 1,
+                    derivative: 0,
+                    component: 2,
+                });
+            specs
+                .push(::rncf::emitted::ObservedSpec::Marker {
+                    marker: 4,
+                    derivative: 0,
+                    component: 0,
+                });
+            specs
+                .push(::rncf::emitted::ObservedSpec::Marker {
+                    marker: 5,
+                    derivative: 1,
+                    component: 0,
+                });
+            specs
+                .push(::rncf::emitted::ObservedSpec::Marker {
+                    marker: 4,
+                    derivative: 0,
+                    component: 1,
+                });
+            specs
+                .push(::rncf::emitted::ObservedSpec::Marker {
+                    marker: 5,
+                    derivative: 1,
+                    component: 1,
+                });
+            specs
+                .push(::rncf::emitted::ObservedSpec::Marker {
+                    marker: 4,
+                    derivative: 0,
+                    component: 2,
+                });
+            specs
+                .push(::rncf::emitted::ObservedSpec::Marker {
+                    marker: 5,
+                    derivative: 1,
+                    component: 2,
+                });
+            specs
+                .push(::rncf::emitted::ObservedSpec::Multiplier {
+                    constraint: 0,
+                    row: 0,
+                });
+            specs
+                .push(::rncf::emitted::ObservedSpec::Multiplier {
+                    constraint: 1,
+                    row: 0,
+                });
+            for instance in 0..self.counts[0] {
+                let index = instance as f64;
+                specs
+                    .push(::rncf::emitted::ObservedSpec::Point {
+                        body: ::rncf::emitted::instance(
+                            self.first(0),
+                            self.counts[0],
+                            index,
+                        ),
+                        at: ::rncf::emitted::Place::End,
+                        what: ::rncf::emitted::PointQuantity::Position,
+                        component: 2,
+                    });
+            }
+            for instance in 0..self.counts[0] {
+                let index = instance as f64;
+                specs
+                    .push(::rncf::emitted::ObservedSpec::Point {
+                        body: ::rncf::emitted::instance(
+                            self.first(0),
+                            self.counts[0],
+                            index,
+                        ),
+                        at: ::rncf::emitted::Place::End,
+                        what: ::rncf::emitted::PointQuantity::Position,
+                        component: 2,
+                    });
+            }
+            for instance in 0..self.counts[0] {
+                let index = instance as f64;
+                specs
+                    .push(::rncf::emitted::ObservedSpec::Section {
+                        body: ::rncf::emitted::instance(
+                            self.first(0),
+                            self.counts[0],
+                            index,
+                        ),
+                        at: ::rncf::emitted::Place::Start,
+                        what: ::rncf::emitted::SectionQuantity::AxialForce,
+                    });
+            }
+            for instance in 0..self.counts[0] {
+                let index = instance as f64;
+                specs
+                    .push(::rncf::emitted::ObservedSpec::Section {
+                        body: ::rncf::emitted::instance(
+                            self.first(1),
+                            self.counts[0],
+                            index,
+                        ),
+                        at: ::rncf::emitted::Place::At(
+                            3.141592653589793 * (model.length + model.hub_radius)
+                                / (model.tethers as f64),
+                        ),
+                        what: ::rncf::emitted::SectionQuantity::AxialForce,
+                    });
+            }
+            for instance in 0..self.counts[0] {
+                let index = instance as f64;
+                specs
+                    .push(::rncf::emitted::ObservedSpec::Section {
+                        body: ::rncf::emitted::instance(
+                            self.first(1),
+                            self.counts[0],
+                            index,
+                        ),
+                        at: ::rncf::emitted::Place::At(
+                            3.141592653589793 * (model.length + model.hub_radius)
+                                / (model.tethers as f64),
+                        ),
+                        what: ::rncf::emitted::SectionQuantity::AxialForce,
+                    });
+            }
+            specs
+        }
+        fn output_columns(&self) -> usize {
+            9
+        }
+        fn frame_count(&self) -> usize {
+            2
+        }
+        fn frame_name(&self, frame: usize) -> &'static str {
+            ["inertial", "sail"][frame]
+        }
+        fn conservative(&self) -> bool {
+            false
+        }
+        fn kinks(&self) -> ::std::vec::Vec<f64> {
+            ::std::vec::Vec::new()
+        }
+        fn gaps(&self, t: f64, out: &mut ::std::vec::Vec<[f64; 2]>) {}
+        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
+            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
+        }
+        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
+            let model = &self.model;
+            let (plain, mut rest) = observed.split_at(11);
+            let mut seen = [0.0; 16];
+            seen[..11].copy_from_slice(plain);
+            seen[11] = ::rncf::emitted::reduce(
+                ::rncf::emitted::Reduction::Min,
+                self.counts[0],
+                1,
+                &mut rest,
+                |index, observed| {
+                    let mut value = [0.0];
+                    outputs_of_one_0(model, t, index, observed, &mut value);
+                    value[0]
+                },
+            );
+            seen[12] = ::rncf::emitted::reduce(
+                ::rncf::emitted::Reduction::Max,
+                self.counts[0],
+                1,
+                &mut rest,
+                |index, observed| {
+                    let mut value = [0.0];
+                    outputs_of_one_1(model, t, index, observed, &mut value);
+                    value[0]
+                },
+            );
+            seen[13] = ::rncf::emitted::reduce(
+                ::rncf::emitted::Reduction::Max,
+                self.counts[0],
+                1,
+                &mut rest,
+                |index, observed| {
+                    let mut value = [0.0];
+                    outputs_of_one_2(model, t, index, observed, &mut value);
+                    value[0]
+                },
+            );
+            seen[14] = ::rncf::emitted::reduce(
+                ::rncf::emitted::Reduction::Min,
+                self.counts[0],
+                1,
+                &mut rest,
+                |index, observed| {
+                    let mut value = [0.0];
+                    outputs_of_one_3(model, t, index, observed, &mut value);
+                    value[0]
+                },
+            );
+            seen[15] = ::rncf::emitted::reduce(
+                ::rncf::emitted::Reduction::Max,
+                self.counts[0],
+                1,
+                &mut rest,
+                |index, observed| {
+                    let mut value = [0.0];
+                    outputs_of_one_4(model, t, index, observed, &mut value);
+                    value[0]
+                },
+            );
+            outputs(model, t, &seen, out);
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            Some("the load per length `thrust` has no potential")
+        }
+        fn check(&self) -> ::std::result::Result<(), ::rncf::ModelError> {
+            let model = &self.model;
+            ::rncf::emitted::repetitions("a", (model.tethers as f64))?;
+            ::rncf::emitted::non_negative(
+                "fixture `core`",
+                "mass",
+                model.core_mass,
+                "kg",
+            )?;
+            for instance in 0..self.counts[0] {
+                let index = instance as f64;
+                ::rncf::emitted::non_negative(
+                    "fixture `remote`",
+                    "mass",
+                    model.remote_mass * (1.0 + model.asymmetry * (index * index).cos()),
+                    "kg",
+                )?;
+            }
+            Ok(())
+        }
+        fn free(&self) -> ::std::vec::Vec<::rncf::emitted::FreeSpec> {
+            let still = ::rncf::emitted::FreeSpec {
+                frame: 0,
+                parent: 0,
+                is_body: false,
+                motions: ::rncf::emitted::Motions::Spatial,
+                position: [0.0; 3],
+                axis: [0.0; 3],
+                angle: 0.0,
+                velocity: [0.0; 3],
+                spin: [0.0; 3],
+                rigid: ::rncf::emitted::RigidSpec::default(),
+            };
+            let mut specs = ::std::vec::Vec::from([
+                ::rncf::emitted::FreeSpec {
+                    frame: 1,
+                    parent: 0,
+                    is_body: false,
+                    motions: ::rncf::emitted::Motions::Spatial,
+                    ..still.clone()
+                },
+            ]);
+            free_sail(&self.model, &mut specs[0]);
+            specs
+        }
+        fn markers(&self) -> ::std::vec::Vec<::rncf::emitted::MarkerSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::emitted::MarkerSpec::Direction {
+                    frame: 1,
+                    along: [1.0, 0.0, 0.0],
+                },
+                ::rncf::emitted::MarkerSpec::Point {
+                    frame: 1,
+                    at: [0.0, 0.0, 0.0],
+                },
+                ::rncf::emitted::MarkerSpec::Direction {
+                    frame: 1,
+                    along: [0.0, 1.0, 0.0],
+                },
+                ::rncf::emitted::MarkerSpec::Point {
+                    frame: 0,
+                    at: [0.0, 0.0, 0.0],
+                },
+                ::rncf::emitted::MarkerSpec::Direction {
+                    frame: 1,
+                    along: [0.0, 0.0, 1.0],
+                },
+                ::rncf::emitted::MarkerSpec::Turn {
+                    frame: 1,
+                },
+            ])
+        }
+    }
+    impl ::rncf::emitted::Bodies for Equations {
         fn bodies(&self) -> ::std::vec::Vec<::rncf::emitted::BodySpec> {
             let model = &self.model;
             let mut specs = ::std::vec::Vec::new();
@@ -3441,6 +3742,162 @@ pub mod esail_slack_equations {
                 }
             }
             Ok(())
+        }
+        fn initial(
+            &self,
+            body: usize,
+            x: f64,
+        ) -> [::std::option::Option<[[f64; 3]; 2]>; 2] {
+            let (body, instance) = self.kind(body);
+            let mut position = [[0.0; 3]; 2];
+            let mut velocity = [[0.0; 3]; 2];
+            match body {
+                1 => {
+                    initial_aux(
+                        &self.model,
+                        x,
+                        instance as f64,
+                        &mut position,
+                        &mut velocity,
+                    );
+                    [Some(position), None]
+                }
+                _ => [None, None],
+            }
+        }
+        fn shares(&self) -> ::std::vec::Vec<::rncf::emitted::ShareSpec> {
+            let model = &self.model;
+            let mut specs = ::std::vec::Vec::new();
+            for instance in 0..self.counts[0] {
+                let index = instance as f64;
+                specs
+                    .push(::rncf::emitted::ShareSpec {
+                        name: "near",
+                        ends: [
+                            (
+                                ::rncf::emitted::instance(
+                                    self.first(1),
+                                    self.counts[0],
+                                    index,
+                                ),
+                                false,
+                            ),
+                            (
+                                ::rncf::emitted::instance(
+                                    self.first(0),
+                                    self.counts[0],
+                                    index,
+                                ),
+                                true,
+                            ),
+                        ],
+                        smooth: false,
+                    });
+            }
+            for instance in 0..self.counts[0] {
+                let index = instance as f64;
+                specs
+                    .push(::rncf::emitted::ShareSpec {
+                        name: "far",
+                        ends: [
+                            (
+                                ::rncf::emitted::instance(
+                                    self.first(1),
+                                    self.counts[0],
+                                    index,
+                                ),
+                                true,
+                            ),
+                            (
+                                ::rncf::emitted::instance(
+                                    self.first(0),
+                                    self.counts[0],
+                                    (index + 1.0).rem_euclid((model.tethers as f64)),
+                                ),
+                                true,
+                            ),
+                        ],
+                        smooth: false,
+                    });
+            }
+            for instance in 0..self.counts[0] {
+                let index = instance as f64;
+                specs
+                    .push(::rncf::emitted::ShareSpec {
+                        name: "ring",
+                        ends: [
+                            (
+                                ::rncf::emitted::instance(
+                                    self.first(1),
+                                    self.counts[0],
+                                    index,
+                                ),
+                                true,
+                            ),
+                            (
+                                ::rncf::emitted::instance(
+                                    self.first(1),
+                                    self.counts[0],
+                                    (index + 1.0).rem_euclid((model.tethers as f64)),
+                                ),
+                                false,
+                            ),
+                        ],
+                        smooth: true,
+                    });
+            }
+            specs
+        }
+        fn starts(&self) -> ::std::vec::Vec<::rncf::emitted::StartSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::emitted::StartSpec {
+                    name: "spun",
+                    frame: 1,
+                    spin: Some([0.0, 0.0, model.spin]),
+                },
+            ])
+        }
+        fn fixtures(&self) -> ::std::vec::Vec<::rncf::emitted::FixtureSpec> {
+            let model = &self.model;
+            let mut specs = ::std::vec::Vec::new();
+            for instance in 0..self.counts[0] {
+                let index = instance as f64;
+                specs
+                    .push(::rncf::emitted::FixtureSpec {
+                        name: "remote",
+                        body: ::rncf::emitted::instance(
+                            self.first(0),
+                            self.counts[0],
+                            index,
+                        ),
+                        at: ::rncf::emitted::Place::End,
+                        constants: [
+                            model.remote_mass
+                                * (1.0 + model.asymmetry * (index * index).cos()),
+                            0.0,
+                            0.0,
+                            0.0,
+                            0.0,
+                            0.0,
+                            0.0,
+                            0.0,
+                            0.0,
+                            0.0,
+                        ],
+                        elastic: false,
+                    });
+            }
+            specs
+        }
+        fn varies(&self, body: usize) -> bool {
+            false
+        }
+        fn tables(
+            &self,
+            body: usize,
+        ) -> ::std::vec::Vec<&'static ::rncf::emitted::Table> {
+            ::std::vec::Vec::new()
         }
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             let (body, instance) = self.kind(body);
@@ -3774,9 +4231,9 @@ pub mod esail_slack_equations {
                 }
             }
         }
-        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
-            Some("the load per length `thrust` has no potential")
-        }
+    }
+    impl ::rncf::emitted::WithoutConservingForces for Equations {}
+    impl ::rncf::emitted::JointConditions for Equations {
         fn joints(&self) -> ::std::vec::Vec<::rncf::emitted::JointSpec> {
             let model = &self.model;
             let mut specs = ::std::vec::Vec::new();
@@ -3863,89 +4320,8 @@ pub mod esail_slack_equations {
                 _ => {}
             }
         }
-        fn shares(&self) -> ::std::vec::Vec<::rncf::emitted::ShareSpec> {
-            let model = &self.model;
-            let mut specs = ::std::vec::Vec::new();
-            for instance in 0..self.counts[0] {
-                let index = instance as f64;
-                specs
-                    .push(::rncf::emitted::ShareSpec {
-                        name: "near",
-                        ends: [
-                            (
-                                ::rncf::emitted::instance(
-                                    self.first(1),
-                                    self.counts[0],
-                                    index,
-                                ),
-                                false,
-                            ),
-                            (
-                                ::rncf::emitted::instance(
-                                    self.first(0),
-                                    self.counts[0],
-                                    index,
-                                ),
-                                true,
-                            ),
-                        ],
-                        smooth: false,
-                    });
-            }
-            for instance in 0..self.counts[0] {
-                let index = instance as f64;
-                specs
-                    .push(::rncf::emitted::ShareSpec {
-                        name: "far",
-                        ends: [
-                            (
-                                ::rncf::emitted::instance(
-                                    self.first(1),
-                                    self.counts[0],
-                                    index,
-                                ),
-                                true,
-                            ),
-                            (
-                                ::rncf::emitted::instance(
-                                    self.first(0),
-                                    self.counts[0],
-                                    (index + 1.0).rem_euclid((model.tethers as f64)),
-                                ),
-                                true,
-                            ),
-                        ],
-                        smooth: false,
-                    });
-            }
-            for instance in 0..self.counts[0] {
-                let index = instance as f64;
-                specs
-                    .push(::rncf::emitted::ShareSpec {
-                        name: "ring",
-                        ends: [
-                            (
-                                ::rncf::emitted::instance(
-                                    self.first(1),
-                                    self.counts[0],
-                                    index,
-                                ),
-                                true,
-                            ),
-                            (
-                                ::rncf::emitted::instance(
-                                    self.first(1),
-                                    self.counts[0],
-                                    (index + 1.0).rem_euclid((model.tethers as f64)),
-                                ),
-                                false,
-                            ),
-                        ],
-                        smooth: true,
-                    });
-            }
-            specs
-        }
+    }
+    impl ::rncf::emitted::Loads for Equations {
         fn loads(&self) -> ::std::vec::Vec<::rncf::emitted::LoadSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
@@ -3962,330 +4338,17 @@ pub mod esail_slack_equations {
             const VARIES: [bool; 1] = [false];
             VARIES[load]
         }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
-            let model = &self.model;
-            let mut specs = ::std::vec::Vec::new();
-            specs
-                .push(::rncf::emitted::ObservedSpec::Marker {
-                    marker: 1,
-                    derivative: 0,
-                    component: 0,
-                });
-            specs
-                .push(::rncf::emitted::ObservedSpec::Marker {
-                    marker: 1,
-                    derivative: 0,
-                    component: 1,
-                });
-            specs
-                .push(::rncf::emitted::ObservedSpec::Marker {
-                    marker: 1,
-                    derivative: 0,
-                    component: 2,
-                });
-            specs
-                .push(::rncf::emitted::ObservedSpec::Marker {
-                    marker: 4,
-                    derivative: 0,
-                    component: 0,
-                });
-            specs
-                .push(::rncf::emitted::ObservedSpec::Marker {
-                    marker: 5,
-                    derivative: 1,
-                    component: 0,
-                });
-            specs
-                .push(::rncf::emitted::ObservedSpec::Marker {
-                    marker: 4,
-                    derivative: 0,
-                    component: 1,
-                });
-            specs
-                .push(::rncf::emitted::ObservedSpec::Marker {
-                    marker: 5,
-                    derivative: 1,
-                    component: 1,
-                });
-            specs
-                .push(::rncf::emitted::ObservedSpec::Marker {
-                    marker: 4,
-                    derivative: 0,
-                    component: 2,
-                });
-            specs
-                .push(::rncf::emitted::ObservedSpec::Marker {
-                    marker: 5,
-                    derivative: 1,
-                    component: 2,
-                });
-            specs
-                .push(::rncf::emitted::ObservedSpec::Multiplier {
-                    constraint: 0,
-                    row: 0,
-                });
-            specs
-                .push(::rncf::emitted::ObservedSpec::Multiplier {
-                    constraint: 1,
-                    row: 0,
-                });
-            for instance in 0..self.counts[0] {
-                let index = instance as f64;
-                specs
-                    .push(::rncf::emitted::ObservedSpec::Point {
-                        body: ::rncf::emitted::instance(
-                            self.first(0),
-                            self.counts[0],
-                            index,
-                        ),
-                        at: ::rncf::emitted::Place::End,
-                        what: ::rncf::emitted::PointQuantity::Position,
-                        component: 2,
-                    });
+        fn load(&self, load: usize, t: f64) -> [f64; 3] {
+            let mut value = [0.0; 3];
+            match load {
+                _ => {}
             }
-            for instance in 0..self.counts[0] {
-                let index = instance as f64;
-                specs
-                    .push(::rncf::emitted::ObservedSpec::Point {
-                        body: ::rncf::emitted::instance(
-                            self.first(0),
-                            self.counts[0],
-                            index,
-                        ),
-                        at: ::rncf::emitted::Place::End,
-                        what: ::rncf::emitted::PointQuantity::Position,
-                        component: 2,
-                    });
-            }
-            for instance in 0..self.counts[0] {
-                let index = instance as f64;
-                specs
-                    .push(::rncf::emitted::ObservedSpec::Section {
-                        body: ::rncf::emitted::instance(
-                            self.first(0),
-                            self.counts[0],
-                            index,
-                        ),
-                        at: ::rncf::emitted::Place::Start,
-                        what: ::rncf::emitted::SectionQuantity::AxialForce,
-                    });
-            }
-            for instance in 0..self.counts[0] {
-                let index = instance as f64;
-                specs
-                    .push(::rncf::emitted::ObservedSpec::Section {
-                        body: ::rncf::emitted::instance(
-                            self.first(1),
-                            self.counts[0],
-                            index,
-                        ),
-                        at: ::rncf::emitted::Place::At(
-                            3.141592653589793 * (model.length + model.hub_radius)
-                                / (model.tethers as f64),
-                        ),
-                        what: ::rncf::emitted::SectionQuantity::AxialForce,
-                    });
-            }
-            for instance in 0..self.counts[0] {
-                let index = instance as f64;
-                specs
-                    .push(::rncf::emitted::ObservedSpec::Section {
-                        body: ::rncf::emitted::instance(
-                            self.first(1),
-                            self.counts[0],
-                            index,
-                        ),
-                        at: ::rncf::emitted::Place::At(
-                            3.141592653589793 * (model.length + model.hub_radius)
-                                / (model.tethers as f64),
-                        ),
-                        what: ::rncf::emitted::SectionQuantity::AxialForce,
-                    });
-            }
-            specs
+            value
         }
-        fn output_columns(&self) -> usize {
-            9
-        }
-        fn frame_count(&self) -> usize {
-            2
-        }
-        fn frame_name(&self, frame: usize) -> &'static str {
-            ["inertial", "sail"][frame]
-        }
-        fn conservative(&self) -> bool {
-            false
-        }
-        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
-            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
-        }
-        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
-            let model = &self.model;
-            let (plain, mut rest) = observed.split_at(11);
-            let mut seen = [0.0; 16];
-            seen[..11].copy_from_slice(plain);
-            seen[11] = ::rncf::emitted::reduce(
-                ::rncf::emitted::Reduction::Min,
-                self.counts[0],
-                1,
-                &mut rest,
-                |index, observed| {
-                    let mut value = [0.0];
-                    outputs_of_one_0(model, t, index, observed, &mut value);
-                    value[0]
-                },
-            );
-            seen[12] = ::rncf::emitted::reduce(
-                ::rncf::emitted::Reduction::Max,
-                self.counts[0],
-                1,
-                &mut rest,
-                |index, observed| {
-                    let mut value = [0.0];
-                    outputs_of_one_1(model, t, index, observed, &mut value);
-                    value[0]
-                },
-            );
-            seen[13] = ::rncf::emitted::reduce(
-                ::rncf::emitted::Reduction::Max,
-                self.counts[0],
-                1,
-                &mut rest,
-                |index, observed| {
-                    let mut value = [0.0];
-                    outputs_of_one_2(model, t, index, observed, &mut value);
-                    value[0]
-                },
-            );
-            seen[14] = ::rncf::emitted::reduce(
-                ::rncf::emitted::Reduction::Min,
-                self.counts[0],
-                1,
-                &mut rest,
-                |index, observed| {
-                    let mut value = [0.0];
-                    outputs_of_one_3(model, t, index, observed, &mut value);
-                    value[0]
-                },
-            );
-            seen[15] = ::rncf::emitted::reduce(
-                ::rncf::emitted::Reduction::Max,
-                self.counts[0],
-                1,
-                &mut rest,
-                |index, observed| {
-                    let mut value = [0.0];
-                    outputs_of_one_4(model, t, index, observed, &mut value);
-                    value[0]
-                },
-            );
-            outputs(model, t, &seen, out);
-        }
-        fn initial(
-            &self,
-            body: usize,
-            x: f64,
-        ) -> [::std::option::Option<[[f64; 3]; 2]>; 2] {
-            let (body, instance) = self.kind(body);
-            let mut position = [[0.0; 3]; 2];
-            let mut velocity = [[0.0; 3]; 2];
-            match body {
-                1 => {
-                    initial_aux(
-                        &self.model,
-                        x,
-                        instance as f64,
-                        &mut position,
-                        &mut velocity,
-                    );
-                    [Some(position), None]
-                }
-                _ => [None, None],
-            }
-        }
-        fn starts(&self) -> ::std::vec::Vec<::rncf::emitted::StartSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::emitted::StartSpec {
-                    name: "spun",
-                    frame: 1,
-                    spin: Some([0.0, 0.0, model.spin]),
-                },
-            ])
-        }
-        fn check(&self) -> ::std::result::Result<(), ::rncf::ModelError> {
-            let model = &self.model;
-            ::rncf::emitted::repetitions("a", (model.tethers as f64))?;
-            ::rncf::emitted::non_negative(
-                "fixture `core`",
-                "mass",
-                model.core_mass,
-                "kg",
-            )?;
-            for instance in 0..self.counts[0] {
-                let index = instance as f64;
-                ::rncf::emitted::non_negative(
-                    "fixture `remote`",
-                    "mass",
-                    model.remote_mass * (1.0 + model.asymmetry * (index * index).cos()),
-                    "kg",
-                )?;
-            }
-            Ok(())
-        }
-        fn free(&self) -> ::std::vec::Vec<::rncf::emitted::FreeSpec> {
-            let still = ::rncf::emitted::FreeSpec {
-                frame: 0,
-                parent: 0,
-                is_body: false,
-                motions: ::rncf::emitted::Motions::Spatial,
-                position: [0.0; 3],
-                axis: [0.0; 3],
-                angle: 0.0,
-                velocity: [0.0; 3],
-                spin: [0.0; 3],
-                rigid: ::rncf::emitted::RigidSpec::default(),
-            };
-            let mut specs = ::std::vec::Vec::from([
-                ::rncf::emitted::FreeSpec {
-                    frame: 1,
-                    parent: 0,
-                    is_body: false,
-                    motions: ::rncf::emitted::Motions::Spatial,
-                    ..still.clone()
-                },
-            ]);
-            free_sail(&self.model, &mut specs[0]);
-            specs
-        }
-        fn markers(&self) -> ::std::vec::Vec<::rncf::emitted::MarkerSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::emitted::MarkerSpec::Direction {
-                    frame: 1,
-                    along: [1.0, 0.0, 0.0],
-                },
-                ::rncf::emitted::MarkerSpec::Point {
-                    frame: 1,
-                    at: [0.0, 0.0, 0.0],
-                },
-                ::rncf::emitted::MarkerSpec::Direction {
-                    frame: 1,
-                    along: [0.0, 1.0, 0.0],
-                },
-                ::rncf::emitted::MarkerSpec::Point {
-                    frame: 0,
-                    at: [0.0, 0.0, 0.0],
-                },
-                ::rncf::emitted::MarkerSpec::Direction {
-                    frame: 1,
-                    along: [0.0, 0.0, 1.0],
-                },
-                ::rncf::emitted::MarkerSpec::Turn {
-                    frame: 1,
-                },
-            ])
-        }
+    }
+    impl ::rncf::emitted::WithoutSlopeMoments for Equations {}
+    impl ::rncf::emitted::WithoutSectionMoments for Equations {}
+    impl ::rncf::emitted::MarkerConstraints for Equations {
         fn constraints(&self) -> ::std::vec::Vec<::rncf::emitted::ConstraintSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
@@ -4368,6 +4431,13 @@ pub mod esail_slack_equations {
                 _ => {}
             }
         }
+        fn marker_constraint_branches(
+            &self,
+            constraint: usize,
+            t: f64,
+            z: &[[f64; 3]],
+            out: &mut [f64],
+        ) {}
         fn marker_constraint_hessian(
             &self,
             constraint: usize,
@@ -4382,6 +4452,9 @@ pub mod esail_slack_equations {
                 _ => {}
             }
         }
+    }
+    impl ::rncf::emitted::WithoutMarkerForces for Equations {}
+    impl ::rncf::emitted::Densities for Equations {
         fn densities(&self) -> ::std::vec::Vec<::rncf::emitted::DensitySpec> {
             let model = &self.model;
             let mut specs = ::std::vec::Vec::new();
@@ -4530,6 +4603,10 @@ pub mod esail_slack_equations {
                 _ => {}
             }
         }
+    }
+    impl ::rncf::emitted::WithoutDistributedLoads for Equations {}
+    impl ::rncf::emitted::WithoutPlacedGravity for Equations {}
+    impl ::rncf::emitted::GravityFields for Equations {
         fn field(&self, load: usize, t: f64, z: &[[f64; 3]]) -> [f64; 3] {
             let mut gravity = [0.0; 3];
             match load {
@@ -4550,38 +4627,6 @@ pub mod esail_slack_equations {
                 0 => field_gradient_sun(&self.model, t, z, gradient),
                 _ => {}
             }
-        }
-        fn fixtures(&self) -> ::std::vec::Vec<::rncf::emitted::FixtureSpec> {
-            let model = &self.model;
-            let mut specs = ::std::vec::Vec::new();
-            for instance in 0..self.counts[0] {
-                let index = instance as f64;
-                specs
-                    .push(::rncf::emitted::FixtureSpec {
-                        name: "remote",
-                        body: ::rncf::emitted::instance(
-                            self.first(0),
-                            self.counts[0],
-                            index,
-                        ),
-                        at: ::rncf::emitted::Place::End,
-                        constants: [
-                            model.remote_mass
-                                * (1.0 + model.asymmetry * (index * index).cos()),
-                            0.0,
-                            0.0,
-                            0.0,
-                            0.0,
-                            0.0,
-                            0.0,
-                            0.0,
-                            0.0,
-                            0.0,
-                        ],
-                        elastic: false,
-                    });
-            }
-            specs
         }
     }
 }

@@ -3381,6 +3381,220 @@ pub mod esail_tilted_equations {
         }
     }
     impl ::rncf::emitted::Parts for Equations {
+        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
+            let model = &self.model;
+            let mut specs = ::std::vec::Vec::new();
+            specs
+                .push(::rncf::emitted::ObservedSpec::Marker {
+                    marker: 3,
+                    derivative: 0,
+                    component: 0,
+                });
+            specs
+                .push(::rncf::emitted::ObservedSpec::Marker {
+                    marker: 5,
+                    derivative: 1,
+                    component: 0,
+                });
+            specs
+                .push(::rncf::emitted::ObservedSpec::Marker {
+                    marker: 3,
+                    derivative: 0,
+                    component: 1,
+                });
+            specs
+                .push(::rncf::emitted::ObservedSpec::Marker {
+                    marker: 5,
+                    derivative: 1,
+                    component: 1,
+                });
+            specs
+                .push(::rncf::emitted::ObservedSpec::Marker {
+                    marker: 3,
+                    derivative: 0,
+                    component: 2,
+                });
+            specs
+                .push(::rncf::emitted::ObservedSpec::Marker {
+                    marker: 5,
+                    derivative: 1,
+                    component: 2,
+                });
+            specs
+                .push(::rncf::emitted::ObservedSpec::Marker {
+                    marker: 0,
+                    derivative: 0,
+                    component: 1,
+                });
+            specs
+                .push(::rncf::emitted::ObservedSpec::Marker {
+                    marker: 0,
+                    derivative: 0,
+                    component: 2,
+                });
+            specs
+                .push(::rncf::emitted::ObservedSpec::Marker {
+                    marker: 0,
+                    derivative: 0,
+                    component: 0,
+                });
+            for instance in 0..self.counts[0] {
+                let index = instance as f64;
+                specs
+                    .push(::rncf::emitted::ObservedSpec::Point {
+                        body: ::rncf::emitted::instance(
+                            self.first(0),
+                            self.counts[0],
+                            index,
+                        ),
+                        at: ::rncf::emitted::Place::End,
+                        what: ::rncf::emitted::PointQuantity::Position,
+                        component: 2,
+                    });
+            }
+            for instance in 0..self.counts[0] {
+                let index = instance as f64;
+                specs
+                    .push(::rncf::emitted::ObservedSpec::Point {
+                        body: ::rncf::emitted::instance(
+                            self.first(0),
+                            self.counts[0],
+                            index,
+                        ),
+                        at: ::rncf::emitted::Place::End,
+                        what: ::rncf::emitted::PointQuantity::Position,
+                        component: 2,
+                    });
+            }
+            specs
+        }
+        fn output_columns(&self) -> usize {
+            5
+        }
+        fn frame_count(&self) -> usize {
+            3
+        }
+        fn frame_name(&self, frame: usize) -> &'static str {
+            ["inertial", "tilted", "sail"][frame]
+        }
+        fn conservative(&self) -> bool {
+            false
+        }
+        fn kinks(&self) -> ::std::vec::Vec<f64> {
+            ::std::vec::Vec::new()
+        }
+        fn gaps(&self, t: f64, out: &mut ::std::vec::Vec<[f64; 2]>) {}
+        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
+            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
+            frame_tilted(&self.model, t, &mut motions[1]);
+        }
+        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
+            let model = &self.model;
+            let (plain, mut rest) = observed.split_at(9);
+            let mut seen = [0.0; 11];
+            seen[..9].copy_from_slice(plain);
+            seen[9] = ::rncf::emitted::reduce(
+                ::rncf::emitted::Reduction::Max,
+                self.counts[0],
+                1,
+                &mut rest,
+                |index, observed| {
+                    let mut value = [0.0];
+                    outputs_of_one_0(model, t, index, observed, &mut value);
+                    value[0]
+                },
+            );
+            seen[10] = ::rncf::emitted::reduce(
+                ::rncf::emitted::Reduction::Min,
+                self.counts[0],
+                1,
+                &mut rest,
+                |index, observed| {
+                    let mut value = [0.0];
+                    outputs_of_one_1(model, t, index, observed, &mut value);
+                    value[0]
+                },
+            );
+            outputs(model, t, &seen, out);
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            Some("the load per length `thrust` has no potential")
+        }
+        fn check(&self) -> ::std::result::Result<(), ::rncf::ModelError> {
+            let model = &self.model;
+            ::rncf::emitted::repetitions("a", (model.tethers as f64))?;
+            ::rncf::emitted::non_negative(
+                "fixture `core`",
+                "mass",
+                model.core_mass,
+                "kg",
+            )?;
+            for instance in 0..self.counts[0] {
+                let index = instance as f64;
+                ::rncf::emitted::non_negative(
+                    "fixture `remote`",
+                    "mass",
+                    model.remote_mass,
+                    "kg",
+                )?;
+            }
+            Ok(())
+        }
+        fn free(&self) -> ::std::vec::Vec<::rncf::emitted::FreeSpec> {
+            let still = ::rncf::emitted::FreeSpec {
+                frame: 0,
+                parent: 0,
+                is_body: false,
+                motions: ::rncf::emitted::Motions::Spatial,
+                position: [0.0; 3],
+                axis: [0.0; 3],
+                angle: 0.0,
+                velocity: [0.0; 3],
+                spin: [0.0; 3],
+                rigid: ::rncf::emitted::RigidSpec::default(),
+            };
+            let mut specs = ::std::vec::Vec::from([
+                ::rncf::emitted::FreeSpec {
+                    frame: 2,
+                    parent: 1,
+                    is_body: false,
+                    motions: ::rncf::emitted::Motions::Spatial,
+                    ..still.clone()
+                },
+            ]);
+            free_sail(&self.model, &mut specs[0]);
+            specs
+        }
+        fn markers(&self) -> ::std::vec::Vec<::rncf::emitted::MarkerSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::emitted::MarkerSpec::Point {
+                    frame: 2,
+                    at: [0.0, 0.0, 0.0],
+                },
+                ::rncf::emitted::MarkerSpec::Direction {
+                    frame: 2,
+                    along: [1.0, 0.0, 0.0],
+                },
+                ::rncf::emitted::MarkerSpec::Direction {
+                    frame: 2,
+                    along: [0.0, 1.0, 0.0],
+                },
+                ::rncf::emitted::MarkerSpec::Direction {
+                    frame: 2,
+                    along: [0.0, 0.0, 1.0],
+                },
+                ::rncf::emitted::MarkerSpec::Point {
+                    frame: 0,
+                    at: [0.0, 0.0, 0.0],
+                },
+                ::rncf::emitted::MarkerSpec::Turn {
+                    frame: 2,
+                },
+            ])
+        }
+    }
+    impl ::rncf::emitted::Bodies for Equations {
         fn bodies(&self) -> ::std::vec::Vec<::rncf::emitted::BodySpec> {
             let model = &self.model;
             let mut specs = ::std::vec::Vec::new();
@@ -3590,6 +3804,161 @@ pub mod esail_tilted_equations {
                 }
             }
             Ok(())
+        }
+        fn initial(
+            &self,
+            body: usize,
+            x: f64,
+        ) -> [::std::option::Option<[[f64; 3]; 2]>; 2] {
+            let (body, instance) = self.kind(body);
+            let mut position = [[0.0; 3]; 2];
+            let mut velocity = [[0.0; 3]; 2];
+            match body {
+                1 => {
+                    initial_aux(
+                        &self.model,
+                        x,
+                        instance as f64,
+                        &mut position,
+                        &mut velocity,
+                    );
+                    [Some(position), None]
+                }
+                _ => [None, None],
+            }
+        }
+        fn shares(&self) -> ::std::vec::Vec<::rncf::emitted::ShareSpec> {
+            let model = &self.model;
+            let mut specs = ::std::vec::Vec::new();
+            for instance in 0..self.counts[0] {
+                let index = instance as f64;
+                specs
+                    .push(::rncf::emitted::ShareSpec {
+                        name: "near",
+                        ends: [
+                            (
+                                ::rncf::emitted::instance(
+                                    self.first(1),
+                                    self.counts[0],
+                                    index,
+                                ),
+                                false,
+                            ),
+                            (
+                                ::rncf::emitted::instance(
+                                    self.first(0),
+                                    self.counts[0],
+                                    index,
+                                ),
+                                true,
+                            ),
+                        ],
+                        smooth: false,
+                    });
+            }
+            for instance in 0..self.counts[0] {
+                let index = instance as f64;
+                specs
+                    .push(::rncf::emitted::ShareSpec {
+                        name: "far",
+                        ends: [
+                            (
+                                ::rncf::emitted::instance(
+                                    self.first(1),
+                                    self.counts[0],
+                                    index,
+                                ),
+                                true,
+                            ),
+                            (
+                                ::rncf::emitted::instance(
+                                    self.first(0),
+                                    self.counts[0],
+                                    (index + 1.0).rem_euclid((model.tethers as f64)),
+                                ),
+                                true,
+                            ),
+                        ],
+                        smooth: false,
+                    });
+            }
+            for instance in 0..self.counts[0] {
+                let index = instance as f64;
+                specs
+                    .push(::rncf::emitted::ShareSpec {
+                        name: "ring",
+                        ends: [
+                            (
+                                ::rncf::emitted::instance(
+                                    self.first(1),
+                                    self.counts[0],
+                                    index,
+                                ),
+                                true,
+                            ),
+                            (
+                                ::rncf::emitted::instance(
+                                    self.first(1),
+                                    self.counts[0],
+                                    (index + 1.0).rem_euclid((model.tethers as f64)),
+                                ),
+                                false,
+                            ),
+                        ],
+                        smooth: true,
+                    });
+            }
+            specs
+        }
+        fn starts(&self) -> ::std::vec::Vec<::rncf::emitted::StartSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::emitted::StartSpec {
+                    name: "spun",
+                    frame: 2,
+                    spin: Some([0.0, 0.0, model.spin]),
+                },
+            ])
+        }
+        fn fixtures(&self) -> ::std::vec::Vec<::rncf::emitted::FixtureSpec> {
+            let model = &self.model;
+            let mut specs = ::std::vec::Vec::new();
+            for instance in 0..self.counts[0] {
+                let index = instance as f64;
+                specs
+                    .push(::rncf::emitted::FixtureSpec {
+                        name: "remote",
+                        body: ::rncf::emitted::instance(
+                            self.first(0),
+                            self.counts[0],
+                            index,
+                        ),
+                        at: ::rncf::emitted::Place::End,
+                        constants: [
+                            model.remote_mass,
+                            0.0,
+                            0.0,
+                            0.0,
+                            0.0,
+                            0.0,
+                            0.0,
+                            0.0,
+                            0.0,
+                            0.0,
+                        ],
+                        elastic: false,
+                    });
+            }
+            specs
+        }
+        fn varies(&self, body: usize) -> bool {
+            false
+        }
+        fn tables(
+            &self,
+            body: usize,
+        ) -> ::std::vec::Vec<&'static ::rncf::emitted::Table> {
+            ::std::vec::Vec::new()
         }
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             let (body, instance) = self.kind(body);
@@ -3923,9 +4292,9 @@ pub mod esail_tilted_equations {
                 }
             }
         }
-        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
-            Some("the load per length `thrust` has no potential")
-        }
+    }
+    impl ::rncf::emitted::WithoutConservingForces for Equations {}
+    impl ::rncf::emitted::JointConditions for Equations {
         fn joints(&self) -> ::std::vec::Vec<::rncf::emitted::JointSpec> {
             let model = &self.model;
             let mut specs = ::std::vec::Vec::new();
@@ -4012,89 +4381,8 @@ pub mod esail_tilted_equations {
                 _ => {}
             }
         }
-        fn shares(&self) -> ::std::vec::Vec<::rncf::emitted::ShareSpec> {
-            let model = &self.model;
-            let mut specs = ::std::vec::Vec::new();
-            for instance in 0..self.counts[0] {
-                let index = instance as f64;
-                specs
-                    .push(::rncf::emitted::ShareSpec {
-                        name: "near",
-                        ends: [
-                            (
-                                ::rncf::emitted::instance(
-                                    self.first(1),
-                                    self.counts[0],
-                                    index,
-                                ),
-                                false,
-                            ),
-                            (
-                                ::rncf::emitted::instance(
-                                    self.first(0),
-                                    self.counts[0],
-                                    index,
-                                ),
-                                true,
-                            ),
-                        ],
-                        smooth: false,
-                    });
-            }
-            for instance in 0..self.counts[0] {
-                let index = instance as f64;
-                specs
-                    .push(::rncf::emitted::ShareSpec {
-                        name: "far",
-                        ends: [
-                            (
-                                ::rncf::emitted::instance(
-                                    self.first(1),
-                                    self.counts[0],
-                                    index,
-                                ),
-                                true,
-                            ),
-                            (
-                                ::rncf::emitted::instance(
-                                    self.first(0),
-                                    self.counts[0],
-                                    (index + 1.0).rem_euclid((model.tethers as f64)),
-                                ),
-                                true,
-                            ),
-                        ],
-                        smooth: false,
-                    });
-            }
-            for instance in 0..self.counts[0] {
-                let index = instance as f64;
-                specs
-                    .push(::rncf::emitted::ShareSpec {
-                        name: "ring",
-                        ends: [
-                            (
-                                ::rncf::emitted::instance(
-                                    self.first(1),
-                                    self.counts[0],
-                                    index,
-                                ),
-                                true,
-                            ),
-                            (
-                                ::rncf::emitted::instance(
-                                    self.first(1),
-                                    self.counts[0],
-                                    (index + 1.0).rem_euclid((model.tethers as f64)),
-                                ),
-                                false,
-                            ),
-                        ],
-                        smooth: true,
-                    });
-            }
-            specs
-        }
+    }
+    impl ::rncf::emitted::Loads for Equations {
         fn loads(&self) -> ::std::vec::Vec<::rncf::emitted::LoadSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
@@ -4111,243 +4399,19 @@ pub mod esail_tilted_equations {
             const VARIES: [bool; 1] = [false];
             VARIES[load]
         }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
-            let model = &self.model;
-            let mut specs = ::std::vec::Vec::new();
-            specs
-                .push(::rncf::emitted::ObservedSpec::Marker {
-                    marker: 3,
-                    derivative: 0,
-                    component: 0,
-                });
-            specs
-                .push(::rncf::emitted::ObservedSpec::Marker {
-                    marker: 5,
-                    derivative: 1,
-                    component: 0,
-                });
-            specs
-                .push(::rncf::emitted::ObservedSpec::Marker {
-                    marker: 3,
-                    derivative: 0,
-                    component: 1,
-                });
-            specs
-                .push(::rncf::emitted::ObservedSpec::Marker {
-                    marker: 5,
-                    derivative: 1,
-                    component: 1,
-                });
-            specs
-                .push(::rncf::emitted::ObservedSpec::Marker {
-                    marker: 3,
-                    derivative: 0,
-                    component: 2,
-                });
-            specs
-                .push(::rncf::emitted::ObservedSpec::Marker {
-                    marker: 5,
-                    derivative: 1,
-                    component: 2,
-                });
-            specs
-                .push(::rncf::emitted::ObservedSpec::Marker {
-                    marker: 0,
-                    derivative: 0,
-                    component: 1,
-                });
-            specs
-                .push(::rncf::emitted::ObservedSpec::Marker {
-                    marker: 0,
-                    derivative: 0,
-                    component: 2,
-                });
-            specs
-                .push(::rncf::emitted::ObservedSpec::Marker {
-                    marker: 0,
-                    derivative: 0,
-                    component: 0,
-                });
-            for instance in 0..self.counts[0] {
-                let index = instance as f64;
-                specs
-                    .push(::rncf::emitted::ObservedSpec::Point {
-                        body: ::rncf::emitted::instance(
-                            self.first(0),
-                            self.counts[0],
-                            index,
-                        ),
-                        at: ::rncf::emitted::Place::End,
-                        what: ::rncf::emitted::PointQuantity::Position,
-                        component: 2,
-                    });
+        fn load(&self, load: usize, t: f64) -> [f64; 3] {
+            let mut value = [0.0; 3];
+            match load {
+                _ => {}
             }
-            for instance in 0..self.counts[0] {
-                let index = instance as f64;
-                specs
-                    .push(::rncf::emitted::ObservedSpec::Point {
-                        body: ::rncf::emitted::instance(
-                            self.first(0),
-                            self.counts[0],
-                            index,
-                        ),
-                        at: ::rncf::emitted::Place::End,
-                        what: ::rncf::emitted::PointQuantity::Position,
-                        component: 2,
-                    });
-            }
-            specs
+            value
         }
-        fn output_columns(&self) -> usize {
-            5
-        }
-        fn frame_count(&self) -> usize {
-            3
-        }
-        fn frame_name(&self, frame: usize) -> &'static str {
-            ["inertial", "tilted", "sail"][frame]
-        }
-        fn conservative(&self) -> bool {
-            false
-        }
-        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
-            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
-            frame_tilted(&self.model, t, &mut motions[1]);
-        }
-        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
-            let model = &self.model;
-            let (plain, mut rest) = observed.split_at(9);
-            let mut seen = [0.0; 11];
-            seen[..9].copy_from_slice(plain);
-            seen[9] = ::rncf::emitted::reduce(
-                ::rncf::emitted::Reduction::Max,
-                self.counts[0],
-                1,
-                &mut rest,
-                |index, observed| {
-                    let mut value = [0.0];
-                    outputs_of_one_0(model, t, index, observed, &mut value);
-                    value[0]
-                },
-            );
-            seen[10] = ::rncf::emitted::reduce(
-                ::rncf::emitted::Reduction::Min,
-                self.counts[0],
-                1,
-                &mut rest,
-                |index, observed| {
-                    let mut value = [0.0];
-                    outputs_of_one_1(model, t, index, observed, &mut value);
-                    value[0]
-                },
-            );
-            outputs(model, t, &seen, out);
-        }
-        fn initial(
-            &self,
-            body: usize,
-            x: f64,
-        ) -> [::std::option::Option<[[f64; 3]; 2]>; 2] {
-            let (body, instance) = self.kind(body);
-            let mut position = [[0.0; 3]; 2];
-            let mut velocity = [[0.0; 3]; 2];
-            match body {
-                1 => {
-                    initial_aux(
-                        &self.model,
-                        x,
-                        instance as f64,
-                        &mut position,
-                        &mut velocity,
-                    );
-                    [Some(position), None]
-                }
-                _ => [None, None],
-            }
-        }
-        fn starts(&self) -> ::std::vec::Vec<::rncf::emitted::StartSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::emitted::StartSpec {
-                    name: "spun",
-                    frame: 2,
-                    spin: Some([0.0, 0.0, model.spin]),
-                },
-            ])
-        }
-        fn check(&self) -> ::std::result::Result<(), ::rncf::ModelError> {
-            let model = &self.model;
-            ::rncf::emitted::repetitions("a", (model.tethers as f64))?;
-            ::rncf::emitted::non_negative(
-                "fixture `core`",
-                "mass",
-                model.core_mass,
-                "kg",
-            )?;
-            for instance in 0..self.counts[0] {
-                let index = instance as f64;
-                ::rncf::emitted::non_negative(
-                    "fixture `remote`",
-                    "mass",
-                    model.remote_mass,
-                    "kg",
-                )?;
-            }
-            Ok(())
-        }
-        fn free(&self) -> ::std::vec::Vec<::rncf::emitted::FreeSpec> {
-            let still = ::rncf::emitted::FreeSpec {
-                frame: 0,
-                parent: 0,
-                is_body: false,
-                motions: ::rncf::emitted::Motions::Spatial,
-                position: [0.0; 3],
-                axis: [0.0; 3],
-                angle: 0.0,
-                velocity: [0.0; 3],
-                spin: [0.0; 3],
-                rigid: ::rncf::emitted::RigidSpec::default(),
-            };
-            let mut specs = ::std::vec::Vec::from([
-                ::rncf::emitted::FreeSpec {
-                    frame: 2,
-                    parent: 1,
-                    is_body: false,
-                    motions: ::rncf::emitted::Motions::Spatial,
-                    ..still.clone()
-                },
-            ]);
-            free_sail(&self.model, &mut specs[0]);
-            specs
-        }
-        fn markers(&self) -> ::std::vec::Vec<::rncf::emitted::MarkerSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::emitted::MarkerSpec::Point {
-                    frame: 2,
-                    at: [0.0, 0.0, 0.0],
-                },
-                ::rncf::emitted::MarkerSpec::Direction {
-                    frame: 2,
-                    along: [1.0, 0.0, 0.0],
-                },
-                ::rncf::emitted::MarkerSpec::Direction {
-                    frame: 2,
-                    along: [0.0, 1.0, 0.0],
-                },
-                ::rncf::emitted::MarkerSpec::Direction {
-                    frame: 2,
-                    along: [0.0, 0.0, 1.0],
-                },
-                ::rncf::emitted::MarkerSpec::Point {
-                    frame: 0,
-                    at: [0.0, 0.0, 0.0],
-                },
-                ::rncf::emitted::MarkerSpec::Turn {
-                    frame: 2,
-                },
-            ])
-        }
+    }
+    impl ::rncf::emitted::WithoutSlopeMoments for Equations {}
+    impl ::rncf::emitted::WithoutSectionMoments for Equations {}
+    impl ::rncf::emitted::WithoutMarkerConstraints for Equations {}
+    impl ::rncf::emitted::WithoutMarkerForces for Equations {}
+    impl ::rncf::emitted::Densities for Equations {
         fn densities(&self) -> ::std::vec::Vec<::rncf::emitted::DensitySpec> {
             let model = &self.model;
             let mut specs = ::std::vec::Vec::new();
@@ -4585,6 +4649,10 @@ pub mod esail_tilted_equations {
                 _ => {}
             }
         }
+    }
+    impl ::rncf::emitted::WithoutDistributedLoads for Equations {}
+    impl ::rncf::emitted::WithoutPlacedGravity for Equations {}
+    impl ::rncf::emitted::GravityFields for Equations {
         fn field(&self, load: usize, t: f64, z: &[[f64; 3]]) -> [f64; 3] {
             let mut gravity = [0.0; 3];
             match load {
@@ -4605,37 +4673,6 @@ pub mod esail_tilted_equations {
                 0 => field_gradient_sun(&self.model, t, z, gradient),
                 _ => {}
             }
-        }
-        fn fixtures(&self) -> ::std::vec::Vec<::rncf::emitted::FixtureSpec> {
-            let model = &self.model;
-            let mut specs = ::std::vec::Vec::new();
-            for instance in 0..self.counts[0] {
-                let index = instance as f64;
-                specs
-                    .push(::rncf::emitted::FixtureSpec {
-                        name: "remote",
-                        body: ::rncf::emitted::instance(
-                            self.first(0),
-                            self.counts[0],
-                            index,
-                        ),
-                        at: ::rncf::emitted::Place::End,
-                        constants: [
-                            model.remote_mass,
-                            0.0,
-                            0.0,
-                            0.0,
-                            0.0,
-                            0.0,
-                            0.0,
-                            0.0,
-                            0.0,
-                            0.0,
-                        ],
-                        elastic: false,
-                    });
-            }
-            specs
         }
     }
 }

@@ -1599,6 +1599,152 @@ pub mod free_flight_equations {
         }
     }
     impl ::rncf::emitted::Parts for Equations {
+        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::emitted::ObservedSpec::Marker {
+                    marker: 0,
+                    derivative: 0,
+                    component: 0,
+                },
+                ::rncf::emitted::ObservedSpec::Marker {
+                    marker: 0,
+                    derivative: 0,
+                    component: 1,
+                },
+                ::rncf::emitted::ObservedSpec::Marker {
+                    marker: 0,
+                    derivative: 0,
+                    component: 2,
+                },
+                ::rncf::emitted::ObservedSpec::Marker {
+                    marker: 1,
+                    derivative: 0,
+                    component: 0,
+                },
+                ::rncf::emitted::ObservedSpec::Marker {
+                    marker: 1,
+                    derivative: 0,
+                    component: 1,
+                },
+                ::rncf::emitted::ObservedSpec::Marker {
+                    marker: 1,
+                    derivative: 0,
+                    component: 2,
+                },
+                ::rncf::emitted::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
+                    component: 0,
+                },
+                ::rncf::emitted::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::emitted::Place::Start,
+                    what: ::rncf::emitted::PointQuantity::Position,
+                    component: 0,
+                },
+                ::rncf::emitted::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
+                    component: 1,
+                },
+                ::rncf::emitted::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::emitted::Place::Start,
+                    what: ::rncf::emitted::PointQuantity::Position,
+                    component: 1,
+                },
+                ::rncf::emitted::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
+                    component: 2,
+                },
+                ::rncf::emitted::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::emitted::Place::Start,
+                    what: ::rncf::emitted::PointQuantity::Position,
+                    component: 2,
+                },
+            ])
+        }
+        fn output_columns(&self) -> usize {
+            7
+        }
+        fn frame_count(&self) -> usize {
+            2
+        }
+        fn frame_name(&self, frame: usize) -> &'static str {
+            ["inertial", "f"][frame]
+        }
+        fn conservative(&self) -> bool {
+            true
+        }
+        fn kinks(&self) -> ::std::vec::Vec<f64> {
+            ::std::vec::Vec::new()
+        }
+        fn gaps(&self, t: f64, out: &mut ::std::vec::Vec<[f64; 2]>) {}
+        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
+            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
+        }
+        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
+            outputs(&self.model, t, observed, out);
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            None
+        }
+        fn check(&self) -> ::std::result::Result<(), ::rncf::ModelError> {
+            let model = &self.model;
+            ::rncf::emitted::non_negative(
+                "fixture `tip`",
+                "mass",
+                model.tip_mass,
+                "kg",
+            )?;
+            Ok(())
+        }
+        fn free(&self) -> ::std::vec::Vec<::rncf::emitted::FreeSpec> {
+            let still = ::rncf::emitted::FreeSpec {
+                frame: 0,
+                parent: 0,
+                is_body: false,
+                motions: ::rncf::emitted::Motions::Spatial,
+                position: [0.0; 3],
+                axis: [0.0; 3],
+                angle: 0.0,
+                velocity: [0.0; 3],
+                spin: [0.0; 3],
+                rigid: ::rncf::emitted::RigidSpec::default(),
+            };
+            let mut specs = ::std::vec::Vec::from([
+                ::rncf::emitted::FreeSpec {
+                    frame: 1,
+                    parent: 0,
+                    is_body: false,
+                    motions: ::rncf::emitted::Motions::Spatial,
+                    ..still.clone()
+                },
+            ]);
+            free_f(&self.model, &mut specs[0]);
+            specs
+        }
+        fn markers(&self) -> ::std::vec::Vec<::rncf::emitted::MarkerSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::emitted::MarkerSpec::BodyPoint {
+                    body: 0,
+                    at: ::rncf::emitted::Place::Start,
+                },
+                ::rncf::emitted::MarkerSpec::BodyPoint {
+                    body: 0,
+                    at: ::rncf::emitted::Place::End,
+                },
+            ])
+        }
+    }
+    impl ::rncf::emitted::Bodies for Equations {
         fn bodies(&self) -> ::std::vec::Vec<::rncf::emitted::BodySpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
@@ -1690,6 +1836,59 @@ pub mod free_flight_equations {
                 rhoA: density * area,
             };
             Ok(())
+        }
+        fn initial(
+            &self,
+            body: usize,
+            x: f64,
+        ) -> [::std::option::Option<[[f64; 3]; 2]>; 2] {
+            let mut position = [[0.0; 3]; 2];
+            let mut velocity = [[0.0; 3]; 2];
+            match body {
+                0 => {
+                    initial_cable(&self.model, x, &mut position, &mut velocity);
+                    [Some(position), None]
+                }
+                _ => [None, None],
+            }
+        }
+        fn shares(&self) -> ::std::vec::Vec<::rncf::emitted::ShareSpec> {
+            ::std::vec::Vec::new()
+        }
+        fn starts(&self) -> ::std::vec::Vec<::rncf::emitted::StartSpec> {
+            ::std::vec::Vec::new()
+        }
+        fn fixtures(&self) -> ::std::vec::Vec<::rncf::emitted::FixtureSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::emitted::FixtureSpec {
+                    name: "tip",
+                    body: 0,
+                    at: ::rncf::emitted::Place::End,
+                    constants: [
+                        model.tip_mass,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                    ],
+                    elastic: false,
+                },
+            ])
+        }
+        fn varies(&self, body: usize) -> bool {
+            false
+        }
+        fn tables(
+            &self,
+            body: usize,
+        ) -> ::std::vec::Vec<&'static ::rncf::emitted::Table> {
+            ::std::vec::Vec::new()
         }
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             cable_spatial_mass(&self.row_cable, ::rncf::emitted::array_mut(mass));
@@ -1850,9 +2049,8 @@ pub mod free_flight_equations {
                 ::rncf::emitted::array_mut(forces),
             );
         }
-        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
-            None
-        }
+    }
+    impl ::rncf::emitted::ConservingForces for Equations {
         fn conserving_force(
             &self,
             body: usize,
@@ -1883,180 +2081,15 @@ pub mod free_flight_equations {
                 ::rncf::emitted::array_mut(stiffness),
             );
         }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::emitted::ObservedSpec::Marker {
-                    marker: 0,
-                    derivative: 0,
-                    component: 0,
-                },
-                ::rncf::emitted::ObservedSpec::Marker {
-                    marker: 0,
-                    derivative: 0,
-                    component: 1,
-                },
-                ::rncf::emitted::ObservedSpec::Marker {
-                    marker: 0,
-                    derivative: 0,
-                    component: 2,
-                },
-                ::rncf::emitted::ObservedSpec::Marker {
-                    marker: 1,
-                    derivative: 0,
-                    component: 0,
-                },
-                ::rncf::emitted::ObservedSpec::Marker {
-                    marker: 1,
-                    derivative: 0,
-                    component: 1,
-                },
-                ::rncf::emitted::ObservedSpec::Marker {
-                    marker: 1,
-                    derivative: 0,
-                    component: 2,
-                },
-                ::rncf::emitted::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::emitted::Place::End,
-                    what: ::rncf::emitted::PointQuantity::Position,
-                    component: 0,
-                },
-                ::rncf::emitted::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::emitted::Place::Start,
-                    what: ::rncf::emitted::PointQuantity::Position,
-                    component: 0,
-                },
-                ::rncf::emitted::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::emitted::Place::End,
-                    what: ::rncf::emitted::PointQuantity::Position,
-                    component: 1,
-                },
-                ::rncf::emitted::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::emitted::Place::Start,
-                    what: ::rncf::emitted::PointQuantity::Position,
-                    component: 1,
-                },
-                ::rncf::emitted::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::emitted::Place::End,
-                    what: ::rncf::emitted::PointQuantity::Position,
-                    component: 2,
-                },
-                ::rncf::emitted::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::emitted::Place::Start,
-                    what: ::rncf::emitted::PointQuantity::Position,
-                    component: 2,
-                },
-            ])
-        }
-        fn output_columns(&self) -> usize {
-            7
-        }
-        fn frame_count(&self) -> usize {
-            2
-        }
-        fn frame_name(&self, frame: usize) -> &'static str {
-            ["inertial", "f"][frame]
-        }
-        fn conservative(&self) -> bool {
-            true
-        }
-        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
-            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
-        }
-        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
-            outputs(&self.model, t, observed, out);
-        }
-        fn initial(
-            &self,
-            body: usize,
-            x: f64,
-        ) -> [::std::option::Option<[[f64; 3]; 2]>; 2] {
-            let mut position = [[0.0; 3]; 2];
-            let mut velocity = [[0.0; 3]; 2];
-            match body {
-                0 => {
-                    initial_cable(&self.model, x, &mut position, &mut velocity);
-                    [Some(position), None]
-                }
-                _ => [None, None],
-            }
-        }
-        fn check(&self) -> ::std::result::Result<(), ::rncf::ModelError> {
-            let model = &self.model;
-            ::rncf::emitted::non_negative(
-                "fixture `tip`",
-                "mass",
-                model.tip_mass,
-                "kg",
-            )?;
-            Ok(())
-        }
-        fn free(&self) -> ::std::vec::Vec<::rncf::emitted::FreeSpec> {
-            let still = ::rncf::emitted::FreeSpec {
-                frame: 0,
-                parent: 0,
-                is_body: false,
-                motions: ::rncf::emitted::Motions::Spatial,
-                position: [0.0; 3],
-                axis: [0.0; 3],
-                angle: 0.0,
-                velocity: [0.0; 3],
-                spin: [0.0; 3],
-                rigid: ::rncf::emitted::RigidSpec::default(),
-            };
-            let mut specs = ::std::vec::Vec::from([
-                ::rncf::emitted::FreeSpec {
-                    frame: 1,
-                    parent: 0,
-                    is_body: false,
-                    motions: ::rncf::emitted::Motions::Spatial,
-                    ..still.clone()
-                },
-            ]);
-            free_f(&self.model, &mut specs[0]);
-            specs
-        }
-        fn markers(&self) -> ::std::vec::Vec<::rncf::emitted::MarkerSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::emitted::MarkerSpec::BodyPoint {
-                    body: 0,
-                    at: ::rncf::emitted::Place::Start,
-                },
-                ::rncf::emitted::MarkerSpec::BodyPoint {
-                    body: 0,
-                    at: ::rncf::emitted::Place::End,
-                },
-            ])
-        }
-        fn fixtures(&self) -> ::std::vec::Vec<::rncf::emitted::FixtureSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::emitted::FixtureSpec {
-                    name: "tip",
-                    body: 0,
-                    at: ::rncf::emitted::Place::End,
-                    constants: [
-                        model.tip_mass,
-                        0.0,
-                        0.0,
-                        0.0,
-                        0.0,
-                        0.0,
-                        0.0,
-                        0.0,
-                        0.0,
-                        0.0,
-                    ],
-                    elastic: false,
-                },
-            ])
-        }
     }
+    impl ::rncf::emitted::WithoutJointConditions for Equations {}
+    impl ::rncf::emitted::WithoutLoads for Equations {}
+    impl ::rncf::emitted::WithoutSlopeMoments for Equations {}
+    impl ::rncf::emitted::WithoutSectionMoments for Equations {}
+    impl ::rncf::emitted::WithoutMarkerConstraints for Equations {}
+    impl ::rncf::emitted::WithoutMarkerForces for Equations {}
+    impl ::rncf::emitted::WithoutDensities for Equations {}
+    impl ::rncf::emitted::WithoutDistributedLoads for Equations {}
+    impl ::rncf::emitted::WithoutPlacedGravity for Equations {}
+    impl ::rncf::emitted::WithoutGravityFields for Equations {}
 }

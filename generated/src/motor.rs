@@ -2696,6 +2696,73 @@ pub mod motor_equations {
         }
     }
     impl ::rncf::emitted::Parts for Equations {
+        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::emitted::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::emitted::Place::At(0.51),
+                    what: ::rncf::emitted::PointQuantity::Position,
+                    component: 1,
+                },
+                ::rncf::emitted::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::emitted::Place::At(0.51),
+                    what: ::rncf::emitted::PointQuantity::Position,
+                    component: 2,
+                },
+                ::rncf::emitted::ObservedSpec::Section {
+                    body: 0,
+                    at: ::rncf::emitted::Place::Start,
+                    what: ::rncf::emitted::SectionQuantity::MomentZ,
+                },
+                ::rncf::emitted::ObservedSpec::Section {
+                    body: 0,
+                    at: ::rncf::emitted::Place::Start,
+                    what: ::rncf::emitted::SectionQuantity::Stress,
+                },
+            ])
+        }
+        fn output_columns(&self) -> usize {
+            4
+        }
+        fn frame_count(&self) -> usize {
+            2
+        }
+        fn frame_name(&self, frame: usize) -> &'static str {
+            ["inertial", "rotor"][frame]
+        }
+        fn conservative(&self) -> bool {
+            false
+        }
+        fn kinks(&self) -> ::std::vec::Vec<f64> {
+            let mut times = [0.0; 1];
+            kinks(&self.model, &mut times);
+            times.to_vec()
+        }
+        fn gaps(&self, t: f64, out: &mut ::std::vec::Vec<[f64; 2]>) {}
+        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
+            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
+            frame_rotor(&self.model, t, &mut motions[1]);
+        }
+        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
+            outputs(&self.model, t, observed, out);
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            Some("body `shaft` is damped")
+        }
+        fn check(&self) -> ::std::result::Result<(), ::rncf::ModelError> {
+            let model = &self.model;
+            Ok(())
+        }
+        fn free(&self) -> ::std::vec::Vec<::rncf::emitted::FreeSpec> {
+            ::std::vec::Vec::new()
+        }
+        fn markers(&self) -> ::std::vec::Vec<::rncf::emitted::MarkerSpec> {
+            ::std::vec::Vec::new()
+        }
+    }
+    impl ::rncf::emitted::Bodies for Equations {
         fn bodies(&self) -> ::std::vec::Vec<::rncf::emitted::BodySpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
@@ -2886,6 +2953,53 @@ pub mod motor_equations {
             };
             Ok(())
         }
+        fn initial(
+            &self,
+            body: usize,
+            x: f64,
+        ) -> [::std::option::Option<[[f64; 3]; 2]>; 2] {
+            [None, None]
+        }
+        fn shares(&self) -> ::std::vec::Vec<::rncf::emitted::ShareSpec> {
+            ::std::vec::Vec::new()
+        }
+        fn starts(&self) -> ::std::vec::Vec<::rncf::emitted::StartSpec> {
+            ::std::vec::Vec::new()
+        }
+        fn fixtures(&self) -> ::std::vec::Vec<::rncf::emitted::FixtureSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::emitted::FixtureSpec {
+                    name: "disc",
+                    body: 0,
+                    at: ::rncf::emitted::Place::At(0.51),
+                    constants: [
+                        2.450442269800039,
+                        0.0,
+                        model.eccentricity * 2.450442269800039,
+                        0.0,
+                        2.0420352248333093e-5,
+                        0.006126105674500098
+                            + model.eccentricity
+                                * (model.eccentricity * 2.450442269800039),
+                        0.006126105674500098,
+                        0.0,
+                        0.0,
+                        0.0,
+                    ],
+                    elastic: true,
+                },
+            ])
+        }
+        fn varies(&self, body: usize) -> bool {
+            false
+        }
+        fn tables(
+            &self,
+            body: usize,
+        ) -> ::std::vec::Vec<&'static ::rncf::emitted::Table> {
+            ::std::vec::Vec::new()
+        }
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             beam_spatial_damped_mass(&self.row_shaft, ::rncf::emitted::array_mut(mass));
         }
@@ -2919,6 +3033,32 @@ pub mod motor_equations {
                 ::rncf::emitted::array(v),
                 ::rncf::emitted::array_mut(stiffness),
                 ::rncf::emitted::array_mut(damping),
+            );
+        }
+        fn elastic_force4(
+            &self,
+            elements: &[(usize, usize); 4],
+            q: &[[f64; 4]],
+            v: &[[f64; 4]],
+            force: &mut [[f64; 4]],
+        ) {
+            ::rncf::emitted::elastic_force_one_by_one(self, elements, q, v, force);
+        }
+        fn elastic_tangent4(
+            &self,
+            elements: &[(usize, usize); 4],
+            q: &[[f64; 4]],
+            v: &[[f64; 4]],
+            stiffness: &mut [[f64; 4]],
+            damping: &mut [[f64; 4]],
+        ) {
+            ::rncf::emitted::elastic_tangent_one_by_one(
+                self,
+                elements,
+                q,
+                v,
+                stiffness,
+                damping,
             );
         }
         fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {
@@ -3033,9 +3173,9 @@ pub mod motor_equations {
                 ::rncf::emitted::array_mut(forces),
             );
         }
-        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
-            Some("body `shaft` is damped")
-        }
+    }
+    impl ::rncf::emitted::WithoutConservingForces for Equations {}
+    impl ::rncf::emitted::JointConditions for Equations {
         fn joints(&self) -> ::std::vec::Vec<::rncf::emitted::JointSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
@@ -3264,81 +3404,14 @@ pub mod motor_equations {
                 _ => {}
             }
         }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::emitted::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::emitted::Place::At(0.51),
-                    what: ::rncf::emitted::PointQuantity::Position,
-                    component: 1,
-                },
-                ::rncf::emitted::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::emitted::Place::At(0.51),
-                    what: ::rncf::emitted::PointQuantity::Position,
-                    component: 2,
-                },
-                ::rncf::emitted::ObservedSpec::Section {
-                    body: 0,
-                    at: ::rncf::emitted::Place::Start,
-                    what: ::rncf::emitted::SectionQuantity::MomentZ,
-                },
-                ::rncf::emitted::ObservedSpec::Section {
-                    body: 0,
-                    at: ::rncf::emitted::Place::Start,
-                    what: ::rncf::emitted::SectionQuantity::Stress,
-                },
-            ])
-        }
-        fn output_columns(&self) -> usize {
-            4
-        }
-        fn frame_count(&self) -> usize {
-            2
-        }
-        fn frame_name(&self, frame: usize) -> &'static str {
-            ["inertial", "rotor"][frame]
-        }
-        fn conservative(&self) -> bool {
-            false
-        }
-        fn kinks(&self) -> ::std::vec::Vec<f64> {
-            let mut times = [0.0; 1];
-            kinks(&self.model, &mut times);
-            times.to_vec()
-        }
-        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
-            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
-            frame_rotor(&self.model, t, &mut motions[1]);
-        }
-        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
-            outputs(&self.model, t, observed, out);
-        }
-        fn fixtures(&self) -> ::std::vec::Vec<::rncf::emitted::FixtureSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::emitted::FixtureSpec {
-                    name: "disc",
-                    body: 0,
-                    at: ::rncf::emitted::Place::At(0.51),
-                    constants: [
-                        2.450442269800039,
-                        0.0,
-                        model.eccentricity * 2.450442269800039,
-                        0.0,
-                        2.0420352248333093e-5,
-                        0.006126105674500098
-                            + model.eccentricity
-                                * (model.eccentricity * 2.450442269800039),
-                        0.006126105674500098,
-                        0.0,
-                        0.0,
-                        0.0,
-                    ],
-                    elastic: true,
-                },
-            ])
-        }
     }
+    impl ::rncf::emitted::WithoutLoads for Equations {}
+    impl ::rncf::emitted::WithoutSlopeMoments for Equations {}
+    impl ::rncf::emitted::WithoutSectionMoments for Equations {}
+    impl ::rncf::emitted::WithoutMarkerConstraints for Equations {}
+    impl ::rncf::emitted::WithoutMarkerForces for Equations {}
+    impl ::rncf::emitted::WithoutDensities for Equations {}
+    impl ::rncf::emitted::WithoutDistributedLoads for Equations {}
+    impl ::rncf::emitted::WithoutPlacedGravity for Equations {}
+    impl ::rncf::emitted::WithoutGravityFields for Equations {}
 }

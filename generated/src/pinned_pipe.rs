@@ -913,6 +913,160 @@ pub mod pinned_pipe_equations {
         }
     }
     impl ::rncf::emitted::Parts for Equations {
+        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::emitted::ObservedSpec::Marker {
+                    marker: 18,
+                    derivative: 0,
+                    component: 1,
+                },
+                ::rncf::emitted::ObservedSpec::Marker {
+                    marker: 16,
+                    derivative: 0,
+                    component: 1,
+                },
+            ])
+        }
+        fn output_columns(&self) -> usize {
+            2
+        }
+        fn frame_count(&self) -> usize {
+            2
+        }
+        fn frame_name(&self, frame: usize) -> &'static str {
+            ["inertial", "own"][frame]
+        }
+        fn conservative(&self) -> bool {
+            false
+        }
+        fn kinks(&self) -> ::std::vec::Vec<f64> {
+            ::std::vec::Vec::new()
+        }
+        fn gaps(&self, t: f64, out: &mut ::std::vec::Vec<[f64; 2]>) {}
+        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
+            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
+        }
+        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
+            outputs(&self.model, t, observed, out);
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            Some("force `shake` has no potential")
+        }
+        fn check(&self) -> ::std::result::Result<(), ::rncf::ModelError> {
+            let model = &self.model;
+            Ok(())
+        }
+        fn free(&self) -> ::std::vec::Vec<::rncf::emitted::FreeSpec> {
+            let still = ::rncf::emitted::FreeSpec {
+                frame: 0,
+                parent: 0,
+                is_body: false,
+                motions: ::rncf::emitted::Motions::Spatial,
+                position: [0.0; 3],
+                axis: [0.0; 3],
+                angle: 0.0,
+                velocity: [0.0; 3],
+                spin: [0.0; 3],
+                rigid: ::rncf::emitted::RigidSpec::default(),
+            };
+            let mut specs = ::std::vec::Vec::from([
+                ::rncf::emitted::FreeSpec {
+                    frame: 1,
+                    parent: 0,
+                    is_body: false,
+                    motions: ::rncf::emitted::Motions::Planar {
+                        normal: 2,
+                    },
+                    ..still.clone()
+                },
+            ]);
+            free_own(&self.model, &mut specs[0]);
+            specs
+        }
+        fn markers(&self) -> ::std::vec::Vec<::rncf::emitted::MarkerSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::emitted::MarkerSpec::BodyPoint {
+                    body: 0,
+                    at: ::rncf::emitted::Place::Start,
+                },
+                ::rncf::emitted::MarkerSpec::Point {
+                    frame: 0,
+                    at: [0.0, 0.0, 0.0],
+                },
+                ::rncf::emitted::MarkerSpec::BodyPoint {
+                    body: 0,
+                    at: ::rncf::emitted::Place::At(1.0),
+                },
+                ::rncf::emitted::MarkerSpec::Point {
+                    frame: 0,
+                    at: [1.0, 0.0, 0.0],
+                },
+                ::rncf::emitted::MarkerSpec::BodyPoint {
+                    body: 0,
+                    at: ::rncf::emitted::Place::At(2.0),
+                },
+                ::rncf::emitted::MarkerSpec::Point {
+                    frame: 0,
+                    at: [2.0, 0.0, 0.0],
+                },
+                ::rncf::emitted::MarkerSpec::BodyPoint {
+                    body: 0,
+                    at: ::rncf::emitted::Place::At(3.0),
+                },
+                ::rncf::emitted::MarkerSpec::Point {
+                    frame: 0,
+                    at: [3.0, 0.0, 0.0],
+                },
+                ::rncf::emitted::MarkerSpec::BodyPoint {
+                    body: 0,
+                    at: ::rncf::emitted::Place::At(4.0),
+                },
+                ::rncf::emitted::MarkerSpec::Point {
+                    frame: 0,
+                    at: [4.0, 0.0, 0.0],
+                },
+                ::rncf::emitted::MarkerSpec::BodyPoint {
+                    body: 0,
+                    at: ::rncf::emitted::Place::At(5.0),
+                },
+                ::rncf::emitted::MarkerSpec::Point {
+                    frame: 0,
+                    at: [5.0, 0.0, 0.0],
+                },
+                ::rncf::emitted::MarkerSpec::BodyPoint {
+                    body: 0,
+                    at: ::rncf::emitted::Place::At(6.0),
+                },
+                ::rncf::emitted::MarkerSpec::Point {
+                    frame: 0,
+                    at: [6.0, 0.0, 0.0],
+                },
+                ::rncf::emitted::MarkerSpec::BodyPoint {
+                    body: 0,
+                    at: ::rncf::emitted::Place::At(7.0),
+                },
+                ::rncf::emitted::MarkerSpec::Point {
+                    frame: 0,
+                    at: [7.0, 0.0, 0.0],
+                },
+                ::rncf::emitted::MarkerSpec::BodyPoint {
+                    body: 0,
+                    at: ::rncf::emitted::Place::End,
+                },
+                ::rncf::emitted::MarkerSpec::Point {
+                    frame: 0,
+                    at: [8.0, 0.0, 0.0],
+                },
+                ::rncf::emitted::MarkerSpec::BodyPoint {
+                    body: 0,
+                    at: ::rncf::emitted::Place::At(3.5),
+                },
+            ])
+        }
+    }
+    impl ::rncf::emitted::Bodies for Equations {
         fn bodies(&self) -> ::std::vec::Vec<::rncf::emitted::BodySpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
@@ -1004,6 +1158,31 @@ pub mod pinned_pipe_equations {
                 rhoA: density * area,
             };
             Ok(())
+        }
+        fn initial(
+            &self,
+            body: usize,
+            x: f64,
+        ) -> [::std::option::Option<[[f64; 3]; 2]>; 2] {
+            [None, None]
+        }
+        fn shares(&self) -> ::std::vec::Vec<::rncf::emitted::ShareSpec> {
+            ::std::vec::Vec::new()
+        }
+        fn starts(&self) -> ::std::vec::Vec<::rncf::emitted::StartSpec> {
+            ::std::vec::Vec::new()
+        }
+        fn fixtures(&self) -> ::std::vec::Vec<::rncf::emitted::FixtureSpec> {
+            ::std::vec::Vec::new()
+        }
+        fn varies(&self, body: usize) -> bool {
+            false
+        }
+        fn tables(
+            &self,
+            body: usize,
+        ) -> ::std::vec::Vec<&'static ::rncf::emitted::Table> {
+            ::std::vec::Vec::new()
         }
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             cable_planar_mass(&self.row_pipe, ::rncf::emitted::array_mut(mass));
@@ -1164,150 +1343,14 @@ pub mod pinned_pipe_equations {
                 ::rncf::emitted::array_mut(forces),
             );
         }
-        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
-            Some("force `shake` has no potential")
-        }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::emitted::ObservedSpec::Marker {
-                    marker: 18,
-                    derivative: 0,
-                    component: 1,
-                },
-                ::rncf::emitted::ObservedSpec::Marker {
-                    marker: 16,
-                    derivative: 0,
-                    component: 1,
-                },
-            ])
-        }
-        fn output_columns(&self) -> usize {
-            2
-        }
-        fn frame_count(&self) -> usize {
-            2
-        }
-        fn frame_name(&self, frame: usize) -> &'static str {
-            ["inertial", "own"][frame]
-        }
-        fn conservative(&self) -> bool {
-            false
-        }
-        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
-            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
-        }
-        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
-            outputs(&self.model, t, observed, out);
-        }
-        fn free(&self) -> ::std::vec::Vec<::rncf::emitted::FreeSpec> {
-            let still = ::rncf::emitted::FreeSpec {
-                frame: 0,
-                parent: 0,
-                is_body: false,
-                motions: ::rncf::emitted::Motions::Spatial,
-                position: [0.0; 3],
-                axis: [0.0; 3],
-                angle: 0.0,
-                velocity: [0.0; 3],
-                spin: [0.0; 3],
-                rigid: ::rncf::emitted::RigidSpec::default(),
-            };
-            let mut specs = ::std::vec::Vec::from([
-                ::rncf::emitted::FreeSpec {
-                    frame: 1,
-                    parent: 0,
-                    is_body: false,
-                    motions: ::rncf::emitted::Motions::Planar {
-                        normal: 2,
-                    },
-                    ..still.clone()
-                },
-            ]);
-            free_own(&self.model, &mut specs[0]);
-            specs
-        }
-        fn markers(&self) -> ::std::vec::Vec<::rncf::emitted::MarkerSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::emitted::MarkerSpec::BodyPoint {
-                    body: 0,
-                    at: ::rncf::emitted::Place::Start,
-                },
-                ::rncf::emitted::MarkerSpec::Point {
-                    frame: 0,
-                    at: [0.0, 0.0, 0.0],
-                },
-                ::rncf::emitted::MarkerSpec::BodyPoint {
-                    body: 0,
-                    at: ::rncf::emitted::Place::At(1.0),
-                },
-                ::rncf::emitted::MarkerSpec::Point {
-                    frame: 0,
-                    at: [1.0, 0.0, 0.0],
-                },
-                ::rncf::emitted::MarkerSpec::BodyPoint {
-                    body: 0,
-                    at: ::rncf::emitted::Place::At(2.0),
-                },
-                ::rncf::emitted::MarkerSpec::Point {
-                    frame: 0,
-                    at: [2.0, 0.0, 0.0],
-                },
-                ::rncf::emitted::MarkerSpec::BodyPoint {
-                    body: 0,
-                    at: ::rncf::emitted::Place::At(3.0),
-                },
-                ::rncf::emitted::MarkerSpec::Point {
-                    frame: 0,
-                    at: [3.0, 0.0, 0.0],
-                },
-                ::rncf::emitted::MarkerSpec::BodyPoint {
-                    body: 0,
-                    at: ::rncf::emitted::Place::At(4.0),
-                },
-                ::rncf::emitted::MarkerSpec::Point {
-                    frame: 0,
-                    at: [4.0, 0.0, 0.0],
-                },
-                ::rncf::emitted::MarkerSpec::BodyPoint {
-                    body: 0,
-                    at: ::rncf::emitted::Place::At(5.0),
-                },
-                ::rncf::emitted::MarkerSpec::Point {
-                    frame: 0,
-                    at: [5.0, 0.0, 0.0],
-                },
-                ::rncf::emitted::MarkerSpec::BodyPoint {
-                    body: 0,
-                    at: ::rncf::emitted::Place::At(6.0),
-                },
-                ::rncf::emitted::MarkerSpec::Point {
-                    frame: 0,
-                    at: [6.0, 0.0, 0.0],
-                },
-                ::rncf::emitted::MarkerSpec::BodyPoint {
-                    body: 0,
-                    at: ::rncf::emitted::Place::At(7.0),
-                },
-                ::rncf::emitted::MarkerSpec::Point {
-                    frame: 0,
-                    at: [7.0, 0.0, 0.0],
-                },
-                ::rncf::emitted::MarkerSpec::BodyPoint {
-                    body: 0,
-                    at: ::rncf::emitted::Place::End,
-                },
-                ::rncf::emitted::MarkerSpec::Point {
-                    frame: 0,
-                    at: [8.0, 0.0, 0.0],
-                },
-                ::rncf::emitted::MarkerSpec::BodyPoint {
-                    body: 0,
-                    at: ::rncf::emitted::Place::At(3.5),
-                },
-            ])
-        }
+    }
+    impl ::rncf::emitted::WithoutConservingForces for Equations {}
+    impl ::rncf::emitted::WithoutJointConditions for Equations {}
+    impl ::rncf::emitted::WithoutLoads for Equations {}
+    impl ::rncf::emitted::WithoutSlopeMoments for Equations {}
+    impl ::rncf::emitted::WithoutSectionMoments for Equations {}
+    impl ::rncf::emitted::WithoutMarkerConstraints for Equations {}
+    impl ::rncf::emitted::MarkerForces for Equations {
         fn forces(&self) -> ::std::vec::Vec<::rncf::emitted::ForceSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
@@ -1418,6 +1461,14 @@ pub mod pinned_pipe_equations {
                 _ => {}
             }
         }
+        fn marker_force_branches(
+            &self,
+            force: usize,
+            t: f64,
+            z: &[[f64; 3]],
+            velocity: &[[f64; 3]],
+            out: &mut [f64],
+        ) {}
         fn marker_energy(&self, force: usize, t: f64, z: &[[f64; 3]]) -> f64 {
             let mut energy = 0.0;
             match force {
@@ -1429,4 +1480,8 @@ pub mod pinned_pipe_equations {
             energy
         }
     }
+    impl ::rncf::emitted::WithoutDensities for Equations {}
+    impl ::rncf::emitted::WithoutDistributedLoads for Equations {}
+    impl ::rncf::emitted::WithoutPlacedGravity for Equations {}
+    impl ::rncf::emitted::WithoutGravityFields for Equations {}
 }

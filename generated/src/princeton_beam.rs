@@ -2190,6 +2190,66 @@ pub mod princeton_beam_equations {
         }
     }
     impl ::rncf::emitted::Parts for Equations {
+        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::emitted::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
+                    component: 0,
+                },
+                ::rncf::emitted::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
+                    component: 1,
+                },
+                ::rncf::emitted::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
+                    component: 2,
+                },
+            ])
+        }
+        fn output_columns(&self) -> usize {
+            3
+        }
+        fn frame_count(&self) -> usize {
+            1
+        }
+        fn frame_name(&self, frame: usize) -> &'static str {
+            ["inertial"][frame]
+        }
+        fn conservative(&self) -> bool {
+            true
+        }
+        fn kinks(&self) -> ::std::vec::Vec<f64> {
+            ::std::vec::Vec::new()
+        }
+        fn gaps(&self, t: f64, out: &mut ::std::vec::Vec<[f64; 2]>) {}
+        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
+            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
+        }
+        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
+            outputs(&self.model, t, observed, out);
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            None
+        }
+        fn check(&self) -> ::std::result::Result<(), ::rncf::ModelError> {
+            let model = &self.model;
+            Ok(())
+        }
+        fn free(&self) -> ::std::vec::Vec<::rncf::emitted::FreeSpec> {
+            ::std::vec::Vec::new()
+        }
+        fn markers(&self) -> ::std::vec::Vec<::rncf::emitted::MarkerSpec> {
+            ::std::vec::Vec::new()
+        }
+    }
+    impl ::rncf::emitted::Bodies for Equations {
         fn bodies(&self) -> ::std::vec::Vec<::rncf::emitted::BodySpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
@@ -2373,6 +2433,31 @@ pub mod princeton_beam_equations {
             };
             Ok(())
         }
+        fn initial(
+            &self,
+            body: usize,
+            x: f64,
+        ) -> [::std::option::Option<[[f64; 3]; 2]>; 2] {
+            [None, None]
+        }
+        fn shares(&self) -> ::std::vec::Vec<::rncf::emitted::ShareSpec> {
+            ::std::vec::Vec::new()
+        }
+        fn starts(&self) -> ::std::vec::Vec<::rncf::emitted::StartSpec> {
+            ::std::vec::Vec::new()
+        }
+        fn fixtures(&self) -> ::std::vec::Vec<::rncf::emitted::FixtureSpec> {
+            ::std::vec::Vec::new()
+        }
+        fn varies(&self, body: usize) -> bool {
+            false
+        }
+        fn tables(
+            &self,
+            body: usize,
+        ) -> ::std::vec::Vec<&'static ::rncf::emitted::Table> {
+            ::std::vec::Vec::new()
+        }
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             beam_spatial_mass(&self.row_beam, ::rncf::emitted::array_mut(mass));
         }
@@ -2403,6 +2488,32 @@ pub mod princeton_beam_equations {
                 &self.row_beam,
                 ::rncf::emitted::array(q),
                 ::rncf::emitted::array_mut(stiffness),
+            );
+        }
+        fn elastic_force4(
+            &self,
+            elements: &[(usize, usize); 4],
+            q: &[[f64; 4]],
+            v: &[[f64; 4]],
+            force: &mut [[f64; 4]],
+        ) {
+            ::rncf::emitted::elastic_force_one_by_one(self, elements, q, v, force);
+        }
+        fn elastic_tangent4(
+            &self,
+            elements: &[(usize, usize); 4],
+            q: &[[f64; 4]],
+            v: &[[f64; 4]],
+            stiffness: &mut [[f64; 4]],
+            damping: &mut [[f64; 4]],
+        ) {
+            ::rncf::emitted::elastic_tangent_one_by_one(
+                self,
+                elements,
+                q,
+                v,
+                stiffness,
+                damping,
             );
         }
         fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {
@@ -2516,9 +2627,8 @@ pub mod princeton_beam_equations {
                 ::rncf::emitted::array_mut(forces),
             );
         }
-        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
-            None
-        }
+    }
+    impl ::rncf::emitted::ConservingForces for Equations {
         fn conserving_force(
             &self,
             body: usize,
@@ -2549,6 +2659,8 @@ pub mod princeton_beam_equations {
                 ::rncf::emitted::array_mut(stiffness),
             );
         }
+    }
+    impl ::rncf::emitted::JointConditions for Equations {
         fn joints(&self) -> ::std::vec::Vec<::rncf::emitted::JointSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
@@ -2624,6 +2736,8 @@ pub mod princeton_beam_equations {
                 _ => {}
             }
         }
+    }
+    impl ::rncf::emitted::Loads for Equations {
         fn loads(&self) -> ::std::vec::Vec<::rncf::emitted::LoadSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
@@ -2649,46 +2763,13 @@ pub mod princeton_beam_equations {
             }
             value
         }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::emitted::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::emitted::Place::End,
-                    what: ::rncf::emitted::PointQuantity::Position,
-                    component: 0,
-                },
-                ::rncf::emitted::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::emitted::Place::End,
-                    what: ::rncf::emitted::PointQuantity::Position,
-                    component: 1,
-                },
-                ::rncf::emitted::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::emitted::Place::End,
-                    what: ::rncf::emitted::PointQuantity::Position,
-                    component: 2,
-                },
-            ])
-        }
-        fn output_columns(&self) -> usize {
-            3
-        }
-        fn frame_count(&self) -> usize {
-            1
-        }
-        fn frame_name(&self, frame: usize) -> &'static str {
-            ["inertial"][frame]
-        }
-        fn conservative(&self) -> bool {
-            true
-        }
-        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
-            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
-        }
-        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
-            outputs(&self.model, t, observed, out);
-        }
     }
+    impl ::rncf::emitted::WithoutSlopeMoments for Equations {}
+    impl ::rncf::emitted::WithoutSectionMoments for Equations {}
+    impl ::rncf::emitted::WithoutMarkerConstraints for Equations {}
+    impl ::rncf::emitted::WithoutMarkerForces for Equations {}
+    impl ::rncf::emitted::WithoutDensities for Equations {}
+    impl ::rncf::emitted::WithoutDistributedLoads for Equations {}
+    impl ::rncf::emitted::WithoutPlacedGravity for Equations {}
+    impl ::rncf::emitted::WithoutGravityFields for Equations {}
 }

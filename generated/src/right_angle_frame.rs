@@ -2457,6 +2457,118 @@ pub mod right_angle_frame_equations {
         }
     }
     impl ::rncf::emitted::Parts for Equations {
+        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::emitted::ObservedSpec::Point {
+                    body: 1,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
+                    component: 0,
+                },
+                ::rncf::emitted::ObservedSpec::Point {
+                    body: 1,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
+                    component: 1,
+                },
+                ::rncf::emitted::ObservedSpec::Point {
+                    body: 1,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
+                    component: 2,
+                },
+            ])
+        }
+        fn output_columns(&self) -> usize {
+            3
+        }
+        fn frame_count(&self) -> usize {
+            1
+        }
+        fn frame_name(&self, frame: usize) -> &'static str {
+            ["inertial"][frame]
+        }
+        fn conservative(&self) -> bool {
+            true
+        }
+        fn kinks(&self) -> ::std::vec::Vec<f64> {
+            ::std::vec::Vec::new()
+        }
+        fn gaps(&self, t: f64, out: &mut ::std::vec::Vec<[f64; 2]>) {}
+        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
+            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
+        }
+        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
+            outputs(&self.model, t, observed, out);
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            None
+        }
+        fn check(&self) -> ::std::result::Result<(), ::rncf::ModelError> {
+            let model = &self.model;
+            Ok(())
+        }
+        fn free(&self) -> ::std::vec::Vec<::rncf::emitted::FreeSpec> {
+            ::std::vec::Vec::new()
+        }
+        fn markers(&self) -> ::std::vec::Vec<::rncf::emitted::MarkerSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::emitted::MarkerSpec::BodyPoint {
+                    body: 0,
+                    at: ::rncf::emitted::Place::End,
+                },
+                ::rncf::emitted::MarkerSpec::BodyPoint {
+                    body: 1,
+                    at: ::rncf::emitted::Place::Start,
+                },
+                ::rncf::emitted::MarkerSpec::Direction {
+                    frame: 0,
+                    along: [0.0, 1.0, 0.0],
+                },
+                ::rncf::emitted::MarkerSpec::Direction {
+                    frame: 0,
+                    along: [1.0, 0.0, 0.0],
+                },
+                ::rncf::emitted::MarkerSpec::InSection {
+                    body: 0,
+                    at: ::rncf::emitted::Place::End,
+                    marker: 3,
+                },
+                ::rncf::emitted::MarkerSpec::InSection {
+                    body: 1,
+                    at: ::rncf::emitted::Place::Start,
+                    marker: 2,
+                },
+                ::rncf::emitted::MarkerSpec::Direction {
+                    frame: 0,
+                    along: [0.0, 0.0, 1.0],
+                },
+                ::rncf::emitted::MarkerSpec::InSection {
+                    body: 0,
+                    at: ::rncf::emitted::Place::End,
+                    marker: 2,
+                },
+                ::rncf::emitted::MarkerSpec::InSection {
+                    body: 1,
+                    at: ::rncf::emitted::Place::Start,
+                    marker: 6,
+                },
+                ::rncf::emitted::MarkerSpec::InSection {
+                    body: 0,
+                    at: ::rncf::emitted::Place::End,
+                    marker: 6,
+                },
+                ::rncf::emitted::MarkerSpec::InSection {
+                    body: 1,
+                    at: ::rncf::emitted::Place::Start,
+                    marker: 3,
+                },
+            ])
+        }
+    }
+    impl ::rncf::emitted::Bodies for Equations {
         fn bodies(&self) -> ::std::vec::Vec<::rncf::emitted::BodySpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
@@ -2817,6 +2929,31 @@ pub mod right_angle_frame_equations {
             }
             Ok(())
         }
+        fn initial(
+            &self,
+            body: usize,
+            x: f64,
+        ) -> [::std::option::Option<[[f64; 3]; 2]>; 2] {
+            [None, None]
+        }
+        fn shares(&self) -> ::std::vec::Vec<::rncf::emitted::ShareSpec> {
+            ::std::vec::Vec::new()
+        }
+        fn starts(&self) -> ::std::vec::Vec<::rncf::emitted::StartSpec> {
+            ::std::vec::Vec::new()
+        }
+        fn fixtures(&self) -> ::std::vec::Vec<::rncf::emitted::FixtureSpec> {
+            ::std::vec::Vec::new()
+        }
+        fn varies(&self, body: usize) -> bool {
+            false
+        }
+        fn tables(
+            &self,
+            body: usize,
+        ) -> ::std::vec::Vec<&'static ::rncf::emitted::Table> {
+            ::std::vec::Vec::new()
+        }
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             match body {
                 0 => {
@@ -2880,6 +3017,32 @@ pub mod right_angle_frame_equations {
                     );
                 }
             }
+        }
+        fn elastic_force4(
+            &self,
+            elements: &[(usize, usize); 4],
+            q: &[[f64; 4]],
+            v: &[[f64; 4]],
+            force: &mut [[f64; 4]],
+        ) {
+            ::rncf::emitted::elastic_force_one_by_one(self, elements, q, v, force);
+        }
+        fn elastic_tangent4(
+            &self,
+            elements: &[(usize, usize); 4],
+            q: &[[f64; 4]],
+            v: &[[f64; 4]],
+            stiffness: &mut [[f64; 4]],
+            damping: &mut [[f64; 4]],
+        ) {
+            ::rncf::emitted::elastic_tangent_one_by_one(
+                self,
+                elements,
+                q,
+                v,
+                stiffness,
+                damping,
+            );
         }
         fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {
             let mut energy = 0.0;
@@ -3095,9 +3258,8 @@ pub mod right_angle_frame_equations {
                 }
             }
         }
-        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
-            None
-        }
+    }
+    impl ::rncf::emitted::ConservingForces for Equations {
         fn conserving_force(
             &self,
             body: usize,
@@ -3152,6 +3314,8 @@ pub mod right_angle_frame_equations {
                 }
             }
         }
+    }
+    impl ::rncf::emitted::JointConditions for Equations {
         fn joints(&self) -> ::std::vec::Vec<::rncf::emitted::JointSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
@@ -3227,6 +3391,8 @@ pub mod right_angle_frame_equations {
                 _ => {}
             }
         }
+    }
+    impl ::rncf::emitted::Loads for Equations {
         fn loads(&self) -> ::std::vec::Vec<::rncf::emitted::LoadSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
@@ -3252,102 +3418,10 @@ pub mod right_angle_frame_equations {
             }
             value
         }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::emitted::ObservedSpec::Point {
-                    body: 1,
-                    at: ::rncf::emitted::Place::End,
-                    what: ::rncf::emitted::PointQuantity::Position,
-                    component: 0,
-                },
-                ::rncf::emitted::ObservedSpec::Point {
-                    body: 1,
-                    at: ::rncf::emitted::Place::End,
-                    what: ::rncf::emitted::PointQuantity::Position,
-                    component: 1,
-                },
-                ::rncf::emitted::ObservedSpec::Point {
-                    body: 1,
-                    at: ::rncf::emitted::Place::End,
-                    what: ::rncf::emitted::PointQuantity::Position,
-                    component: 2,
-                },
-            ])
-        }
-        fn output_columns(&self) -> usize {
-            3
-        }
-        fn frame_count(&self) -> usize {
-            1
-        }
-        fn frame_name(&self, frame: usize) -> &'static str {
-            ["inertial"][frame]
-        }
-        fn conservative(&self) -> bool {
-            true
-        }
-        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
-            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
-        }
-        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
-            outputs(&self.model, t, observed, out);
-        }
-        fn markers(&self) -> ::std::vec::Vec<::rncf::emitted::MarkerSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::emitted::MarkerSpec::BodyPoint {
-                    body: 0,
-                    at: ::rncf::emitted::Place::End,
-                },
-                ::rncf::emitted::MarkerSpec::BodyPoint {
-                    body: 1,
-                    at: ::rncf::emitted::Place::Start,
-                },
-                ::rncf::emitted::MarkerSpec::Direction {
-                    frame: 0,
-                    along: [0.0, 1.0, 0.0],
-                },
-                ::rncf::emitted::MarkerSpec::Direction {
-                    frame: 0,
-                    along: [1.0, 0.0, 0.0],
-                },
-                ::rncf::emitted::MarkerSpec::InSection {
-                    body: 0,
-                    at: ::rncf::emitted::Place::End,
-                    marker: 3,
-                },
-                ::rncf::emitted::MarkerSpec::InSection {
-                    body: 1,
-                    at: ::rncf::emitted::Place::Start,
-                    marker: 2,
-                },
-                ::rncf::emitted::MarkerSpec::Direction {
-                    frame: 0,
-                    along: [0.0, 0.0, 1.0],
-                },
-                ::rncf::emitted::MarkerSpec::InSection {
-                    body: 0,
-                    at: ::rncf::emitted::Place::End,
-                    marker: 2,
-                },
-                ::rncf::emitted::MarkerSpec::InSection {
-                    body: 1,
-                    at: ::rncf::emitted::Place::Start,
-                    marker: 6,
-                },
-                ::rncf::emitted::MarkerSpec::InSection {
-                    body: 0,
-                    at: ::rncf::emitted::Place::End,
-                    marker: 6,
-                },
-                ::rncf::emitted::MarkerSpec::InSection {
-                    body: 1,
-                    at: ::rncf::emitted::Place::Start,
-                    marker: 3,
-                },
-            ])
-        }
+    }
+    impl ::rncf::emitted::WithoutSlopeMoments for Equations {}
+    impl ::rncf::emitted::WithoutSectionMoments for Equations {}
+    impl ::rncf::emitted::MarkerConstraints for Equations {
         fn constraints(&self) -> ::std::vec::Vec<::rncf::emitted::ConstraintSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
@@ -3433,6 +3507,13 @@ pub mod right_angle_frame_equations {
                 _ => {}
             }
         }
+        fn marker_constraint_branches(
+            &self,
+            constraint: usize,
+            t: f64,
+            z: &[[f64; 3]],
+            out: &mut [f64],
+        ) {}
         fn marker_constraint_hessian(
             &self,
             constraint: usize,
@@ -3448,4 +3529,9 @@ pub mod right_angle_frame_equations {
             }
         }
     }
+    impl ::rncf::emitted::WithoutMarkerForces for Equations {}
+    impl ::rncf::emitted::WithoutDensities for Equations {}
+    impl ::rncf::emitted::WithoutDistributedLoads for Equations {}
+    impl ::rncf::emitted::WithoutPlacedGravity for Equations {}
+    impl ::rncf::emitted::WithoutGravityFields for Equations {}
 }

@@ -2341,6 +2341,164 @@ pub mod slider_crank_equations {
         }
     }
     impl ::rncf::emitted::Parts for Equations {
+        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::emitted::ObservedSpec::Marker {
+                    marker: 2,
+                    derivative: 0,
+                    component: 0,
+                },
+                ::rncf::emitted::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::emitted::Place::At(0.15),
+                    what: ::rncf::emitted::PointQuantity::Position,
+                    component: 0,
+                },
+                ::rncf::emitted::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::emitted::Place::Start,
+                    what: ::rncf::emitted::PointQuantity::Position,
+                    component: 0,
+                },
+                ::rncf::emitted::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
+                    component: 0,
+                },
+                ::rncf::emitted::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::emitted::Place::At(0.15),
+                    what: ::rncf::emitted::PointQuantity::Position,
+                    component: 1,
+                },
+                ::rncf::emitted::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::emitted::Place::Start,
+                    what: ::rncf::emitted::PointQuantity::Position,
+                    component: 1,
+                },
+                ::rncf::emitted::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
+                    component: 1,
+                },
+                ::rncf::emitted::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::emitted::Place::At(0.15),
+                    what: ::rncf::emitted::PointQuantity::Position,
+                    component: 2,
+                },
+                ::rncf::emitted::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::emitted::Place::Start,
+                    what: ::rncf::emitted::PointQuantity::Position,
+                    component: 2,
+                },
+                ::rncf::emitted::ObservedSpec::Point {
+                    body: 0,
+                    at: ::rncf::emitted::Place::End,
+                    what: ::rncf::emitted::PointQuantity::Position,
+                    component: 2,
+                },
+            ])
+        }
+        fn output_columns(&self) -> usize {
+            3
+        }
+        fn frame_count(&self) -> usize {
+            3
+        }
+        fn frame_name(&self, frame: usize) -> &'static str {
+            ["inertial", "pin_frame", "rod"][frame]
+        }
+        fn conservative(&self) -> bool {
+            false
+        }
+        fn kinks(&self) -> ::std::vec::Vec<f64> {
+            let mut times = [0.0; 1];
+            kinks(&self.model, &mut times);
+            times.to_vec()
+        }
+        fn gaps(&self, t: f64, out: &mut ::std::vec::Vec<[f64; 2]>) {}
+        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
+            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
+            frame_pin_frame(&self.model, t, &mut motions[1]);
+        }
+        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
+            outputs(&self.model, t, observed, out);
+        }
+        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
+            Some("body `beam` is damped")
+        }
+        fn check(&self) -> ::std::result::Result<(), ::rncf::ModelError> {
+            let model = &self.model;
+            ::rncf::emitted::non_negative(
+                "fixture `slider`",
+                "mass",
+                model.slider_mass,
+                "kg",
+            )?;
+            Ok(())
+        }
+        fn free(&self) -> ::std::vec::Vec<::rncf::emitted::FreeSpec> {
+            let still = ::rncf::emitted::FreeSpec {
+                frame: 0,
+                parent: 0,
+                is_body: false,
+                motions: ::rncf::emitted::Motions::Spatial,
+                position: [0.0; 3],
+                axis: [0.0; 3],
+                angle: 0.0,
+                velocity: [0.0; 3],
+                spin: [0.0; 3],
+                rigid: ::rncf::emitted::RigidSpec::default(),
+            };
+            let mut specs = ::std::vec::Vec::from([
+                ::rncf::emitted::FreeSpec {
+                    frame: 2,
+                    parent: 1,
+                    is_body: false,
+                    motions: ::rncf::emitted::Motions::Turning,
+                    ..still.clone()
+                },
+            ]);
+            free_rod(&self.model, &mut specs[0]);
+            specs
+        }
+        fn markers(&self) -> ::std::vec::Vec<::rncf::emitted::MarkerSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::emitted::MarkerSpec::BodyPoint {
+                    body: 0,
+                    at: ::rncf::emitted::Place::Start,
+                },
+                ::rncf::emitted::MarkerSpec::Matching {
+                    frame: 2,
+                    marker: 0,
+                },
+                ::rncf::emitted::MarkerSpec::BodyPoint {
+                    body: 0,
+                    at: ::rncf::emitted::Place::End,
+                },
+                ::rncf::emitted::MarkerSpec::Matching {
+                    frame: 2,
+                    marker: 2,
+                },
+                ::rncf::emitted::MarkerSpec::Direction {
+                    frame: 2,
+                    along: [0.0, 1.0, 0.0],
+                },
+                ::rncf::emitted::MarkerSpec::Direction {
+                    frame: 2,
+                    along: [0.0, 0.0, 1.0],
+                },
+            ])
+        }
+    }
+    impl ::rncf::emitted::Bodies for Equations {
         fn bodies(&self) -> ::std::vec::Vec<::rncf::emitted::BodySpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
@@ -2440,6 +2598,51 @@ pub mod slider_crank_equations {
             };
             Ok(())
         }
+        fn initial(
+            &self,
+            body: usize,
+            x: f64,
+        ) -> [::std::option::Option<[[f64; 3]; 2]>; 2] {
+            [None, None]
+        }
+        fn shares(&self) -> ::std::vec::Vec<::rncf::emitted::ShareSpec> {
+            ::std::vec::Vec::new()
+        }
+        fn starts(&self) -> ::std::vec::Vec<::rncf::emitted::StartSpec> {
+            ::std::vec::Vec::new()
+        }
+        fn fixtures(&self) -> ::std::vec::Vec<::rncf::emitted::FixtureSpec> {
+            let model = &self.model;
+            ::std::vec::Vec::from([
+                ::rncf::emitted::FixtureSpec {
+                    name: "slider",
+                    body: 0,
+                    at: ::rncf::emitted::Place::End,
+                    constants: [
+                        model.slider_mass,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                    ],
+                    elastic: false,
+                },
+            ])
+        }
+        fn varies(&self, body: usize) -> bool {
+            false
+        }
+        fn tables(
+            &self,
+            body: usize,
+        ) -> ::std::vec::Vec<&'static ::rncf::emitted::Table> {
+            ::std::vec::Vec::new()
+        }
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             cable_spatial_exact_damped_mass(
                 &self.row_beam,
@@ -2476,6 +2679,32 @@ pub mod slider_crank_equations {
                 ::rncf::emitted::array(v),
                 ::rncf::emitted::array_mut(stiffness),
                 ::rncf::emitted::array_mut(damping),
+            );
+        }
+        fn elastic_force4(
+            &self,
+            elements: &[(usize, usize); 4],
+            q: &[[f64; 4]],
+            v: &[[f64; 4]],
+            force: &mut [[f64; 4]],
+        ) {
+            ::rncf::emitted::elastic_force_one_by_one(self, elements, q, v, force);
+        }
+        fn elastic_tangent4(
+            &self,
+            elements: &[(usize, usize); 4],
+            q: &[[f64; 4]],
+            v: &[[f64; 4]],
+            stiffness: &mut [[f64; 4]],
+            damping: &mut [[f64; 4]],
+        ) {
+            ::rncf::emitted::elastic_tangent_one_by_one(
+                self,
+                elements,
+                q,
+                v,
+                stiffness,
+                damping,
             );
         }
         fn energy(&self, body: usize, element: usize, q: &[f64]) -> f64 {
@@ -2566,9 +2795,9 @@ pub mod slider_crank_equations {
                 ::rncf::emitted::array_mut(forces),
             );
         }
-        fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {
-            Some("body `beam` is damped")
-        }
+    }
+    impl ::rncf::emitted::WithoutConservingForces for Equations {}
+    impl ::rncf::emitted::JointConditions for Equations {
         fn joints(&self) -> ::std::vec::Vec<::rncf::emitted::JointSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
@@ -2722,158 +2951,11 @@ pub mod slider_crank_equations {
                 _ => {}
             }
         }
-        fn observed(&self) -> ::std::vec::Vec<::rncf::emitted::ObservedSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::emitted::ObservedSpec::Marker {
-                    marker: 2,
-                    derivative: 0,
-                    component: 0,
-                },
-                ::rncf::emitted::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::emitted::Place::At(0.15),
-                    what: ::rncf::emitted::PointQuantity::Position,
-                    component: 0,
-                },
-                ::rncf::emitted::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::emitted::Place::Start,
-                    what: ::rncf::emitted::PointQuantity::Position,
-                    component: 0,
-                },
-                ::rncf::emitted::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::emitted::Place::End,
-                    what: ::rncf::emitted::PointQuantity::Position,
-                    component: 0,
-                },
-                ::rncf::emitted::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::emitted::Place::At(0.15),
-                    what: ::rncf::emitted::PointQuantity::Position,
-                    component: 1,
-                },
-                ::rncf::emitted::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::emitted::Place::Start,
-                    what: ::rncf::emitted::PointQuantity::Position,
-                    component: 1,
-                },
-                ::rncf::emitted::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::emitted::Place::End,
-                    what: ::rncf::emitted::PointQuantity::Position,
-                    component: 1,
-                },
-                ::rncf::emitted::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::emitted::Place::At(0.15),
-                    what: ::rncf::emitted::PointQuantity::Position,
-                    component: 2,
-                },
-                ::rncf::emitted::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::emitted::Place::Start,
-                    what: ::rncf::emitted::PointQuantity::Position,
-                    component: 2,
-                },
-                ::rncf::emitted::ObservedSpec::Point {
-                    body: 0,
-                    at: ::rncf::emitted::Place::End,
-                    what: ::rncf::emitted::PointQuantity::Position,
-                    component: 2,
-                },
-            ])
-        }
-        fn output_columns(&self) -> usize {
-            3
-        }
-        fn frame_count(&self) -> usize {
-            3
-        }
-        fn frame_name(&self, frame: usize) -> &'static str {
-            ["inertial", "pin_frame", "rod"][frame]
-        }
-        fn conservative(&self) -> bool {
-            false
-        }
-        fn kinks(&self) -> ::std::vec::Vec<f64> {
-            let mut times = [0.0; 1];
-            kinks(&self.model, &mut times);
-            times.to_vec()
-        }
-        fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
-            motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
-            frame_pin_frame(&self.model, t, &mut motions[1]);
-        }
-        fn outputs(&self, t: f64, observed: &[f64], out: &mut [f64]) {
-            outputs(&self.model, t, observed, out);
-        }
-        fn check(&self) -> ::std::result::Result<(), ::rncf::ModelError> {
-            let model = &self.model;
-            ::rncf::emitted::non_negative(
-                "fixture `slider`",
-                "mass",
-                model.slider_mass,
-                "kg",
-            )?;
-            Ok(())
-        }
-        fn free(&self) -> ::std::vec::Vec<::rncf::emitted::FreeSpec> {
-            let still = ::rncf::emitted::FreeSpec {
-                frame: 0,
-                parent: 0,
-                is_body: false,
-                motions: ::rncf::emitted::Motions::Spatial,
-                position: [0.0; 3],
-                axis: [0.0; 3],
-                angle: 0.0,
-                velocity: [0.0; 3],
-                spin: [0.0; 3],
-                rigid: ::rncf::emitted::RigidSpec::default(),
-            };
-            let mut specs = ::std::vec::Vec::from([
-                ::rncf::emitted::FreeSpec {
-                    frame: 2,
-                    parent: 1,
-                    is_body: false,
-                    motions: ::rncf::emitted::Motions::Turning,
-                    ..still.clone()
-                },
-            ]);
-            free_rod(&self.model, &mut specs[0]);
-            specs
-        }
-        fn markers(&self) -> ::std::vec::Vec<::rncf::emitted::MarkerSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::emitted::MarkerSpec::BodyPoint {
-                    body: 0,
-                    at: ::rncf::emitted::Place::Start,
-                },
-                ::rncf::emitted::MarkerSpec::Matching {
-                    frame: 2,
-                    marker: 0,
-                },
-                ::rncf::emitted::MarkerSpec::BodyPoint {
-                    body: 0,
-                    at: ::rncf::emitted::Place::End,
-                },
-                ::rncf::emitted::MarkerSpec::Matching {
-                    frame: 2,
-                    marker: 2,
-                },
-                ::rncf::emitted::MarkerSpec::Direction {
-                    frame: 2,
-                    along: [0.0, 1.0, 0.0],
-                },
-                ::rncf::emitted::MarkerSpec::Direction {
-                    frame: 2,
-                    along: [0.0, 0.0, 1.0],
-                },
-            ])
-        }
+    }
+    impl ::rncf::emitted::WithoutLoads for Equations {}
+    impl ::rncf::emitted::WithoutSlopeMoments for Equations {}
+    impl ::rncf::emitted::WithoutSectionMoments for Equations {}
+    impl ::rncf::emitted::MarkerConstraints for Equations {
         fn constraints(&self) -> ::std::vec::Vec<::rncf::emitted::ConstraintSpec> {
             let model = &self.model;
             ::std::vec::Vec::from([
@@ -3079,6 +3161,13 @@ pub mod slider_crank_equations {
                 _ => {}
             }
         }
+        fn marker_constraint_branches(
+            &self,
+            constraint: usize,
+            t: f64,
+            z: &[[f64; 3]],
+            out: &mut [f64],
+        ) {}
         fn marker_constraint_hessian(
             &self,
             constraint: usize,
@@ -3093,28 +3182,10 @@ pub mod slider_crank_equations {
                 _ => {}
             }
         }
-        fn fixtures(&self) -> ::std::vec::Vec<::rncf::emitted::FixtureSpec> {
-            let model = &self.model;
-            ::std::vec::Vec::from([
-                ::rncf::emitted::FixtureSpec {
-                    name: "slider",
-                    body: 0,
-                    at: ::rncf::emitted::Place::End,
-                    constants: [
-                        model.slider_mass,
-                        0.0,
-                        0.0,
-                        0.0,
-                        0.0,
-                        0.0,
-                        0.0,
-                        0.0,
-                        0.0,
-                        0.0,
-                    ],
-                    elastic: false,
-                },
-            ])
-        }
     }
+    impl ::rncf::emitted::WithoutMarkerForces for Equations {}
+    impl ::rncf::emitted::WithoutDensities for Equations {}
+    impl ::rncf::emitted::WithoutDistributedLoads for Equations {}
+    impl ::rncf::emitted::WithoutPlacedGravity for Equations {}
+    impl ::rncf::emitted::WithoutGravityFields for Equations {}
 }

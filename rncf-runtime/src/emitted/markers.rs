@@ -133,7 +133,7 @@ pub struct ForceSpec {
     pub name: &'static str,
     /// Markers z that it depends on and acts on.
     pub markers: &'static [usize],
-    /// Whether it has a potential ([`super::Parts::marker_energy`]).
+    /// Whether it has a potential ([`super::MarkerForces::marker_energy`]).
     pub conservative: bool,
     /// Number of angles in it ([`super::Parts::marker_force_branches`]).
     pub branches: usize,

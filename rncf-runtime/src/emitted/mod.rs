@@ -3,8 +3,11 @@
 
 mod body_spec;
 mod checks;
+mod conditions;
 mod curve;
 mod distributed;
+mod elements;
+mod forces;
 mod frame;
 mod free;
 mod gauss;
@@ -27,8 +30,18 @@ mod table;
 pub use crate::system::ConstraintLevel;
 pub use body_spec::{BodySpec, Fidelity, FrameTie, Interpolant, NodalSpec, Place};
 pub use checks::{array, array_mut, finite, inertia, non_negative, part, poisson, positive, section};
+pub use conditions::{JointConditions, MarkerConstraints, WithoutJointConditions, WithoutMarkerConstraints};
 pub use curve::Spline;
 pub use distributed::DistributedSpec;
+pub use elements::{
+    Bodies, ConservingForces, WithoutBodies, WithoutConservingForces, elastic_force_one_by_one,
+    elastic_tangent_one_by_one,
+};
+pub use forces::{
+    Densities, DistributedLoads, GravityFields, Loads, MarkerForces, PlacedGravity, SectionMoments, SlopeMoments,
+    WithoutDensities, WithoutDistributedLoads, WithoutGravityFields, WithoutLoads, WithoutMarkerForces,
+    WithoutPlacedGravity, WithoutSectionMoments, WithoutSlopeMoments,
+};
 pub use frame::FrameMotion;
 pub use free::{FreeSpec, Motions, RigidSpec};
 pub use joints::{JointData, JointKind, JointSpec, Prescribed};
@@ -39,7 +52,7 @@ pub use loads::{LoadKind, LoadSpec};
 pub use markers::{ConstraintSpec, FixtureSpec, ForceSpec, MarkerSpec, When};
 pub use mass::mass_along;
 pub use observed::{About, BalanceQuantity, ObservedSpec, Owner, PointQuantity};
-pub use parts::{Parts, elastic_force_one_by_one, elastic_tangent_one_by_one};
+pub use parts::Parts;
 pub use points::{Blocks, Relative, Rule, Tile, Vectors, rectangle_particles, round_particles};
 pub use relaxed::{StrainEnergy, resisting};
 pub use repeated::{DensitySpec, Reduction, ShareSpec, StartSpec, declared, firsts, instance, reduce, repetitions};

@@ -57,49 +57,6 @@ impl Arm {
 }
 
 impl Parts for Arm {
-    fn bodies(&self) -> Vec<BodySpec> {
-        let axes: &'static [usize] = if self.d() == 2 { &[0, 1] } else { &[0, 1, 2] };
-        vec![BodySpec {
-            name: "arm",
-            kind: 0,
-            instance: None,
-            frame: 1,
-            axes,
-            line: Line::Straight {
-                from: [0.2, 0.0, 0.0],
-                to: [1.2, 0.0, 0.0],
-            },
-            count: COUNT,
-            nodal: &NODAL,
-            connectivity: &[0, 1, 2, 3],
-            vectors_per_node: 2,
-            stride: 2,
-            section_y: None,
-            twist: Twist::even(0.0),
-            stations: Vec::new(),
-            fidelity: self.fidelity,
-            tie: FrameTie::Joints,
-            normals: Vec::new(),
-        }]
-    }
-    fn joints(&self) -> Vec<JointSpec> {
-        vec![JointSpec {
-            name: "root",
-            kind: JointKind::Clamp,
-            body: 0,
-            at_end: false,
-            frame: 1,
-            point: None,
-        }]
-    }
-    fn loads(&self) -> Vec<LoadSpec> {
-        let load = |name, kind| LoadSpec { name, kind, frame: 0 };
-        let moment = LoadKind::Moment {
-            body: 0,
-            at: Place::End,
-        };
-        vec![load("weight", LoadKind::Gravity), load("twist", moment)]
-    }
     fn observed(&self) -> Vec<ObservedSpec> {
         let reaction = |moment, component| ObservedSpec::Reaction {
             joint: 0,
@@ -135,9 +92,7 @@ impl Parts for Arm {
     fn kinks(&self) -> Vec<f64> {
         Vec::new()
     }
-    fn prepare(&mut self, _body: usize, _nodes: &[f64], _shape: &[f64]) -> Result<(), ModelError> {
-        Ok(())
-    }
+    fn gaps(&self, _t: f64, _out: &mut Vec<[f64; 2]>) {}
     fn frames(&self, t: f64, motions: &mut [FrameMotion]) {
         motions[0] = FrameMotion::INERTIAL;
         motions[1] = FrameMotion {
@@ -146,12 +101,102 @@ impl Parts for Arm {
             ..FrameMotion::INERTIAL
         };
     }
-    fn load_varies(&self, _load: usize) -> bool {
+    fn conserving_obstacle(&self) -> Option<&'static str> {
+        Some("its equations have no such forces")
+    }
+    fn outputs(&self, _t: f64, observed: &[f64], out: &mut [f64]) {
+        out.copy_from_slice(observed);
+    }
+    fn check(&self) -> Result<(), ModelError> {
+        Ok(())
+    }
+    fn free(&self) -> Vec<FreeSpec> {
+        let motions = if self.d() == 2 {
+            Motions::Planar { normal: 2 }
+        } else {
+            Motions::Spatial
+        };
+        let free = FreeSpec {
+            frame: 1,
+            parent: 0,
+            is_body: false,
+            motions,
+            position: [0.0; 3],
+            axis: [0.0, 0.0, 1.0],
+            angle: 0.3,
+            velocity: [0.0; 3],
+            spin: [0.0, 0.0, self.spin],
+            rigid: RigidSpec {
+                mass: HUB,
+                moment: [0.0; 3],
+                inertia: std::array::from_fn(|i| std::array::from_fn(|j| if i == j { 0.02 * HUB } else { 0.0 })),
+            },
+        };
+        if self.free { vec![free] } else { Vec::new() }
+    }
+    fn markers(&self) -> Vec<MarkerSpec> {
+        let on_body = |at| MarkerSpec::BodyPoint { body: 0, at };
+        let ground = MarkerSpec::Point {
+            frame: 0,
+            at: [0.1, 0.4, 0.0],
+        };
+        vec![on_body(Place::At(0.55)), on_body(Place::End), ground]
+    }
+}
+
+impl Bodies for Arm {
+    fn bodies(&self) -> Vec<BodySpec> {
+        let axes: &'static [usize] = if self.d() == 2 { &[0, 1] } else { &[0, 1, 2] };
+        vec![BodySpec {
+            name: "arm",
+            kind: 0,
+            instance: None,
+            frame: 1,
+            axes,
+            line: Line::Straight {
+                from: [0.2, 0.0, 0.0],
+                to: [1.2, 0.0, 0.0],
+            },
+            count: COUNT,
+            nodal: &NODAL,
+            connectivity: &[0, 1, 2, 3],
+            vectors_per_node: 2,
+            stride: 2,
+            section_y: None,
+            twist: Twist::even(0.0),
+            stations: Vec::new(),
+            fidelity: self.fidelity,
+            tie: FrameTie::Joints,
+            normals: Vec::new(),
+        }]
+    }
+    fn prepare(&mut self, _body: usize, _nodes: &[f64], _shape: &[f64]) -> Result<(), ModelError> {
+        Ok(())
+    }
+    fn initial(&self, _body: usize, _x: f64) -> [Option<[Vector; 2]>; 2] {
+        [None, None]
+    }
+    fn shares(&self) -> Vec<ShareSpec> {
+        Vec::new()
+    }
+    fn starts(&self) -> Vec<StartSpec> {
+        Vec::new()
+    }
+    fn fixtures(&self) -> Vec<FixtureSpec> {
+        let unit = FixtureSpec {
+            name: "unit",
+            body: 0,
+            at: Place::End,
+            constants: along_slope(TIP[0], TIP[1], TIP[2]),
+            elastic: false,
+        };
+        if self.linked { vec![unit] } else { Vec::new() }
+    }
+    fn varies(&self, _body: usize) -> bool {
         false
     }
-    fn load(&self, load: usize, _t: f64) -> [f64; 3] {
-        let plane = if self.d() == 2 { 0.0 } else { 1.0 };
-        [[0.3, -9.81, 0.7 * plane], [0.2 * plane, 0.1 * plane, 0.5]][load]
+    fn tables(&self, _body: usize) -> Vec<&'static Table> {
+        Vec::new()
     }
     fn mass(&self, _body: usize, _element: usize, mass: &mut [f64]) {
         mass.copy_from_slice(&element_mass(self.cable.length).concat());
@@ -169,6 +214,25 @@ impl Parts for Arm {
         damping: &mut [f64],
     ) {
         self.cable.tangent(element, q, v, stiffness, damping);
+    }
+    fn elastic_force4(
+        &self,
+        elements: &[(usize, usize); LANES],
+        q: &[[f64; LANES]],
+        v: &[[f64; LANES]],
+        force: &mut [[f64; LANES]],
+    ) {
+        elastic_force_one_by_one(self, elements, q, v, force);
+    }
+    fn elastic_tangent4(
+        &self,
+        elements: &[(usize, usize); LANES],
+        q: &[[f64; LANES]],
+        v: &[[f64; LANES]],
+        stiffness: &mut [[f64; LANES]],
+        damping: &mut [[f64; LANES]],
+    ) {
+        elastic_tangent_one_by_one(self, elements, q, v, stiffness, damping);
     }
     fn energy(&self, _body: usize, _element: usize, _q: &[f64]) -> f64 {
         0.0
@@ -227,6 +291,61 @@ impl Parts for Arm {
         let all = stretch.chain(bend.iter().map(|b| self.cable.bending * b));
         forces.iter_mut().zip(all).for_each(|(force, value)| *force = value);
     }
+}
+
+impl WithoutConservingForces for Arm {}
+impl WithoutDistributedLoads for Arm {}
+impl WithoutPlacedGravity for Arm {}
+
+impl JointConditions for Arm {
+    fn joints(&self) -> Vec<JointSpec> {
+        vec![JointSpec {
+            name: "root",
+            kind: JointKind::Clamp,
+            body: 0,
+            at_end: false,
+            frame: 1,
+            point: None,
+        }]
+    }
+    fn condition(
+        &self,
+        _joint: usize,
+        _absolute: bool,
+        _level: ConstraintLevel,
+        _t: f64,
+        _data: &JointData,
+        _q: &[f64],
+        _v: &[f64],
+        _a: &[f64],
+        _rows: &mut [f64],
+    ) {
+    }
+    fn condition_jacobian(&self, _joint: usize, _absolute: bool, _t: f64, _data: &JointData, _jacobian: &mut [f64]) {}
+    fn prescribed(&self, _joint: usize, _absolute: bool, _t: f64, data: &JointData, prescribed: &mut Prescribed) {
+        prescribed.position[0] = data.point;
+    }
+}
+
+impl Loads for Arm {
+    fn loads(&self) -> Vec<LoadSpec> {
+        let load = |name, kind| LoadSpec { name, kind, frame: 0 };
+        let moment = LoadKind::Moment {
+            body: 0,
+            at: Place::End,
+        };
+        vec![load("weight", LoadKind::Gravity), load("twist", moment)]
+    }
+    fn load_varies(&self, _load: usize) -> bool {
+        false
+    }
+    fn load(&self, load: usize, _t: f64) -> [f64; 3] {
+        let plane = if self.d() == 2 { 0.0 } else { 1.0 };
+        [[0.3, -9.81, 0.7 * plane], [0.2 * plane, 0.1 * plane, 0.5]][load]
+    }
+}
+
+impl SlopeMoments for Arm {
     fn moment(&self, dimension: usize, slope: &[f64], moment: [f64; 3], force: &mut [f64]) {
         // m x s / |s|^2, here at |s| = 1.
         if dimension == 2 {
@@ -249,59 +368,11 @@ impl Parts for Arm {
                 .for_each(|(sum, value)| *sum += value);
         }
     }
-    fn condition(
-        &self,
-        _joint: usize,
-        _absolute: bool,
-        _level: ConstraintLevel,
-        _t: f64,
-        _data: &JointData,
-        _q: &[f64],
-        _v: &[f64],
-        _a: &[f64],
-        _rows: &mut [f64],
-    ) {
-    }
-    fn condition_jacobian(&self, _joint: usize, _absolute: bool, _t: f64, _data: &JointData, _jacobian: &mut [f64]) {}
-    fn prescribed(&self, _joint: usize, _absolute: bool, _t: f64, data: &JointData, prescribed: &mut Prescribed) {
-        prescribed.position[0] = data.point;
-    }
-    fn outputs(&self, _t: f64, observed: &[f64], out: &mut [f64]) {
-        out.copy_from_slice(observed);
-    }
+}
 
-    fn free(&self) -> Vec<FreeSpec> {
-        let motions = if self.d() == 2 {
-            Motions::Planar { normal: 2 }
-        } else {
-            Motions::Spatial
-        };
-        let free = FreeSpec {
-            frame: 1,
-            parent: 0,
-            is_body: false,
-            motions,
-            position: [0.0; 3],
-            axis: [0.0, 0.0, 1.0],
-            angle: 0.3,
-            velocity: [0.0; 3],
-            spin: [0.0, 0.0, self.spin],
-            rigid: RigidSpec {
-                mass: HUB,
-                moment: [0.0; 3],
-                inertia: std::array::from_fn(|i| std::array::from_fn(|j| if i == j { 0.02 * HUB } else { 0.0 })),
-            },
-        };
-        if self.free { vec![free] } else { Vec::new() }
-    }
-    fn markers(&self) -> Vec<MarkerSpec> {
-        let on_body = |at| MarkerSpec::BodyPoint { body: 0, at };
-        let ground = MarkerSpec::Point {
-            frame: 0,
-            at: [0.1, 0.4, 0.0],
-        };
-        vec![on_body(Place::At(0.55)), on_body(Place::End), ground]
-    }
+impl WithoutSectionMoments for Arm {}
+
+impl MarkerConstraints for Arm {
     fn constraints(&self) -> Vec<ConstraintSpec> {
         let rod = ConstraintSpec {
             name: "rod",
@@ -314,25 +385,6 @@ impl Parts for Arm {
             when: When::Always,
         };
         if self.linked { vec![rod] } else { Vec::new() }
-    }
-    fn forces(&self) -> Vec<ForceSpec> {
-        let spring = ForceSpec {
-            name: "spring",
-            markers: &[0, 2],
-            conservative: false,
-            branches: 0,
-        };
-        if self.linked { vec![spring] } else { Vec::new() }
-    }
-    fn fixtures(&self) -> Vec<FixtureSpec> {
-        let unit = FixtureSpec {
-            name: "unit",
-            body: 0,
-            at: Place::End,
-            constants: along_slope(TIP[0], TIP[1], TIP[2]),
-            elastic: false,
-        };
-        if self.linked { vec![unit] } else { Vec::new() }
     }
     fn marker_constraint(
         &self,
@@ -349,6 +401,16 @@ impl Parts for Arm {
         let gap = crate::vector::subtract(z[0], z[1]);
         gradient.copy_from_slice(&[gap, gap.map(|x| -x)].concat());
     }
+    fn marker_constraint_rate_gradient(
+        &self,
+        _constraint: usize,
+        _t: f64,
+        _z: &[Vector],
+        _velocity: &[Vector],
+        gradient: &mut [f64],
+    ) {
+        gradient.fill(0.0);
+    }
     fn marker_constraint_hessian(
         &self,
         _constraint: usize,
@@ -358,6 +420,22 @@ impl Parts for Arm {
         hessian: &mut [f64],
     ) {
         (0..36).for_each(|entry| hessian[entry] = lambda[0] * spring_entry(entry));
+    }
+    fn marker_constraint_branches(&self, _constraint: usize, _t: f64, _z: &[Vector], _out: &mut [f64]) {}
+}
+
+impl MarkerForces for Arm {
+    fn forces(&self) -> Vec<ForceSpec> {
+        let spring = ForceSpec {
+            name: "spring",
+            markers: &[0, 2],
+            conservative: false,
+            branches: 0,
+        };
+        if self.linked { vec![spring] } else { Vec::new() }
+    }
+    fn is_load(&self, _force: usize) -> bool {
+        false
     }
     fn marker_force(&self, _force: usize, _t: f64, z: &[Vector], _velocity: &[Vector], out: &mut [f64]) {
         let gap = crate::vector::subtract(z[1], z[0]);
@@ -374,7 +452,15 @@ impl Parts for Arm {
     ) {
         (0..36).for_each(|entry| by_value[entry] = -40.0 * spring_entry(entry));
     }
+    fn marker_energy(&self, _force: usize, _t: f64, _z: &[Vector]) -> f64 {
+        0.0
+    }
+    fn marker_force_branches(&self, _force: usize, _t: f64, _z: &[Vector], _velocity: &[Vector], _out: &mut [f64]) {}
 }
+
+impl WithoutDensities for Arm {}
+
+impl WithoutGravityFields for Arm {}
 
 /// Entry of `[[1, -1], [-1, 1]]` of two points.
 fn spring_entry(entry: usize) -> f64 {

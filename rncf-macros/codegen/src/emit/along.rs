@@ -224,7 +224,7 @@ impl Parts<'_> {
     /// Which bodies have elements that differ.
     pub(super) fn varies(&self) -> String {
         if !self.model.bodies.iter().any(Body::varies) {
-            return String::new();
+            return "fn varies(&self, body: usize) -> bool { false }\n".to_string();
         }
         let kind = self.kind();
         let arms = self.by_body(|_, body| format!("{}", body.varies()));
@@ -234,7 +234,7 @@ impl Parts<'_> {
     /// The tables that bodies read.
     pub(super) fn read_tables(&self) -> String {
         if self.model.tables.is_empty() {
-            return String::new();
+            return "fn tables(&self, body: usize) -> ::std::vec::Vec<&'static ::rncf::emitted::Table> { ::std::vec::Vec::new() }\n".to_string();
         }
         let kind = self.kind();
         let arms = self.by_body(|_, body| {

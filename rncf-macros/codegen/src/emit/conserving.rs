@@ -136,18 +136,20 @@ pub fn note(equations: &Equations) -> String {
 }
 
 impl Parts<'_> {
-    /// The functions of the conserving forces, or why there are none.
-    pub(super) fn conserving(&self) -> String {
+    /// Why there are no conserving forces, if there are none.
+    pub(super) fn conserving_obstacle(&self) -> String {
+        let obstacle = self.equations.conserving.obstacle.as_ref();
+        let obstacle = obstacle.map_or("None".to_string(), |obstacle| format!("Some({obstacle:?})"));
+        format!("fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {{ {obstacle} }}\n")
+    }
+
+    /// The functions of the conserving forces.
+    pub(super) fn conserving_forces(&self) -> String {
         let Conserving { obstacle, kernels } = &self.equations.conserving;
-        if let Some(obstacle) = obstacle {
-            return format!(
-                "fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> {{ Some({obstacle:?}) }}\n"
-            );
+        if obstacle.is_some() || kernels.is_empty() {
+            return String::new();
         }
-        let mut text = "fn conserving_obstacle(&self) -> ::std::option::Option<&'static str> { None }\n".to_string();
-        if kernels.is_empty() {
-            return text;
-        }
+        let mut text = String::new();
         let kind = self.kind();
         for (place, (name, result)) in [("force", "force"), ("tangent", "stiffness")].into_iter().enumerate() {
             let calls = self.by_body(|index, body| {

@@ -12,7 +12,7 @@ const VECTORS: &str = "&[[f64; 3]]";
 impl Parts<'_> {
     /// Such loads and their functions.
     pub(super) fn distributed(&self) -> String {
-        let mut text = self.around();
+        let mut text = String::new();
         let loads = &self.model.distributed;
         if loads.is_empty() {
             return text;
@@ -93,7 +93,7 @@ impl Parts<'_> {
     }
 
     /// Gravity as a function of the place.
-    fn around(&self) -> String {
+    pub(super) fn around(&self) -> String {
         let kernels = &self.equations.around;
         if kernels.is_empty() {
             return String::new();

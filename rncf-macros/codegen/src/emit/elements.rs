@@ -173,10 +173,13 @@ impl Parts<'_> {
         )
     }
 
-    /// The functions of four elements, where there are kernels for them.
+    /// The functions of four elements; one by one where there are no kernels for them.
     fn elastic_of_four(&self) -> String {
         if !(0..self.model.bodies.len()).any(|index| self.variant(index).side_by_side()) {
-            return String::new();
+            return format!(
+                "fn elastic_force4(&self, {FOUR}, force: &mut [[f64; 4]]) {{\n::rncf::emitted::elastic_force_one_by_one(self, elements, q, v, force);\n}}\n\
+                 fn elastic_tangent4(&self, {FOUR}, stiffness: &mut [[f64; 4]], damping: &mut [[f64; 4]]) {{\n::rncf::emitted::elastic_tangent_one_by_one(self, elements, q, v, stiffness, damping);\n}}\n"
+            );
         }
         let body = match (self.model.bodies.len(), self.kind()) {
             (1, _) => "",

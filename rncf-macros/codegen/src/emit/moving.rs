@@ -49,6 +49,14 @@ fn arms<'k>(kernels: impl Iterator<Item = (&'k [usize], &'k Kernel)>, arguments:
     kernels.map(arm).collect::<String>() + NOTHING
 }
 
+/// A choice among arms; nothing where they do nothing.
+fn dispatch(of: &str, arms: &str) -> String {
+    if arms == NOTHING {
+        return String::new();
+    }
+    format!("match {of} {{\n{arms}}}\n")
+}
+
 impl Parts<'_> {
     /// Checks of rigid parts that depend on parameters; constants are checked already.
     pub fn check(&self) -> String {
@@ -88,9 +96,6 @@ impl Parts<'_> {
             let check = self.number_check("non_negative", &owner, "mass", &fixture.constants[0], "kg");
             checks += &self.in_loop(fixture.repeat.filter(|_| !check.is_empty()), &check);
         }
-        if checks.is_empty() {
-            return checks;
-        }
         format!(
             "fn check(&self) -> ::std::result::Result<(), ::rncf::ModelError> {{\nlet model = &self.model;\n{checks}Ok(())\n}}\n"
         )
@@ -107,7 +112,7 @@ impl Parts<'_> {
     /// Free frames.
     pub fn free(&self) -> String {
         if self.equations.free.is_empty() {
-            return String::new();
+            return self.list("free", "FreeSpec", &[]);
         }
         let mut text = "fn free(&self) -> ::std::vec::Vec<::rncf::emitted::FreeSpec> {\nlet still = ::rncf::emitted::FreeSpec { frame: 0, parent: 0, is_body: false, motions: ::rncf::emitted::Motions::Spatial, position: [0.0; 3], axis: [0.0; 3], angle: 0.0, velocity: [0.0; 3], spin: [0.0; 3], rigid: ::rncf::emitted::RigidSpec::default() };\nlet mut specs = ::std::vec::Vec::from([\n".to_string();
         for &(index, _) in &self.equations.free {
@@ -132,7 +137,7 @@ impl Parts<'_> {
     /// Initial shapes and rates.
     pub fn initial(&self) -> String {
         if self.equations.initial.is_empty() {
-            return String::new();
+            return "fn initial(&self, body: usize, x: f64) -> [::std::option::Option<[[f64; 3]; 2]>; 2] { [None, None] }\n".to_string();
         }
         let mut arms = String::new();
         for (index, kernel) in &self.equations.initial {
@@ -162,9 +167,6 @@ impl Parts<'_> {
 
     /// Markers.
     pub fn markers(&self) -> String {
-        if self.model.markers.is_empty() {
-            return String::new();
-        }
         let marker = |marker: &Marker| match marker {
             Marker::Point { frame, at } => format!("Point {{ frame: {}, at: {} }}", frame.0, self.vector(at)),
             Marker::Direction { frame, along } => {
@@ -270,28 +272,25 @@ impl Parts<'_> {
             .iter()
             .filter_map(|k| Some((&k.of[..], k.rate_gradient.as_ref()?)));
         let rate = arms(rate, "&self.model, t, z, velocity, gradient");
-        if rate != NOTHING {
-            let _ = writeln!(
-                text,
-                "fn marker_constraint_rate_gradient(&self, constraint: usize, t: f64, z: {VECTORS}, velocity: {VECTORS}, gradient: &mut [f64]) {{\ngradient.fill(0.0);\nmatch constraint {{\n{rate}}}\n}}"
-            );
-        }
+        let _ = writeln!(
+            text,
+            "fn marker_constraint_rate_gradient(&self, constraint: usize, t: f64, z: {VECTORS}, velocity: {VECTORS}, gradient: &mut [f64]) {{\ngradient.fill(0.0);\n{}}}",
+            dispatch("constraint", &rate)
+        );
         let angles = kernels.iter().filter_map(|k| Some((&k.of[..], k.branches.as_ref()?)));
         let angles = arms(angles, "&self.model, t, z, out");
-        if angles != NOTHING {
-            let _ = writeln!(
-                text,
-                "fn marker_constraint_branches(&self, constraint: usize, t: f64, z: {VECTORS}, out: &mut [f64]) {{\nmatch constraint {{\n{angles}}}\n}}"
-            );
-        }
+        let _ = writeln!(
+            text,
+            "fn marker_constraint_branches(&self, constraint: usize, t: f64, z: {VECTORS}, out: &mut [f64]) {{\n{}}}",
+            dispatch("constraint", &angles)
+        );
         let hessian = kernels.iter().filter_map(|k| Some((&k.of[..], k.hessian.as_ref()?)));
         let hessian = arms(hessian, "&self.model, t, z, lambda, hessian");
-        if hessian != NOTHING {
-            let _ = writeln!(
-                text,
-                "fn marker_constraint_hessian(&self, constraint: usize, t: f64, z: {VECTORS}, lambda: &[f64], hessian: &mut [f64]) {{\nhessian.fill(0.0);\nmatch constraint {{\n{hessian}}}\n}}"
-            );
-        }
+        let _ = writeln!(
+            text,
+            "fn marker_constraint_hessian(&self, constraint: usize, t: f64, z: {VECTORS}, lambda: &[f64], hessian: &mut [f64]) {{\nhessian.fill(0.0);\n{}}}",
+            dispatch("constraint", &hessian)
+        );
         text
     }
 
@@ -314,13 +313,11 @@ impl Parts<'_> {
         let mut text = self.list("forces", "ForceSpec", &entries.collect::<Vec<_>>());
         let loads = self.model.forces.iter().enumerate().filter(|(_, force)| force.is_load);
         let loads: Vec<String> = loads.map(|(index, _)| index.to_string()).collect();
-        if !loads.is_empty() {
-            let _ = writeln!(
-                text,
-                "fn is_load(&self, force: usize) -> bool {{ matches!(force, {}) }}",
-                loads.join(" | ")
-            );
-        }
+        let is_load = match loads.is_empty() {
+            true => "false".to_string(),
+            false => format!("matches!(force, {})", loads.join(" | ")),
+        };
+        let _ = writeln!(text, "fn is_load(&self, force: usize) -> bool {{ {is_load} }}");
         let kernels = &self.equations.forces;
         let force = arms(
             kernels.iter().map(|k| (&k.of[..], &k.force)),
@@ -332,36 +329,33 @@ impl Parts<'_> {
         );
         let tangent = kernels.iter().filter_map(|k| Some((&k.of[..], k.tangent.as_ref()?)));
         let tangent = arms(tangent, "&self.model, t, z, velocity, by_value, by_velocity");
-        if tangent != NOTHING {
-            let _ = writeln!(
-                text,
-                "fn marker_force_tangent(&self, force: usize, t: f64, z: {VECTORS}, velocity: {VECTORS}, by_value: &mut [f64], by_velocity: &mut [f64]) {{\nby_value.fill(0.0);\nby_velocity.fill(0.0);\nmatch force {{\n{tangent}}}\n}}"
-            );
-        }
+        let _ = writeln!(
+            text,
+            "fn marker_force_tangent(&self, force: usize, t: f64, z: {VECTORS}, velocity: {VECTORS}, by_value: &mut [f64], by_velocity: &mut [f64]) {{\nby_value.fill(0.0);\nby_velocity.fill(0.0);\n{}}}",
+            dispatch("force", &tangent)
+        );
         let angles = kernels.iter().filter_map(|k| Some((&k.of[..], k.branches.as_ref()?)));
         let angles = arms(angles, "&self.model, t, z, velocity, out");
-        if angles != NOTHING {
-            let _ = writeln!(
-                text,
-                "fn marker_force_branches(&self, force: usize, t: f64, z: {VECTORS}, velocity: {VECTORS}, out: &mut [f64]) {{\nmatch force {{\n{angles}}}\n}}"
-            );
-        }
+        let _ = writeln!(
+            text,
+            "fn marker_force_branches(&self, force: usize, t: f64, z: {VECTORS}, velocity: {VECTORS}, out: &mut [f64]) {{\n{}}}",
+            dispatch("force", &angles)
+        );
         let energy = kernels.iter().filter_map(|k| Some((&k.of[..], k.energy.as_ref()?)));
         let energy = arms(energy, "&self.model, t, z, &mut energy");
-        if energy != NOTHING {
-            let _ = writeln!(
-                text,
-                "fn marker_energy(&self, force: usize, t: f64, z: {VECTORS}) -> f64 {{\nlet mut energy = 0.0;\nmatch force {{\n{energy}}}\nenergy\n}}"
-            );
-        }
+        let energy = match energy == NOTHING {
+            true => "0.0\n".to_string(),
+            false => format!("let mut energy = 0.0;\nmatch force {{\n{energy}}}\nenergy\n"),
+        };
+        let _ = writeln!(
+            text,
+            "fn marker_energy(&self, force: usize, t: f64, z: {VECTORS}) -> f64 {{\n{energy}}}"
+        );
         text
     }
 
     /// Fixtures of flexible bodies.
     pub fn fixtures(&self) -> String {
-        if self.model.fixtures.is_empty() {
-            return String::new();
-        }
         let entries = self.model.fixtures.iter().map(|fixture| {
             let entry = format!(
                 "::rncf::emitted::FixtureSpec {{ name: {:?}, body: {}, at: {}, constants: {}, elastic: {} }}",

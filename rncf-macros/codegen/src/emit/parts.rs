@@ -67,38 +67,36 @@ pub fn parts(model: &Model, library: &Library, equations: &Equations) -> String 
         "}}\n}}\n{}}}\nimpl ::rncf::emitted::Parts for Equations {{\n",
         writer.numbering_methods()
     );
-    let has_bodies = !model.bodies.is_empty();
-    if has_bodies {
-        text += &writer.bodies();
-        text += &writer.prepare();
-        text += &writer.varies();
-        text += &writer.read_tables();
-        text += &writer.element_functions();
-        text += &writer.sections();
-    }
-    text += &writer.conserving();
-    if !model.joints.is_empty() {
-        text += &writer.joints();
-        text += &writer.conditions();
-    }
-    text += &writer.shares();
-    text += &writer.loads();
     text += &writer.observed();
     text += &writer.facts();
     text += &writer.time_functions();
-    text += &writer.initial();
-    text += &super::start::starts(&writer);
-    text += &writer.moments();
+    text += &writer.conserving_obstacle();
     text += &writer.check();
     text += &writer.free();
     text += &writer.markers();
-    text += &writer.constraints();
-    text += &writer.forces();
-    text += &writer.densities();
-    text += &writer.distributed();
-    text += &writer.fields();
-    text += &writer.fixtures();
-    text + "}\n"
+    text += "}\n";
+    let [slopes, sections] = writer.moments();
+    for (name, methods) in [
+        ("Bodies", writer.meshed()),
+        ("ConservingForces", writer.conserving_forces()),
+        ("JointConditions", writer.joints()),
+        ("Loads", writer.loads()),
+        ("SlopeMoments", slopes),
+        ("SectionMoments", sections),
+        ("MarkerConstraints", writer.constraints()),
+        ("MarkerForces", writer.forces()),
+        ("Densities", writer.densities()),
+        ("DistributedLoads", writer.distributed()),
+        ("PlacedGravity", writer.around()),
+        ("GravityFields", writer.fields()),
+    ] {
+        // What the model has nothing of it says so: all methods of a trait are written, or none.
+        let _ = match methods.is_empty() {
+            true => writeln!(text, "impl ::rncf::emitted::Without{name} for Equations {{}}"),
+            false => writeln!(text, "impl ::rncf::emitted::{name} for Equations {{\n{methods}}}"),
+        };
+    }
+    text
 }
 
 /// Writes the methods of one implementation; those of what moves freely are in [`super::moving`].
@@ -139,7 +137,31 @@ impl Parts<'_> {
         }
     }
 
+    /// Meshed bodies and the functions of their elements.
+    fn meshed(&self) -> String {
+        if self.model.bodies.is_empty() {
+            return String::new();
+        }
+        [
+            self.bodies(),
+            self.prepare(),
+            self.initial(),
+            self.shares(),
+            super::start::starts(self),
+            self.fixtures(),
+            self.varies(),
+            self.read_tables(),
+            self.element_functions(),
+            self.sections(),
+        ]
+        .concat()
+    }
+
+    /// Joints and their conditions.
     fn joints(&self) -> String {
+        if self.model.joints.is_empty() {
+            return String::new();
+        }
         let mut entries = Vec::new();
         for joint in &self.model.joints {
             let kind = match joint.kind {
@@ -169,7 +191,7 @@ impl Parts<'_> {
             );
             entries.push((joint.repeat, entry));
         }
-        self.list("joints", "JointSpec", &entries)
+        self.list("joints", "JointSpec", &entries) + &self.conditions()
     }
 
     fn loads(&self) -> String {
@@ -211,9 +233,6 @@ impl Parts<'_> {
             "])\n}}\nfn load_varies(&self, load: usize) -> bool {{ const VARIES: [bool; {}] = {varies:?};\nVARIES[load] }}",
             varies.len()
         );
-        if self.equations.loads.is_empty() {
-            return text;
-        }
         text += "fn load(&self, load: usize, t: f64) -> [f64; 3] {\nlet mut value = [0.0; 3];\nmatch load {\n";
         for (index, kernel) in &self.equations.loads {
             let _ = writeln!(text, "{index} => {}(&self.model, t, &mut value),", kernel.name);
@@ -318,7 +337,7 @@ impl Parts<'_> {
         let names: Vec<&String> = self.model.frames.iter().map(|frame| &frame.name).collect();
         let columns: usize = self.model.outputs.iter().map(|output| output.components.len()).sum();
         let kinks = match self.equations.switches.kinks.1 {
-            0 => String::new(),
+            0 => "fn kinks(&self) -> ::std::vec::Vec<f64> { ::std::vec::Vec::new() }\n".to_string(),
             count => format!(
                 "fn kinks(&self) -> ::std::vec::Vec<f64> {{\nlet mut times = [0.0; {count}];\nkinks(&self.model, &mut times);\ntimes.to_vec()\n}}\n"
             ),
@@ -334,7 +353,7 @@ impl Parts<'_> {
         )
     }
 
-    /// The method that adds up conditions whose switches are no times known beforehand, if there are any.
+    /// The method that adds up conditions whose switches are no times known beforehand.
     fn gaps(&self) -> String {
         let switches = &self.equations.switches;
         let mut body = String::new();
@@ -349,9 +368,6 @@ impl Parts<'_> {
                 "for instance in 0..self.counts[{}] {{\nlet mut found = [[0.0; 2]; {count}];\n{}(&self.model, t, instance as f64, &mut found);\nout.extend(found);\n}}\n",
                 repeat.0, kernel.name
             );
-        }
-        if body.is_empty() {
-            return body;
         }
         format!("fn gaps(&self, t: f64, out: &mut ::std::vec::Vec<[f64; 2]>) {{\n{body}}}\n")
     }
@@ -437,8 +453,9 @@ impl Parts<'_> {
         text + &self.outputs()
     }
 
-    fn moments(&self) -> String {
-        let mut text = String::new();
+    /// What moments do to slopes, and to the axes of sections.
+    fn moments(&self) -> [String; 2] {
+        let mut slopes = String::new();
         let on_slopes = [(0, "moment", "force"), (1, "moment_tangent", "tangent")].into_iter();
         for (which, name, argument) in on_slopes.filter(|_| !self.equations.moments.is_empty()) {
             let arms: String = self
@@ -450,19 +467,18 @@ impl Parts<'_> {
                 })
                 .collect();
             let _ = writeln!(
-                text,
+                slopes,
                 "fn {name}(&self, dimension: usize, slope: &[f64], moment: [f64; 3], {argument}: &mut [f64]) {{\nmatch dimension {{\n{arms}_ => {{}}\n}}\n}}"
             );
         }
-        if let Some([force, tangent]) = &self.equations.section_moments {
-            let _ = writeln!(
-                text,
+        let sections = self.equations.section_moments.as_ref().map(|[force, tangent]| {
+            format!(
                 "fn section_moment(&self, axes: &[f64; 6], moment: [f64; 3], force: &mut [f64; 6]) {{\n{}(axes, moment, force);\n}}\n\
-                 fn section_moment_tangent(&self, axes: &[f64; 6], moment: [f64; 3], tangent: &mut [f64; 36]) {{\n{}(axes, moment, tangent);\n}}",
+                 fn section_moment_tangent(&self, axes: &[f64; 6], moment: [f64; 3], tangent: &mut [f64; 36]) {{\n{}(axes, moment, tangent);\n}}\n",
                 force.name, tangent.name
-            );
-        }
-        text
+            )
+        });
+        [slopes, sections.unwrap_or_default()]
     }
 
     /// Dispatch over joints and formulations.

@@ -107,6 +107,11 @@ impl Parts<'_> {
 
     /// A method that returns a list, entries of loops once for each repetition.
     pub(super) fn list(&self, name: &str, kind: &str, entries: &[(Option<RepeatId>, String)]) -> String {
+        if entries.is_empty() {
+            return format!(
+                "fn {name}(&self) -> ::std::vec::Vec<::rncf::emitted::{kind}> {{ ::std::vec::Vec::new() }}\n"
+            );
+        }
         let head =
             format!("fn {name}(&self) -> ::std::vec::Vec<::rncf::emitted::{kind}> {{\nlet model = &self.model;\n");
         if entries.iter().all(|(repeat, _)| repeat.is_none()) {
@@ -164,9 +169,6 @@ impl Parts<'_> {
 
     /// Ends of bodies that are one node.
     pub(super) fn shares(&self) -> String {
-        if self.model.shares.is_empty() {
-            return String::new();
-        }
         let entries = self.model.shares.iter().map(|share| {
             let ends = share.ends.each_ref().map(|(body, at)| {
                 let at_end = *at.place() == Location::End;

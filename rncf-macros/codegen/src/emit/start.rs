@@ -4,10 +4,10 @@ use std::fmt::Write;
 
 use super::parts::Parts;
 
-/// The method that names them; nothing where there is none.
+/// The method that names them.
 pub(super) fn starts(writer: &Parts) -> String {
     if writer.model.starts.is_empty() {
-        return String::new();
+        return writer.list("starts", "StartSpec", &[]);
     }
     let mut text = "fn starts(&self) -> ::std::vec::Vec<::rncf::emitted::StartSpec> {\nlet model = &self.model;\n\
                     ::std::vec::Vec::from([\n"

@@ -69,7 +69,7 @@ fn of_centre_lines_and_straight_undamped_bodies() {
         "let damping",
         "reference_rod",
         "_damped",
-        "fn initial(",
+        "let mut position",
     ];
     let sentences = [
         "no axes of the section, hence no shear, no torsion and no rotary inertia",
@@ -118,7 +118,7 @@ fn of_the_inertial_and_of_prescribed_frames() {
             "_referenced_",
             "_absolute_velocity",
             "_absolute_jerk",
-            "fn free(",
+            "FreeSpec {",
             "fn frame_hub(",
         ],
         &[
@@ -130,12 +130,11 @@ fn of_the_inertial_and_of_prescribed_frames() {
     leaves_out(
         &turning,
         &[
-            "fn free(",
-            "FreeSpec",
+            "FreeSpec {",
             "_referenced_velocity",
             "jerk[",
             "position[3]",
-            "fn marker",
+            "MarkerSpec::",
         ],
         &[
             "no unknowns for the frame",
@@ -195,15 +194,15 @@ fn of_constraints_and_forces() {
     let linear = expansion(&format!("{arms} joint tie = spherical(arm, tool);"));
     leaves_out(
         &linear,
-        &["hessian", "rate_gradient"],
+        &["constraint_hessian_", "constraint_rate_gradient_"],
         &["linear in its vectors, no second derivatives"],
     );
     let distance = expansion(&format!(
         "{arms} joint tie = distance(arm.at([1, 0, 0] m), tool, length = 1 m);"
     ));
-    assert!(distance.contains("fn marker_constraint_hessian("));
+    assert!(distance.contains("fn constraint_hessian_"));
     let law = expansion(&format!("{arms} load push = force(arm, [1, 0, 0] N);"));
-    assert!(law.contains("fn marker_force(") && !law.contains("fn marker_force_tangent("));
+    assert!(law.contains("fn force_value_push(") && !law.contains("fn force_tangent_push("));
 }
 
 #[test]
@@ -219,16 +218,16 @@ fn of_what_is_not_declared() {
         "fn field(",
         "fn densities(",
         "fn density",
-        "fn starts(",
-        "fn shares(",
-        "fn fixtures(",
-        "fn markers(",
+        "StartSpec {",
+        "ShareSpec {",
+        "FixtureSpec {",
+        "MarkerSpec::",
         "fn constraints(",
         "fn forces(",
-        "fn kinks(",
+        "kinks(&self.model",
         "fn cautions(",
-        "fn initial(",
-        "fn check(",
+        "let mut position",
+        "fn constraint",
         "fn kind(",
     ];
     let sentence = "free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving \

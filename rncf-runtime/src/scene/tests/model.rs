@@ -3,9 +3,11 @@
 use super::law::Law;
 use super::{density, sections};
 use crate::emitted::{
-    BodySpec, ConstraintSpec, DensitySpec, FixtureSpec, ForceSpec, FrameMotion, FreeSpec, Interpolant, JointData,
-    JointKind, JointSpec, LANES, LoadSpec, MarkerSpec, ObservedSpec, Parts, Prescribed, SectionShape, SectionSpec,
-    ShareSpec,
+    Bodies, BodySpec, ConstraintSpec, Densities, DensitySpec, FixtureSpec, ForceSpec, FrameMotion, FreeSpec,
+    GravityFields, Interpolant, JointConditions, JointData, JointKind, JointSpec, LANES, LoadSpec, Loads,
+    MarkerConstraints, MarkerForces, MarkerSpec, ObservedSpec, Parts, Prescribed, SectionMoments, SectionShape,
+    SectionSpec, ShareSpec, SlopeMoments, StartSpec, Table, WithoutConservingForces, elastic_force_one_by_one,
+    elastic_tangent_one_by_one,
 };
 use crate::error::ModelError;
 use crate::model::{Formulation, Joints};
@@ -207,20 +209,8 @@ fn spread(dimension: usize, slope: &[f64], moment: Vector) -> [Vector; 2] {
 }
 
 impl Parts for Hand {
-    fn bodies(&self) -> Vec<BodySpec> {
-        self.bodies.clone()
-    }
-    fn joints(&self) -> Vec<JointSpec> {
-        self.joints.clone()
-    }
-    fn loads(&self) -> Vec<LoadSpec> {
-        self.loads.iter().map(|(load, _)| load.clone()).collect()
-    }
     fn observed(&self) -> Vec<ObservedSpec> {
         self.observed.clone()
-    }
-    fn shares(&self) -> Vec<ShareSpec> {
-        self.shares.clone()
     }
     fn output_columns(&self) -> usize {
         self.observed.len()
@@ -237,12 +227,7 @@ impl Parts for Hand {
     fn kinks(&self) -> Vec<f64> {
         Vec::new()
     }
-    fn prepare(&mut self, body: usize, nodes: &[f64], _shape: &[f64]) -> Result<(), ModelError> {
-        self.lengths.resize(self.bodies.len(), 0.0);
-        self.lengths[body] = nodes[1] - nodes[0];
-        Ok(())
-    }
-
+    fn gaps(&self, _t: f64, _out: &mut Vec<[f64; 2]>) {}
     /// Frame 1 shifts along a curve; frame 2 turns about a fixed axis and shifts.
     fn frames(&self, t: f64, motions: &mut [FrameMotion]) {
         motions.fill(FrameMotion::INERTIAL);
@@ -262,11 +247,49 @@ impl Parts for Hand {
             turning.spin_jerk = scale(sine(t, 3), axis);
         }
     }
-    fn load_varies(&self, _load: usize) -> bool {
+    fn conserving_obstacle(&self) -> Option<&'static str> {
+        Some("its equations have no such forces")
+    }
+    fn outputs(&self, _t: f64, observed: &[f64], out: &mut [f64]) {
+        out.copy_from_slice(observed);
+    }
+    fn check(&self) -> Result<(), ModelError> {
+        Ok(())
+    }
+    fn free(&self) -> Vec<FreeSpec> {
+        self.free.clone()
+    }
+    fn markers(&self) -> Vec<MarkerSpec> {
+        self.markers.clone()
+    }
+}
+
+impl Bodies for Hand {
+    fn bodies(&self) -> Vec<BodySpec> {
+        self.bodies.clone()
+    }
+    fn prepare(&mut self, body: usize, nodes: &[f64], _shape: &[f64]) -> Result<(), ModelError> {
+        self.lengths.resize(self.bodies.len(), 0.0);
+        self.lengths[body] = nodes[1] - nodes[0];
+        Ok(())
+    }
+    fn initial(&self, _body: usize, _x: f64) -> [Option<[Vector; 2]>; 2] {
+        [None, None]
+    }
+    fn shares(&self) -> Vec<ShareSpec> {
+        self.shares.clone()
+    }
+    fn starts(&self) -> Vec<StartSpec> {
+        Vec::new()
+    }
+    fn fixtures(&self) -> Vec<FixtureSpec> {
+        self.fixtures.clone()
+    }
+    fn varies(&self, _body: usize) -> bool {
         false
     }
-    fn load(&self, load: usize, _t: f64) -> [f64; 3] {
-        self.loads[load].1
+    fn tables(&self, _body: usize) -> Vec<&'static Table> {
+        Vec::new()
     }
     fn mass(&self, body: usize, _element: usize, mass: &mut [f64]) {
         mass.copy_from_slice(&self.masses(body));
@@ -299,6 +322,25 @@ impl Parts for Hand {
             }
         }
     }
+    fn elastic_force4(
+        &self,
+        elements: &[(usize, usize); LANES],
+        q: &[[f64; LANES]],
+        v: &[[f64; LANES]],
+        force: &mut [[f64; LANES]],
+    ) {
+        elastic_force_one_by_one(self, elements, q, v, force);
+    }
+    fn elastic_tangent4(
+        &self,
+        elements: &[(usize, usize); LANES],
+        q: &[[f64; LANES]],
+        v: &[[f64; LANES]],
+        stiffness: &mut [[f64; LANES]],
+        damping: &mut [[f64; LANES]],
+    ) {
+        elastic_tangent_one_by_one(self, elements, q, v, stiffness, damping);
+    }
     fn energy(&self, body: usize, _element: usize, q: &[f64]) -> f64 {
         let strains = self.strains(body).into_iter();
         strains
@@ -324,52 +366,6 @@ impl Parts for Hand {
     fn fields(&self, _body: usize) -> &'static [(Interpolant, usize)] {
         &[(Interpolant::Position, 1), (Interpolant::Position, 2)]
     }
-    /// Of the strain energies 3/2 (r_x . r_x - 1)^2 and r_xx . r_xx per unit length.
-    fn densities(&self) -> Vec<DensitySpec> {
-        self.densities.clone()
-    }
-    fn density_values(&self, _density: usize, t: f64, z: &[Vector], _velocity: &[Vector], out: &mut [f64]) {
-        out.copy_from_slice(&density::values(t, z));
-    }
-    fn density_values_gradient(
-        &self,
-        _density: usize,
-        _t: f64,
-        z: &[Vector],
-        _velocity: &[Vector],
-        gradient: &mut [f64],
-    ) {
-        density::gradient(z, gradient);
-    }
-    fn density_force4(
-        &self,
-        _density: usize,
-        elements: &[(usize, usize); LANES],
-        values: &[[f64; LANES]],
-        q: &[[f64; LANES]],
-        force: &mut [[f64; LANES]],
-    ) {
-        let lengths = elements.map(|(body, _)| self.lengths[body]);
-        density::force(lengths, values, q, force);
-    }
-    fn density_tangent4(
-        &self,
-        _density: usize,
-        elements: &[(usize, usize); LANES],
-        values: &[[f64; LANES]],
-        q: &[[f64; LANES]],
-        by_q: &mut [[f64; LANES]],
-        by_values: &mut [[f64; LANES]],
-    ) {
-        let lengths = elements.map(|(body, _)| self.lengths[body]);
-        density::tangent(lengths, values, q, by_q, by_values);
-    }
-    fn field(&self, load: usize, _t: f64, z: &[Vector]) -> Vector {
-        density::field(self.loads[load].1, z)
-    }
-    fn field_gradient(&self, load: usize, _t: f64, z: &[Vector], gradient: &mut [f64]) {
-        density::field_gradient(self.loads[load].1, z, gradient);
-    }
     fn field_forces(
         &self,
         _body: usize,
@@ -387,36 +383,15 @@ impl Parts for Hand {
             .chain(bend.iter().map(|b| 2.0 * b));
         forces.iter_mut().zip(all).for_each(|(force, value)| *force = value);
     }
-    fn moment(&self, dimension: usize, slope: &[f64], moment: [f64; 3], force: &mut [f64]) {
-        let [slope, moment] = spread(dimension, slope, moment);
-        let value = on_slope(slope, moment);
-        force.iter_mut().zip(value).for_each(|(force, value)| *force += value);
-    }
-    fn moment_tangent(&self, dimension: usize, slope: &[f64], moment: [f64; 3], tangent: &mut [f64]) {
-        let [slope, moment] = spread(dimension, slope, moment);
-        let size = dot(slope, slope);
-        let value = on_slope(slope, moment);
-        let turn = crate::vector::skew(moment);
-        for i in 0..dimension {
-            for j in 0..dimension {
-                tangent[i * dimension + j] += turn[i][j] / size - 2.0 * value[i] * slope[j] / size;
-            }
-        }
-    }
-    fn section_moment(&self, axes: &[f64; 6], moment: [f64; 3], force: &mut [f64; 6]) {
-        let value = sections::moment(axes, moment);
-        force.iter_mut().zip(value).for_each(|(force, value)| *force += value);
-    }
-    fn section_moment_tangent(&self, axes: &[f64; 6], moment: [f64; 3], tangent: &mut [f64; 36]) {
-        for column in 0..6 {
-            let at = |step: f64| {
-                let mut moved = *axes;
-                moved[column] += step;
-                sections::moment(&moved, moment)
-            };
-            let [high, low] = [at(1e-5), at(-1e-5)];
-            (0..6).for_each(|row| tangent[row * 6 + column] += (high[row] - low[row]) / 2e-5);
-        }
+}
+
+impl WithoutConservingForces for Hand {}
+impl crate::emitted::WithoutDistributedLoads for Hand {}
+impl crate::emitted::WithoutPlacedGravity for Hand {}
+
+impl JointConditions for Hand {
+    fn joints(&self) -> Vec<JointSpec> {
+        self.joints.clone()
     }
     fn condition(
         &self,
@@ -452,7 +427,6 @@ impl Parts for Hand {
             }
         }
     }
-
     /// Points of spatial bodies, perhaps of the inertial frame in frame 2: there they move.
     fn prescribed(&self, joint: usize, absolute: bool, t: f64, data: &JointData, prescribed: &mut Prescribed) {
         let joint = &self.joints[joint];
@@ -487,26 +461,61 @@ impl Parts for Hand {
             assert_eq!(self.bodies[joint.body].axes, [0, 1]);
         }
     }
-    fn outputs(&self, _t: f64, observed: &[f64], out: &mut [f64]) {
-        out.copy_from_slice(observed);
-    }
+}
 
-    fn free(&self) -> Vec<FreeSpec> {
-        self.free.clone()
+impl Loads for Hand {
+    fn loads(&self) -> Vec<LoadSpec> {
+        self.loads.iter().map(|(load, _)| load.clone()).collect()
     }
-    fn markers(&self) -> Vec<MarkerSpec> {
-        self.markers.clone()
+    fn load_varies(&self, _load: usize) -> bool {
+        false
     }
+    fn load(&self, load: usize, _t: f64) -> [f64; 3] {
+        self.loads[load].1
+    }
+}
+
+impl SlopeMoments for Hand {
+    fn moment(&self, dimension: usize, slope: &[f64], moment: [f64; 3], force: &mut [f64]) {
+        let [slope, moment] = spread(dimension, slope, moment);
+        let value = on_slope(slope, moment);
+        force.iter_mut().zip(value).for_each(|(force, value)| *force += value);
+    }
+    fn moment_tangent(&self, dimension: usize, slope: &[f64], moment: [f64; 3], tangent: &mut [f64]) {
+        let [slope, moment] = spread(dimension, slope, moment);
+        let size = dot(slope, slope);
+        let value = on_slope(slope, moment);
+        let turn = crate::vector::skew(moment);
+        for i in 0..dimension {
+            for j in 0..dimension {
+                tangent[i * dimension + j] += turn[i][j] / size - 2.0 * value[i] * slope[j] / size;
+            }
+        }
+    }
+}
+
+impl SectionMoments for Hand {
+    fn section_moment(&self, axes: &[f64; 6], moment: [f64; 3], force: &mut [f64; 6]) {
+        let value = sections::moment(axes, moment);
+        force.iter_mut().zip(value).for_each(|(force, value)| *force += value);
+    }
+    fn section_moment_tangent(&self, axes: &[f64; 6], moment: [f64; 3], tangent: &mut [f64; 36]) {
+        for column in 0..6 {
+            let at = |step: f64| {
+                let mut moved = *axes;
+                moved[column] += step;
+                sections::moment(&moved, moment)
+            };
+            let [high, low] = [at(1e-5), at(-1e-5)];
+            (0..6).for_each(|row| tangent[row * 6 + column] += (high[row] - low[row]) / 2e-5);
+        }
+    }
+}
+
+impl MarkerConstraints for Hand {
     fn constraints(&self) -> Vec<ConstraintSpec> {
         self.constraints.iter().map(|(spec, _)| spec.clone()).collect()
     }
-    fn forces(&self) -> Vec<ForceSpec> {
-        self.forces.iter().map(|(spec, _)| spec.clone()).collect()
-    }
-    fn fixtures(&self) -> Vec<FixtureSpec> {
-        self.fixtures.clone()
-    }
-
     fn marker_constraint(
         &self,
         constraint: usize,
@@ -581,6 +590,16 @@ impl Parts for Hand {
             }
         }
     }
+    fn marker_constraint_branches(&self, _constraint: usize, _t: f64, _z: &[Vector], _out: &mut [f64]) {}
+}
+
+impl MarkerForces for Hand {
+    fn forces(&self) -> Vec<ForceSpec> {
+        self.forces.iter().map(|(spec, _)| spec.clone()).collect()
+    }
+    fn is_load(&self, _force: usize) -> bool {
+        false
+    }
     fn marker_force(&self, force: usize, _t: f64, z: &[Vector], velocity: &[Vector], out: &mut [f64]) {
         self.forces[force].1.force(z, velocity, out);
     }
@@ -597,5 +616,58 @@ impl Parts for Hand {
     }
     fn marker_energy(&self, force: usize, _t: f64, z: &[Vector]) -> f64 {
         self.forces[force].1.energy(z)
+    }
+    fn marker_force_branches(&self, _force: usize, _t: f64, _z: &[Vector], _velocity: &[Vector], _out: &mut [f64]) {}
+}
+
+impl Densities for Hand {
+    /// Of the strain energies 3/2 (r_x . r_x - 1)^2 and r_xx . r_xx per unit length.
+    fn densities(&self) -> Vec<DensitySpec> {
+        self.densities.clone()
+    }
+    fn density_values(&self, _density: usize, t: f64, z: &[Vector], _velocity: &[Vector], out: &mut [f64]) {
+        out.copy_from_slice(&density::values(t, z));
+    }
+    fn density_values_gradient(
+        &self,
+        _density: usize,
+        _t: f64,
+        z: &[Vector],
+        _velocity: &[Vector],
+        gradient: &mut [f64],
+    ) {
+        density::gradient(z, gradient);
+    }
+    fn density_force4(
+        &self,
+        _density: usize,
+        elements: &[(usize, usize); LANES],
+        values: &[[f64; LANES]],
+        q: &[[f64; LANES]],
+        force: &mut [[f64; LANES]],
+    ) {
+        let lengths = elements.map(|(body, _)| self.lengths[body]);
+        density::force(lengths, values, q, force);
+    }
+    fn density_tangent4(
+        &self,
+        _density: usize,
+        elements: &[(usize, usize); LANES],
+        values: &[[f64; LANES]],
+        q: &[[f64; LANES]],
+        by_q: &mut [[f64; LANES]],
+        by_values: &mut [[f64; LANES]],
+    ) {
+        let lengths = elements.map(|(body, _)| self.lengths[body]);
+        density::tangent(lengths, values, q, by_q, by_values);
+    }
+}
+
+impl GravityFields for Hand {
+    fn field(&self, load: usize, _t: f64, z: &[Vector]) -> Vector {
+        density::field(self.loads[load].1, z)
+    }
+    fn field_gradient(&self, load: usize, _t: f64, z: &[Vector], gradient: &mut [f64]) {
+        density::field_gradient(self.loads[load].1, z, gradient);
     }
 }

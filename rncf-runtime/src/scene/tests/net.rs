@@ -4,8 +4,10 @@ use super::model::hermite;
 use super::random::Random;
 use super::scenery::{body, free, joint, stone};
 use crate::emitted::{
-    BodySpec, FrameMotion, FreeSpec, Interpolant, JointData, JointKind, JointSpec, LANES, LoadSpec, Motions,
-    ObservedSpec, Parts, Prescribed, SectionShape, SectionSpec,
+    Bodies, BodySpec, FixtureSpec, FrameMotion, FreeSpec, Interpolant, JointConditions, JointData, JointKind,
+    JointSpec, LANES, LoadSpec, Loads, MarkerSpec, Motions, ObservedSpec, Parts, Prescribed, SectionShape, SectionSpec,
+    ShareSpec, SlopeMoments, StartSpec, Table, WithoutConservingForces, WithoutDensities, WithoutGravityFields,
+    WithoutMarkerConstraints, WithoutMarkerForces, WithoutSectionMoments,
 };
 use crate::error::ModelError;
 use crate::model::{Formulation, Joints, Scene};
@@ -14,6 +16,7 @@ use crate::scene::bodies::nodal_mass::Transport;
 use crate::scene::pieces::batches::Blocks;
 use crate::scene::pieces::combination::Combination;
 use crate::system::{ConstraintLevel, System};
+use crate::vector::Vector;
 
 /// Line density, kg/m.
 const DENSITY: f64 = 0.3;
@@ -99,15 +102,6 @@ impl Net {
 }
 
 impl Parts for Net {
-    fn bodies(&self) -> Vec<BodySpec> {
-        self.bodies.clone()
-    }
-    fn joints(&self) -> Vec<JointSpec> {
-        self.joints.clone()
-    }
-    fn loads(&self) -> Vec<LoadSpec> {
-        Vec::new()
-    }
     fn observed(&self) -> Vec<ObservedSpec> {
         Vec::new()
     }
@@ -126,12 +120,16 @@ impl Parts for Net {
     fn kinks(&self) -> Vec<f64> {
         Vec::new()
     }
-    fn prepare(&mut self, body: usize, nodes: &[f64], _shape: &[f64]) -> Result<(), ModelError> {
-        self.lengths[body] = nodes[1] - nodes[0];
-        Ok(())
-    }
+    fn gaps(&self, _t: f64, _out: &mut Vec<[f64; 2]>) {}
     fn frames(&self, _t: f64, motions: &mut [FrameMotion]) {
         motions.fill(FrameMotion::INERTIAL);
+    }
+    fn conserving_obstacle(&self) -> Option<&'static str> {
+        Some("its equations have no such forces")
+    }
+    fn outputs(&self, _t: f64, _observed: &[f64], _out: &mut [f64]) {}
+    fn check(&self) -> Result<(), ModelError> {
+        Ok(())
     }
     fn free(&self) -> Vec<FreeSpec> {
         vec![FreeSpec {
@@ -140,11 +138,36 @@ impl Parts for Net {
             ..free(1, 0, Motions::Spatial)
         }]
     }
-    fn load_varies(&self, _load: usize) -> bool {
+    fn markers(&self) -> Vec<MarkerSpec> {
+        Vec::new()
+    }
+}
+
+impl Bodies for Net {
+    fn bodies(&self) -> Vec<BodySpec> {
+        self.bodies.clone()
+    }
+    fn prepare(&mut self, body: usize, nodes: &[f64], _shape: &[f64]) -> Result<(), ModelError> {
+        self.lengths[body] = nodes[1] - nodes[0];
+        Ok(())
+    }
+    fn initial(&self, _body: usize, _x: f64) -> [Option<[Vector; 2]>; 2] {
+        [None, None]
+    }
+    fn shares(&self) -> Vec<ShareSpec> {
+        Vec::new()
+    }
+    fn starts(&self) -> Vec<StartSpec> {
+        Vec::new()
+    }
+    fn fixtures(&self) -> Vec<FixtureSpec> {
+        Vec::new()
+    }
+    fn varies(&self, _body: usize) -> bool {
         false
     }
-    fn load(&self, _load: usize, _t: f64) -> [f64; 3] {
-        [0.0; 3]
+    fn tables(&self, _body: usize) -> Vec<&'static Table> {
+        Vec::new()
     }
     fn mass(&self, body: usize, _element: usize, mass: &mut [f64]) {
         let l = self.lengths[body];
@@ -157,6 +180,20 @@ impl Parts for Net {
         for (mass, entry) in mass.iter_mut().zip(rows.as_flattened()) {
             *mass = DENSITY * l / 420.0 * entry;
         }
+    }
+    fn elastic_force(&self, _body: usize, _element: usize, _q: &[f64], _v: &[f64], _force: &mut [f64]) {
+        unreachable!("there are four elements at least");
+    }
+    fn elastic_tangent(
+        &self,
+        _body: usize,
+        _element: usize,
+        _q: &[f64],
+        _v: &[f64],
+        _stiffness: &mut [f64],
+        _damping: &mut [f64],
+    ) {
+        unreachable!("there are four elements at least");
     }
     fn elastic_force4(&self, elements: &[(usize, usize); LANES], q: &[Lanes], _v: &[Lanes], force: &mut [Lanes]) {
         if !self.elastic {
@@ -193,20 +230,6 @@ impl Parts for Net {
             }
         });
     }
-    fn elastic_force(&self, _body: usize, _element: usize, _q: &[f64], _v: &[f64], _force: &mut [f64]) {
-        unreachable!("there are four elements at least");
-    }
-    fn elastic_tangent(
-        &self,
-        _body: usize,
-        _element: usize,
-        _q: &[f64],
-        _v: &[f64],
-        _stiffness: &mut [f64],
-        _damping: &mut [f64],
-    ) {
-        unreachable!("there are four elements at least");
-    }
     fn energy(&self, _body: usize, _element: usize, _q: &[f64]) -> f64 {
         0.0
     }
@@ -237,8 +260,16 @@ impl Parts for Net {
     ) {
         forces.fill(0.0);
     }
-    fn moment(&self, _dimension: usize, _slope: &[f64], _moment: [f64; 3], _force: &mut [f64]) {}
-    fn moment_tangent(&self, _dimension: usize, _slope: &[f64], _moment: [f64; 3], _tangent: &mut [f64]) {}
+}
+
+impl WithoutConservingForces for Net {}
+impl crate::emitted::WithoutDistributedLoads for Net {}
+impl crate::emitted::WithoutPlacedGravity for Net {}
+
+impl JointConditions for Net {
+    fn joints(&self) -> Vec<JointSpec> {
+        self.joints.clone()
+    }
     fn condition(
         &self,
         _joint: usize,
@@ -257,8 +288,34 @@ impl Parts for Net {
         prescribed.position[0] = data.point;
         prescribed.slope[0] = data.tangent;
     }
-    fn outputs(&self, _t: f64, _observed: &[f64], _out: &mut [f64]) {}
 }
+
+impl Loads for Net {
+    fn loads(&self) -> Vec<LoadSpec> {
+        Vec::new()
+    }
+    fn load_varies(&self, _load: usize) -> bool {
+        false
+    }
+    fn load(&self, _load: usize, _t: f64) -> [f64; 3] {
+        [0.0; 3]
+    }
+}
+
+impl SlopeMoments for Net {
+    fn moment(&self, _dimension: usize, _slope: &[f64], _moment: [f64; 3], _force: &mut [f64]) {}
+    fn moment_tangent(&self, _dimension: usize, _slope: &[f64], _moment: [f64; 3], _tangent: &mut [f64]) {}
+}
+
+impl WithoutSectionMoments for Net {}
+
+impl WithoutMarkerConstraints for Net {}
+
+impl WithoutMarkerForces for Net {}
+
+impl WithoutDensities for Net {}
+
+impl WithoutGravityFields for Net {}
 
 /// Microseconds of a call, the least of many.
 fn microseconds(mut call: impl FnMut()) -> f64 {

@@ -4,8 +4,8 @@ use super::law::Law;
 use super::model::{EVERY, Hand, PAIRS, Quadratic, hermite, table};
 use super::scenery::{DEAD, body, everything, free, hold, joint};
 use crate::emitted::{
-    BodySpec, ConstraintSpec, FixtureSpec, ForceSpec, FrameTie, Interpolant, JointKind, Line, LoadKind, LoadSpec,
-    MarkerSpec, Motions, NodalSpec, ObservedSpec, Parts, Place, SectionQuantity, Twist, When,
+    Bodies, BodySpec, ConstraintSpec, FixtureSpec, ForceSpec, FrameTie, Interpolant, JointKind, Line, LoadKind,
+    LoadSpec, MarkerSpec, Motions, NodalSpec, ObservedSpec, Place, SectionQuantity, Twist, When,
 };
 use crate::model::{Formulation, Joints, Scene};
 use crate::scene::MeshScene;

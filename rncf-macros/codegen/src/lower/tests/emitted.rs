@@ -45,7 +45,7 @@ fn only_what_is_needed_is_written() {
     }
     assert!(text.contains("fn frame_rotor("));
     let still = self::text(&base());
-    for absent in ["fn free(", "carried", "fn fixture", "fn marker", "rigid:"] {
+    for absent in ["FreeSpec {", "carried", "FixtureSpec {", "MarkerSpec::", "rigid:"] {
         assert!(!still.contains(absent), "{absent} should not be there");
     }
 }
