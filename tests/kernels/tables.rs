@@ -12,6 +12,7 @@ fn the_generator_reads_tables_as_programs_do() {
             name: "rows".into(),
             file: None,
             places: PLACES.to_vec(),
+            dimension: [0; 6],
             is_relative,
             is_smooth,
             columns: vec![model::Column {
