@@ -1,6 +1,7 @@
 //! Small machines of many kinds against their closed forms: what somebody tries on the first day.
 
 use rncf::app::{RunSettings, SweepSettings, modes, run};
+use rncf::linalg::c64;
 use rncf::prelude::*;
 
 rncf::model! {
@@ -173,10 +174,10 @@ fn a_damped_rotor_grows_and_decays_as_its_equation_says() {
     let rotor = Rotor::default();
     // With z = y + i z in turning axes: z'' + (2 i w + (ci + ce) / m) z' + (k / m - w^2 + i w ce / m) z = 0.
     let (total, natural) = ((rotor.inner + rotor.outer) / rotor.mass, rotor.ky / rotor.mass);
-    let half = num(total / 2.0, rotor.w);
-    let rest = num(natural - rotor.w * rotor.w, rotor.w * rotor.outer / rotor.mass);
-    let root = square_root(minus(times(half, half), rest));
-    let mut wanted = [minus(root, half), minus(num(-root.0, -root.1), half)].map(|(re, im)| (re, im.abs()));
+    let half = c64::new(total / 2.0, rotor.w);
+    let rest = c64::new(natural - rotor.w * rotor.w, rotor.w * rotor.outer / rotor.mass);
+    let root = (half * half - rest).sqrt();
+    let mut wanted = [root - half, -root - half].map(|exponent| (exponent.re, exponent.im.abs()));
     wanted.sort_by(|a, b| a.1.total_cmp(&b.1));
     for ((re, im), found) in wanted.into_iter().zip(exponents(&rotor, 4)) {
         assert_near(found.0, re, 1e-8);
@@ -196,25 +197,6 @@ fn a_damped_rotor_grows_and_decays_as_its_equation_says() {
     let found = exponents(&uneven, 4);
     let largest = found.iter().map(|exponent| exponent.0).fold(0.0, f64::max);
     assert_near(largest, growth, 1e-8);
-}
-
-type Complex = (f64, f64);
-
-fn num(re: f64, im: f64) -> Complex {
-    (re, im)
-}
-
-fn minus(a: Complex, b: Complex) -> Complex {
-    (a.0 - b.0, a.1 - b.1)
-}
-
-fn times(a: Complex, b: Complex) -> Complex {
-    (a.0 * b.0 - a.1 * b.1, a.0 * b.1 + a.1 * b.0)
-}
-
-fn square_root((re, im): Complex) -> Complex {
-    let (size, angle) = (re.hypot(im).sqrt(), im.atan2(re) / 2.0);
-    (size * angle.cos(), size * angle.sin())
 }
 
 #[test]

@@ -472,6 +472,9 @@ impl System for ModalScene {
     }
 
     fn branches(&mut self, state: &State) -> Vec<Branch> {
+        if self.scene.angles_read() == 0 {
+            return Vec::new();
+        }
         self.expand(state);
         self.scene.branches(&self.full)
     }

@@ -9,7 +9,7 @@ use super::plane::normal;
 use super::quantity::{Nature, Vector, Wanted};
 use super::vector::{Quantity, Vectorial};
 use super::{Check, body, fold, say};
-use crate::joints::algebra::{self, cross, divide, dot, norm, observed};
+use crate::joints::algebra::{self, cross, divide, dot, normalised, observed};
 use crate::joints::unit;
 use crate::model::{Distributed, Expr as Value, INERTIAL, LoadKind, Observable, ParticleVector, Space};
 use crate::parse::tree::{Argument, Call, Expr, ExprKind, Item};
@@ -53,26 +53,22 @@ impl Particle {
     fn new(space: Space, has_section: bool) -> Self {
         let plane = normal(space);
         let vector = |of: ParticleVector| observed(of.marker(), 0, plane);
-        let along = |v: &algebra::Vector| {
-            let length = norm(v);
-            v.clone().map(|component| divide(component, length.clone()))
-        };
         let axes = match (plane, has_section) {
             (None, false) => None,
             (None, true) => {
-                let y = along(&vector(ParticleVector::SectionY));
+                let y = normalised(&vector(ParticleVector::SectionY));
                 let across = cross(&vector(ParticleVector::SectionY), &vector(ParticleVector::SectionZ));
-                let x = along(&across);
+                let x = normalised(&across);
                 let z = cross(&x, &y);
                 Some([x, y, z])
             }
             (Some(normal), _) => {
                 let z = algebra::numbers(unit(normal));
                 Some(if has_section {
-                    let y = along(&vector(ParticleVector::SectionY));
+                    let y = normalised(&vector(ParticleVector::SectionY));
                     [cross(&y, &z), y, z]
                 } else {
-                    let x = along(&vector(ParticleVector::Slope));
+                    let x = normalised(&vector(ParticleVector::Slope));
                     let y = cross(&z, &x);
                     [x, y, z]
                 })
@@ -96,8 +92,7 @@ impl Particle {
         };
         let (position, slope) = (ParticleVector::Position.marker(), ParticleVector::Slope.marker());
         let slope = observed(slope, 0, self.plane);
-        let length = norm(&slope);
-        let tangent = slope.clone().map(|component| divide(component, length.clone()));
+        let tangent = normalised(&slope);
         let axes = space.axes();
         let mut words = HashMap::from([
             ("position", vectorial(observed(position, 0, None), LENGTH, &[0, 1, 2])),
@@ -123,9 +118,7 @@ impl Particle {
             } else {
                 ParticleVector::Slope
             };
-            let d = vector(of);
-            let square = dot(&d, &d);
-            return vec![(of, cross(moment, &d).map(|component| divide(component, square.clone())))];
+            return vec![(of, algebra::turning(moment, &vector(of)))];
         }
         // See `lower/loads.rs`: b x Q_y + c x Q_z = M.
         let (b, c) = (vector(ParticleVector::SectionY), vector(ParticleVector::SectionZ));

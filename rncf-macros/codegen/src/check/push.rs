@@ -7,7 +7,7 @@ use super::plane::{AXES, normal, plane};
 use super::quantity::{Vector, Wanted};
 use super::vector::{Quantity, Vectorial};
 use super::{Arguments, Check, Shape, fold, say};
-use crate::joints::algebra::{self, cross, divide, dot, norm, observed};
+use crate::joints::algebra::{self, cross, observed};
 use crate::joints::{Builder, unit};
 use crate::model::{Expr as Value, FrameId, INERTIAL, Marker, MarkerId, Space};
 use crate::parse::tree::{Call, Expr, ExprKind, Item};
@@ -177,9 +177,7 @@ impl<'a> Check<'a> {
                     return Some(vec![(turn, moment)]);
                 }
                 let direction = builder.slope(0)?;
-                let d = observed(direction, 0, plane);
-                let square = dot(&d, &d);
-                let force = cross(&moment, &d).map(|component| divide(component, square.clone()));
+                let force = algebra::turning(&moment, &observed(direction, 0, plane));
                 Some(vec![(direction, force)])
             }
         }
@@ -213,9 +211,7 @@ impl<'a> Check<'a> {
         };
         let (body, at) = (place.body.id, place.at.clone());
         let slope = self.marker(Marker::BodySlope { body, at });
-        let d = observed(slope, 0, plane);
-        let length = norm(&d);
-        let tangent = d.map(|component| divide(component, length.clone()));
+        let tangent = algebra::normalised(&observed(slope, 0, plane));
         let mut force = algebra::scale(&along, &tangent);
         if let (Some(across), Some(normal)) = (across, plane) {
             let normal = cross(&algebra::numbers(unit(normal)), &tangent);

@@ -111,6 +111,18 @@ pub fn norm(a: &Vector) -> Expr {
     call(Function::Sqrt, dot(a, a))
 }
 
+/// `a / |a|`
+pub fn normalised(a: &Vector) -> Vector {
+    let length = norm(a);
+    a.clone().map(|component| divide(component, length.clone()))
+}
+
+/// The force on a direction that does the work of a moment normal to it: `m x d / d.d`.
+pub fn turning(moment: &Vector, direction: &Vector) -> Vector {
+    let square = dot(direction, direction);
+    cross(moment, direction).map(|component| divide(component, square.clone()))
+}
+
 /// A marker or a time derivative of it; in a plane without the component along its normal.
 pub fn observed(marker: MarkerId, derivative: usize, normal: Option<usize>) -> Vector {
     std::array::from_fn(|component| {

@@ -45,9 +45,10 @@ impl MeshScene {
             for table in &spec.tables {
                 table.check(&spec_of.label(), length)?;
             }
+            let rule = legendre(spec.points);
             for element in 0..spec_of.count {
                 let [from, to] = [0.0, 1.0].map(|xi| spec_of.arclength(element, xi));
-                for (xi, weight) in legendre(spec.points) {
+                for &(xi, weight) in &rule {
                     let point = point_of(&*self.parts, spec_of, spec.body, element, xi);
                     let law = Law::Distributed {
                         load,
@@ -190,17 +191,11 @@ impl MeshScene {
         };
         let points = (1..=MOST_POINTS).rev().find(|&points| known(points)).unwrap_or(1);
         let places = legendre(points);
+        let row = |power: i32| places.iter().map(|(xi, _)| (2.0 * xi - 1.0).powi(power)).collect();
+        let rows: Vec<Vec<f64>> = (0..points as i32).map(row).collect();
         let shares = PAIRS.map(|pair| {
             let moments: Vec<f64> = (0..points).map(|power| moment(pair, power).unwrap_or(0.0)).collect();
-            let rows: Vec<Vec<f64>> = (0..points)
-                .map(|power| {
-                    places
-                        .iter()
-                        .map(|(xi, _)| (2.0 * xi - 1.0).powi(power as i32))
-                        .collect()
-                })
-                .collect();
-            solved(rows, moments)
+            solved(rows.clone(), moments)
         });
         let at = |place: usize| shares.each_ref().map(|share| share[place]);
         places

@@ -5,15 +5,21 @@ use crate::scene::pieces::push::Law;
 use crate::system::{Branch, State};
 
 impl MeshScene {
+    /// Number of these angles.
+    pub(crate) fn angles_read(&self) -> usize {
+        let of_forces: usize = self.forces.iter().map(|push| push.branches).sum();
+        let of_constraints: usize = self.constraints.iter().map(|linked| linked.spec.branches).sum();
+        of_forces + of_constraints
+    }
+
     /// Of all forces, then of all constraints.
     pub(in crate::scene) fn branches_at(&mut self, state: &State) -> Vec<Branch> {
-        let of_forces: usize = self.forces.iter().map(|spec| spec.branches).sum();
-        let of_constraints: usize = self.constraints.iter().map(|linked| linked.spec.branches).sum();
-        if of_forces + of_constraints == 0 {
+        let count = self.angles_read();
+        if count == 0 {
             return Vec::new();
         }
         self.load_state(state);
-        let mut numbers = vec![[0.0; 4]; of_forces + of_constraints];
+        let mut numbers = vec![[0.0; 4]; count];
         let mut rest = numbers.as_flattened_mut();
         for (index, push) in self.forces.iter().enumerate() {
             if let (Law::Force(force), 1..) = (push.law, push.branches) {
