@@ -258,10 +258,10 @@ pub mod free_flight_equations {
             lanes: L,
         ) -> CableSpatial<L::Real> {
             CableSpatial {
-                length: lanes.load(rows.map(|row| row.length)),
-                EA: lanes.load(rows.map(|row| row.EA)),
-                EI: lanes.load(rows.map(|row| row.EI)),
-                rhoA: lanes.load(rows.map(|row| row.rhoA)),
+                length: lanes.of_each(rows, |row| row.length),
+                EA: lanes.of_each(rows, |row| row.EA),
+                EI: lanes.of_each(rows, |row| row.EI),
+                rhoA: lanes.of_each(rows, |row| row.rhoA),
             }
         }
     }

@@ -197,8 +197,8 @@ fn lane_of(all: &[[f64; LANES]], lane: usize) -> [f64; MAX_SIZE] {
 }
 
 /// [`Bodies::elastic_force4`] by [`Bodies::elastic_force`].
-pub fn elastic_force_one_by_one<P: Bodies + ?Sized>(
-    parts: &P,
+pub fn elastic_force_one_by_one(
+    parts: &dyn Bodies,
     elements: &[(usize, usize)],
     q: &[[f64; LANES]],
     v: &[[f64; LANES]],
@@ -217,8 +217,8 @@ pub fn elastic_force_one_by_one<P: Bodies + ?Sized>(
 }
 
 /// [`Bodies::elastic_tangent4`] by [`Bodies::elastic_tangent`].
-pub fn elastic_tangent_one_by_one<P: Bodies + ?Sized>(
-    parts: &P,
+pub fn elastic_tangent_one_by_one(
+    parts: &dyn Bodies,
     elements: &[(usize, usize)],
     q: &[[f64; LANES]],
     v: &[[f64; LANES]],

@@ -81,6 +81,12 @@ pub trait Lanes: Copy {
     /// The number with these values in its lanes.
     fn load(self, values: [f64; LANES]) -> Self::Real;
 
+    /// The number with one value of each element in its lanes.
+    #[inline(always)]
+    fn of_each<E>(self, [a, b, c, d]: [&E; LANES], value: impl Fn(&E) -> f64) -> Self::Real {
+        self.load([value(a), value(b), value(c), value(d)])
+    }
+
     /// Several of them.
     #[inline(always)]
     fn load_all<const N: usize>(self, values: &[[f64; LANES]; N]) -> [Self::Real; N] {

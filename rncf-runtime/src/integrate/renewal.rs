@@ -91,7 +91,7 @@ impl Driver {
         self.keep(system, &mut Archive::writing(&mut known));
         self.renewal.known = known;
         let taken_up = self.take_up(system);
-        debug_assert!(taken_up.is_ok(), "what this writes it reads");
+        assert!(taken_up.is_ok(), "what this writes it reads");
     }
 
     /// Makes method and matrices anew, and goes on from what was known at the last renewal.

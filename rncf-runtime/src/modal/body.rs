@@ -173,7 +173,7 @@ impl ModalBody {
         let action = Action::new(frame, self.nodal.dimension);
         let [p, v, a] = at;
         self.with_motion(at, |motion| self.invariants.modal_force(&action, motion, out));
-        debug_assert_eq!(a.len(), out.len());
+        assert_eq!(a.len(), out.len());
         self.elastic_force(elements, p, v, out);
     }
 

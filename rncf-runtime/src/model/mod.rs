@@ -304,8 +304,13 @@ impl<M: Model> AnyModel for M {
 /// # Errors
 /// The parameter by name.
 pub fn check_params<M: Model>(model: &M) -> Result<(), ModelError> {
-    for (index, param) in M::params().iter().enumerate() {
-        let value = model.get(index);
+    check_values(M::params(), &|index| model.get(index))
+}
+
+/// As [`check_params`], compiled once for all models.
+fn check_values(params: &[Param], value_of: &dyn Fn(usize) -> f64) -> Result<(), ModelError> {
+    for (index, param) in params.iter().enumerate() {
+        let value = value_of(index);
         if !value.is_finite() {
             return Err(ModelError::new(format!(
                 "parameter `{}` is {value}: give it a finite value",

@@ -32,7 +32,7 @@ pub(super) fn summary(model: &dyn AnyModel, judged: &Judged<'_>, reason: Option<
                 .collect();
             values.sort_by(f64::total_cmp);
             values.dedup();
-            debug_assert!(model.params()[param].kind == ParamKind::Count);
+            assert!(model.params()[param].kind == ParamKind::Count);
             let values: Vec<u64> = values.into_iter().map(|value| value as u64).collect();
             parameters.insert(model.params()[param].name.into(), json!(values));
         }

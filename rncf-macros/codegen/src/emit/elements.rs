@@ -15,7 +15,7 @@ const FOUR: &str = "elements: &[(usize, usize); 4], q: &[[f64; 4]], v: &[[f64; 4
 pub(super) fn rows_side_by_side(row: &str, fields: &[&str]) -> String {
     let fields: String = fields
         .iter()
-        .map(|field| format!("{field}: lanes.load(rows.map(|row| row.{field})),\n"))
+        .map(|field| format!("{field}: lanes.of_each(rows, |row| row.{field}),\n"))
         .collect();
     format!(
         "impl {row} {{\n/// The constants of four elements side by side.\n#[inline(always)]\n\
