@@ -21,7 +21,7 @@ pub(crate) struct Buffers {
     /// Results of elements side by side.
     pub lanes: Vec<[f64; LANES]>,
     /// Accelerations in space of a body's vectors.
-    pub nodal: Vec<[Padded; 1]>,
+    pub nodal: Vec<f64>,
     /// Places, velocities and accelerations in space of a body's vectors.
     pub nodal_rates: Vec<[Padded; 3]>,
     /// Gravity of the loads that are applied, m/s^2, inertial axes; for section forces.
