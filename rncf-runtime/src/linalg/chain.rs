@@ -28,12 +28,12 @@ const LARGEST_GROWTH: f64 = 1e3;
 #[derive(Debug)]
 pub(super) struct Chain<T: Scalar> {
     arch: Arch,
-    sized: Sized<T>,
+    sized: BySize<T>,
 }
 
 /// Factors by the size of the blocks.
 #[derive(Debug)]
-enum Sized<T: Scalar> {
+enum BySize<T: Scalar> {
     Four(Factors<T, 4>),
     Six(Factors<T, 6>),
     Eight(Factors<T, 8>),
@@ -45,11 +45,11 @@ enum Sized<T: Scalar> {
 macro_rules! with_factors {
     ($sized:expr, $factors:ident => $do:expr) => {
         match $sized {
-            Sized::Four($factors) => $do,
-            Sized::Six($factors) => $do,
-            Sized::Eight($factors) => $do,
-            Sized::Twelve($factors) => $do,
-            Sized::Eighteen($factors) => $do,
+            BySize::Four($factors) => $do,
+            BySize::Six($factors) => $do,
+            BySize::Eight($factors) => $do,
+            BySize::Twelve($factors) => $do,
+            BySize::Eighteen($factors) => $do,
         }
     };
 }
@@ -61,11 +61,11 @@ impl<T: Scalar> Chain<T> {
         let sized = [4, 6, 8, 12, 18].into_iter().find_map(|size| {
             let links = links.together(size)?;
             Some(match size {
-                4 => Sized::Four(Factors::new(pattern, &links)),
-                6 => Sized::Six(Factors::new(pattern, &links)),
-                8 => Sized::Eight(Factors::new(pattern, &links)),
-                12 => Sized::Twelve(Factors::new(pattern, &links)),
-                _ => Sized::Eighteen(Factors::new(pattern, &links)),
+                4 => BySize::Four(Factors::new(pattern, &links)),
+                6 => BySize::Six(Factors::new(pattern, &links)),
+                8 => BySize::Eight(Factors::new(pattern, &links)),
+                12 => BySize::Twelve(Factors::new(pattern, &links)),
+                _ => BySize::Eighteen(Factors::new(pattern, &links)),
             })
         });
         Some(Self {
@@ -369,7 +369,7 @@ impl Members {
 fn trial<T: Scalar, const N: usize>() -> T::Column<N> {
     let mut trial = T::Column::<N>::ZERO;
     for place in 0..N {
-        trial.set(place, T::real(1.0 - 0.0625 * place as f64));
+        trial.set(place, T::real(1.0 - place as f64 / 32.0));
     }
     trial
 }
