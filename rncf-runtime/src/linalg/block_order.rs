@@ -49,7 +49,7 @@ impl Nodes {
 }
 
 /// Unknowns coupled with every unknown by its row or its column, with itself, ascending.
-fn adjacency(pattern: &Pattern) -> Vec<Vec<usize>> {
+pub(super) fn adjacency(pattern: &Pattern) -> Vec<Vec<usize>> {
     let mut adjacent: Vec<Vec<usize>> = (0..pattern.columns()).map(|index| vec![index]).collect();
     for column in 0..pattern.columns() {
         for &row in rows(pattern, column) {
@@ -69,7 +69,7 @@ fn rows(pattern: &Pattern, column: usize) -> &[usize] {
 }
 
 /// Groups of unknowns with the same neighbours and the same stored columns, by their first members.
-fn equal_unknowns(pattern: &Pattern, adjacent: &[Vec<usize>]) -> Vec<Vec<usize>> {
+pub(super) fn equal_unknowns(pattern: &Pattern, adjacent: &[Vec<usize>]) -> Vec<Vec<usize>> {
     let key = |unknown: usize| (&adjacent[unknown], rows(pattern, unknown));
     let mut unknowns: Vec<usize> = (0..adjacent.len()).collect();
     unknowns.sort_by(|&a, &b| key(a).cmp(&key(b)).then(a.cmp(&b)));

@@ -2,6 +2,7 @@
 
 use super::banded::Banded;
 use super::blocks::{Blocks, Failure};
+use super::chain::Chain;
 use super::order::{half_bandwidth, reverse_cuthill_mckee};
 use super::pattern::Pattern;
 use super::scalar::Scalar;
@@ -22,16 +23,20 @@ const LEAST_BLOCKS: usize = 300;
 /// LU factorization with pivoting of a square matrix on a fixed pattern, in the field `T` (`f64` or
 /// `c64`). The pattern is analysed once and decides how:
 ///
-/// - narrow matrices (chains of elements) are banded, with partial pivoting;
+/// - chains (meshes of lines) are block-tridiagonal, without row exchanges; values for which this is not safe are banded;
+/// - other narrow matrices are banded, with partial pivoting;
 /// - large wide ones are factored by the node blocks that the pattern shows, with pivots inside the
 ///   blocks; values for which these do not suffice go to faer;
 /// - others go to faer (partial pivoting).
 ///
 /// Later calls do not allocate, but for those that go to faer.
 #[derive(Debug)]
-pub struct Lu<T> {
+pub struct Lu<T: Scalar> {
     pattern: Pattern,
     factors: Factors<T>,
+    /// With row exchanges, for values that need them: made when it is first needed, and whether it holds the factors.
+    fallback: Option<Box<Lu<T>>>,
+    is_fallback_used: bool,
     /// Place of every unknown in the order of elimination of the banded factors.
     place: Vec<usize>,
     row_scale: Vec<f64>,
@@ -42,22 +47,17 @@ pub struct Lu<T> {
 }
 
 #[derive(Debug)]
-enum Factors<T> {
+enum Factors<T: Scalar> {
+    Chain(Box<Chain<T>>),
     /// Banded, and the place of every entry of the pattern in it.
     Banded(Banded<T>, Vec<usize>),
     Sparse(Box<Sparse<T>>),
-    Blocks(Box<Blocks<T>>, Fallback<T>),
-}
-
-/// What stands in for factors by blocks.
-#[derive(Debug)]
-struct Fallback<T> {
-    sparse: Option<Box<Sparse<T>>>,
-    is_used: bool,
+    Blocks(Box<Blocks<T>>),
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Method {
+    Chain,
     Banded,
     Sparse,
     Blocks,
@@ -71,7 +71,7 @@ impl<T: Scalar> Lu<T> {
     pub fn new(pattern: &Pattern) -> Self {
         let place = places(pattern);
         let method = if half_bandwidth(pattern, &place) <= LARGEST_BANDWIDTH {
-            Method::Banded
+            Method::Chain
         } else if pattern.columns() < LEAST_BLOCKS {
             Method::Sparse
         } else {
@@ -83,36 +83,26 @@ impl<T: Scalar> Lu<T> {
     fn with_method(pattern: &Pattern, place: Vec<usize>, method: Method) -> Self {
         assert_eq!(pattern.rows(), pattern.columns(), "the pattern is square");
         let size = pattern.columns();
-        let blocks = (method == Method::Blocks).then(|| Blocks::new(pattern)).flatten();
-        let sparse = (method != Method::Banded && blocks.is_none()).then(|| Sparse::new(pattern));
-        let (factors, work) = match (blocks, sparse.flatten()) {
-            (Some(blocks), _) => {
-                let fallback = Fallback {
-                    sparse: None,
-                    is_used: false,
-                };
-                (Factors::Blocks(Box::new(blocks), fallback), size)
-            }
-            (None, Some(sparse)) => (Factors::Sparse(Box::new(sparse)), size.max(pattern.entries())),
-            (None, None) => {
-                let banded = Banded::new(size, half_bandwidth(pattern, &place));
-                let places = (0..size)
-                    .flat_map(|column| {
-                        pattern.indices()[pattern.starts()[column]..pattern.starts()[column + 1]]
-                            .iter()
-                            .map(move |&row| (row, column))
-                    })
-                    .map(|(row, column)| banded.place(place[row], place[column]))
-                    .collect();
-                (Factors::Banded(banded, places), size)
-            }
+        let factors = match method {
+            Method::Chain => Chain::new(pattern).map(|chain| Factors::Chain(Box::new(chain))),
+            Method::Banded => None,
+            Method::Sparse => Sparse::new(pattern).map(|sparse| Factors::Sparse(Box::new(sparse))),
+            Method::Blocks => Blocks::new(pattern).map(|blocks| Factors::Blocks(Box::new(blocks))),
+        };
+        let factors = factors.unwrap_or_else(|| banded(pattern, &place));
+        let (scaled, work) = match &factors {
+            Factors::Chain(_) | Factors::Blocks(_) => (0, 0),
+            Factors::Banded(..) => (size, size),
+            Factors::Sparse(_) => (size, size.max(pattern.entries())),
         };
         Self {
             pattern: pattern.clone(),
             factors,
+            fallback: None,
+            is_fallback_used: false,
             place,
-            row_scale: vec![1.0; size],
-            column_scale: vec![1.0; size],
+            row_scale: vec![1.0; scaled],
+            column_scale: vec![1.0; scaled],
             work: vec![T::default(); work],
             starts: pattern.starts().to_vec(),
         }
@@ -140,27 +130,40 @@ impl<T: Scalar> Lu<T> {
     /// # Errors
     /// As of [`Lu::factor`].
     pub(super) fn factor_from(&mut self, values: &[T], starts: &[usize]) -> Result<(), usize> {
-        if let Factors::Blocks(blocks, fallback) = &mut self.factors {
-            let factored = blocks.factor(&self.pattern, values, starts, SMALLEST_PIVOT);
-            fallback.is_used = factored == Err(Failure::Unsuited);
-            match factored {
-                Ok(()) => return Ok(()),
-                Err(Failure::Line(unknown)) => return Err(unknown),
-                Err(Failure::Unsuited) => {}
+        self.is_fallback_used = false;
+        let row_exchanges = match &mut self.factors {
+            Factors::Chain(chain) => {
+                if chain.factor(&self.pattern, values, starts) {
+                    return Ok(());
+                }
+                Method::Banded
             }
-            if fallback.sparse.is_none() {
-                fallback.sparse = Sparse::new(&self.pattern).map(Box::new);
-                self.work
-                    .resize(self.pattern.entries().max(self.work.len()), T::default());
+            Factors::Blocks(blocks) => {
+                match blocks.factor(&self.pattern, values, starts, SMALLEST_PIVOT) {
+                    Ok(()) => return Ok(()),
+                    Err(Failure::Line(unknown)) => return Err(unknown),
+                    Err(Failure::Unsuited) => {}
+                }
+                Method::Sparse
             }
-        }
+            Factors::Banded(..) | Factors::Sparse(_) => return self.factor_exchanging(values, starts),
+        };
+        self.is_fallback_used = true;
+        let (pattern, place) = (&self.pattern, &self.place);
+        self.fallback
+            .get_or_insert_with(|| Box::new(Self::with_method(pattern, place.clone(), row_exchanges)))
+            .factor_exchanging(values, starts)
+    }
+
+    /// [`Lu::factor_from`] with row exchanges.
+    fn factor_exchanging(&mut self, values: &[T], starts: &[usize]) -> Result<(), usize> {
         self.equilibrate(values, starts)?;
         let indices = self.pattern.indices();
         let scaled = |entry: usize, from: usize, column: usize| {
             values[starts[column] + entry - from].times(self.row_scale[indices[entry]] * self.column_scale[column])
         };
         let columns = self.pattern.starts().windows(2).enumerate();
-        let sparse = match &mut self.factors {
+        match &mut self.factors {
             Factors::Banded(banded, places) => {
                 let target = banded.values();
                 target.fill(T::default());
@@ -169,23 +172,21 @@ impl<T: Scalar> Lu<T> {
                         target[places[entry]] = scaled(entry, ends[0], column);
                     }
                 }
-                return banded.factor(SMALLEST_PIVOT).map_err(|at| {
+                banded.factor(SMALLEST_PIVOT).map_err(|at| {
                     let unknown = self.place.iter().position(|&place| place == at);
                     unknown.unwrap_or(at)
-                });
+                })
             }
-            Factors::Sparse(sparse) => Some(sparse),
-            Factors::Blocks(_, fallback) => fallback.sparse.as_mut(),
-        };
-        let target = &mut self.work[..indices.len()];
-        for (column, ends) in columns {
-            for entry in ends[0]..ends[1] {
-                target[entry] = scaled(entry, ends[0], column);
+            Factors::Sparse(sparse) => {
+                let target = &mut self.work[..indices.len()];
+                for (column, ends) in columns {
+                    for entry in ends[0]..ends[1] {
+                        target[entry] = scaled(entry, ends[0], column);
+                    }
+                }
+                sparse.factor(&self.pattern, target, SMALLEST_PIVOT)
             }
-        }
-        match sparse {
-            Some(sparse) => sparse.factor(&self.pattern, target, SMALLEST_PIVOT),
-            None => Err(0),
+            Factors::Chain(_) | Factors::Blocks(_) => Err(0),
         }
     }
 
@@ -221,9 +222,22 @@ impl<T: Scalar> Lu<T> {
         Ok(())
     }
 
+    /// What holds the factors.
+    fn used(&self) -> &Self {
+        match &self.fallback {
+            Some(fallback) if self.is_fallback_used => fallback,
+            _ => self,
+        }
+    }
+
     /// Solves in place with the factors of the last successful [`Lu::factor`].
     pub fn solve(&mut self, x: &mut [T]) {
-        let sparse = match &mut self.factors {
+        if let (true, Some(fallback)) = (self.is_fallback_used, &mut self.fallback) {
+            return fallback.solve(x);
+        }
+        match &mut self.factors {
+            Factors::Chain(chain) => chain.solve(x),
+            Factors::Blocks(blocks) => blocks.solve(x),
             Factors::Banded(banded, _) => {
                 let work = &mut self.work[..x.len()];
                 for (row, &value) in x.iter().enumerate() {
@@ -233,43 +247,52 @@ impl<T: Scalar> Lu<T> {
                 for (column, value) in x.iter_mut().enumerate() {
                     *value = work[self.place[column]].times(self.column_scale[column]);
                 }
-                return;
             }
-            Factors::Blocks(blocks, fallback) => match &mut fallback.sparse {
-                Some(sparse) if fallback.is_used => sparse,
-                _ => return blocks.solve(x),
-            },
-            Factors::Sparse(sparse) => sparse,
-        };
-        let work = &mut self.work[..x.len()];
-        for (row, &value) in x.iter().enumerate() {
-            work[row] = value.times(self.row_scale[row]);
-        }
-        sparse.solve(work);
-        for (column, value) in x.iter_mut().enumerate() {
-            *value = work[column].times(self.column_scale[column]);
+            Factors::Sparse(sparse) => {
+                let work = &mut self.work[..x.len()];
+                for (row, &value) in x.iter().enumerate() {
+                    work[row] = value.times(self.row_scale[row]);
+                }
+                sparse.solve(work);
+                for (column, value) in x.iter_mut().enumerate() {
+                    *value = work[column].times(self.column_scale[column]);
+                }
+            }
         }
     }
 
     /// [`Lu::solve`] for `count` right sides: `x` holds those of the first unknown, then those of the
     /// second, and so on (n x `count`, row after row).
     pub fn solve_many(&mut self, x: &mut [T], count: usize) {
-        match &mut self.factors {
-            Factors::Blocks(blocks, fallback) if !fallback.is_used => blocks.solve_many(x, count),
-            _ => {
-                let mut column = vec![T::default(); self.place.len()];
-                for side in 0..count {
-                    for (value, row) in column.iter_mut().zip(x.chunks_exact(count)) {
-                        *value = row[side];
-                    }
-                    self.solve(&mut column);
-                    for (value, row) in column.iter().zip(x.chunks_exact_mut(count)) {
-                        row[side] = *value;
-                    }
-                }
+        if let (Factors::Blocks(blocks), false) = (&mut self.factors, self.is_fallback_used) {
+            return blocks.solve_many(x, count);
+        }
+        let mut column = vec![T::default(); self.place.len()];
+        for side in 0..count {
+            for (value, row) in column.iter_mut().zip(x.chunks_exact(count)) {
+                *value = row[side];
+            }
+            self.solve(&mut column);
+            for (value, row) in column.iter().zip(x.chunks_exact_mut(count)) {
+                row[side] = *value;
             }
         }
     }
+}
+
+/// Banded factors, to be filled.
+fn banded<T: Scalar>(pattern: &Pattern, place: &[usize]) -> Factors<T> {
+    let size = pattern.columns();
+    let banded = Banded::new(size, half_bandwidth(pattern, place));
+    let places = (0..size)
+        .flat_map(|column| {
+            pattern.indices()[pattern.starts()[column]..pattern.starts()[column + 1]]
+                .iter()
+                .map(move |&row| (row, column))
+        })
+        .map(|(row, column)| banded.place(place[row], place[column]))
+        .collect();
+    Factors::Banded(banded, places)
 }
 
 /// Place of every unknown in an order with a small bandwidth.
@@ -285,14 +308,12 @@ fn places(pattern: &Pattern) -> Vec<usize> {
 impl Lu<f64> {
     /// Whether the determinant of the matrix of the last successful [`Lu::factor`] is negative.
     pub fn is_determinant_negative(&self) -> bool {
-        match &self.factors {
+        match &self.used().factors {
+            Factors::Chain(chain) => chain.is_determinant_negative(),
             // Rows and columns have the same order there.
             Factors::Banded(banded, _) => banded.is_determinant_negative(),
             Factors::Sparse(sparse) => sparse.is_determinant_negative(),
-            Factors::Blocks(blocks, fallback) => match &fallback.sparse {
-                Some(sparse) if fallback.is_used => sparse.is_determinant_negative(),
-                _ => blocks.is_determinant_negative(),
-            },
+            Factors::Blocks(blocks) => blocks.is_determinant_negative(),
         }
     }
 }

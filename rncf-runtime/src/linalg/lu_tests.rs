@@ -34,7 +34,7 @@ fn multiply<T: Scalar>(pattern: &Pattern, values: &[T], x: &[T]) -> Vec<T> {
     out
 }
 
-const METHODS: [Method; 3] = [Method::Banded, Method::Sparse, Method::Blocks];
+const METHODS: [Method; 4] = [Method::Chain, Method::Banded, Method::Sparse, Method::Blocks];
 
 fn with<T: Scalar>(pattern: &Pattern, method: Method) -> Lu<T> {
     Lu::with_method(pattern, places(pattern), method)
@@ -125,7 +125,10 @@ fn time_of_chains() {
     fn time<T: Scalar>(method: Method, nodes: usize) -> (f64, f64) {
         let pattern = chain(nodes);
         let mut number = numbers(1);
-        let values: Vec<T> = (0..pattern.entries()).map(|_| T::real(number())).collect();
+        let mut values: Vec<T> = (0..pattern.entries()).map(|_| T::real(number())).collect();
+        for index in 0..pattern.columns() {
+            values[pattern.find(index, index).unwrap()] += T::real(6.0);
+        }
         let mut lu = with::<T>(&pattern, method);
         let mut x = vec![T::real(1.0); 4 * nodes];
         let rounds = 100_000 / nodes;
@@ -141,11 +144,11 @@ fn time_of_chains() {
         }
         (factor * 1e6, start.elapsed().as_secs_f64() / rounds as f64 * 1e6)
     }
-    for nodes in [17, 75, 750] {
+    for nodes in [16, 17, 75, 750] {
         for method in METHODS {
             let (real, complex) = (time::<f64>(method, nodes), time::<c64>(method, nodes));
             println!(
-                "{} unknowns, us to factor and solve: {method:?} {real:.1?}, complex {complex:.1?}",
+                "{} unknowns, us to factor and solve: {method:?} {real:.2?}, complex {complex:.2?}",
                 4 * nodes
             );
         }

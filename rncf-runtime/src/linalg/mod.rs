@@ -6,8 +6,11 @@ mod block_order;
 mod block_solve;
 mod blocks;
 mod border_kernels;
+mod chain;
+mod column;
 mod dense;
 mod eigen;
+mod links;
 mod lu;
 mod node;
 mod order;
@@ -17,6 +20,7 @@ mod scalar;
 mod sparse;
 
 pub(crate) use block_kernels::{Vectorised, dispatch};
+pub use column::Column;
 pub use dense::Dense;
 pub use eigen::{
     Cholesky, Indefinite, NaturalModes, general_eigen, natural_modes, negative_eigenvalues, product, solve_full,

@@ -71,10 +71,11 @@ impl Pattern {
 
     /// `out += alpha * A x` with the values of A on this pattern.
     pub fn multiply_add(&self, alpha: f64, values: &[f64], x: &[f64], out: &mut [f64]) {
-        for column in 0..self.columns() {
-            let factor = alpha * x[column];
-            for place in self.starts[column]..self.starts[column + 1] {
-                out[self.indices[place]] += values[place] * factor;
+        for (ends, x) in self.starts.windows(2).zip(x) {
+            let factor = alpha * x;
+            let own = ends[0]..ends[1];
+            for (&row, value) in self.indices[own.clone()].iter().zip(&values[own]) {
+                out[row] += value * factor;
             }
         }
     }

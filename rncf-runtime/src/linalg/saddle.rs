@@ -30,7 +30,7 @@ pub enum Singular {
 /// S = [[K_bb, B_b], [C_b, 0]] - [K_bi; C_i] K_ii^-1 [K_ib, B_i],  i: leading unknowns, b: border
 /// ```
 #[derive(Debug)]
-pub struct Saddle<T> {
+pub struct Saddle<T: Scalar> {
     /// Number of leading unknowns.
     inner: usize,
     border: usize,

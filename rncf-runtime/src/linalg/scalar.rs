@@ -3,6 +3,8 @@
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
+use super::column::{Column, Split};
+
 pub use faer::c64;
 
 /// A real or complex number: `f64` or [`c64`].
@@ -19,8 +21,13 @@ pub trait Scalar:
     + AddAssign
     + SubAssign
 {
+    /// Some numbers of the field below each other.
+    type Column<const N: usize>: Column<Self, N>;
+
     /// The real number as an element of the field.
     fn real(value: f64) -> Self;
+    /// Whether it is a real number below zero.
+    fn is_negative(self) -> bool;
     /// |re| + |im|: the size by which pivots are chosen.
     fn size(self) -> f64;
     /// Product with a real number.
@@ -32,6 +39,13 @@ pub trait Scalar:
 }
 
 impl Scalar for f64 {
+    type Column<const N: usize> = [f64; N];
+
+    #[inline(always)]
+    fn is_negative(self) -> bool {
+        self < 0.0
+    }
+
     #[inline(always)]
     fn real(value: f64) -> Self {
         value
@@ -59,6 +73,13 @@ impl Scalar for f64 {
 }
 
 impl Scalar for c64 {
+    type Column<const N: usize> = Split<N>;
+
+    #[inline(always)]
+    fn is_negative(self) -> bool {
+        false
+    }
+
     #[inline(always)]
     fn real(value: f64) -> Self {
         c64::new(value, 0.0)

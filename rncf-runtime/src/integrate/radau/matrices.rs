@@ -14,7 +14,7 @@ pub(super) struct Matrices {
     /// The system's own pattern of `C^T`.
     pub(super) constraint_pattern: Pattern,
     pub(super) tangent: Tangent,
-    /// As the system gives them.
+    /// As the system gives them; the tangent where it is not that of the chart.
     system_tangent: Tangent,
     system_jacobian: Vec<f64>,
     system_rate: Vec<f64>,
@@ -49,7 +49,11 @@ impl Matrices {
         let rates = if stabilised { m } else { 0 };
         Self {
             tangent: tangent(entries),
-            system_tangent: tangent(system.pattern().entries()),
+            system_tangent: tangent(if chart.turns().is_empty() {
+                0
+            } else {
+                system.pattern().entries()
+            }),
             system_jacobian: vec![0.0; constraint_pattern.entries()],
             system_rate: vec![0.0; constraint_pattern.entries()],
             forces: vec![0.0; constraint_entries],
@@ -75,8 +79,13 @@ impl Matrices {
     pub(super) fn linearize(&mut self, system: &mut dyn System, place: &State, statistics: &mut Statistics) {
         self.state.clone_from(place);
         self.chart.leave(&mut self.state);
-        system.tangent(&self.state, &mut self.system_tangent);
-        self.chart.tangent(place, &self.system_tangent, &mut self.tangent);
+        if self.chart.turns().is_empty() {
+            // The chart is no other than the system's unknowns.
+            system.tangent(&self.state, &mut self.tangent);
+        } else {
+            system.tangent(&self.state, &mut self.system_tangent);
+            self.chart.tangent(place, &self.system_tangent, &mut self.tangent);
+        }
         if self.constraint_pattern.columns() > 0 {
             system.constraint_jacobian(&self.state, &mut self.system_jacobian);
             self.chart.forces(&self.system_jacobian, &mut self.forces);
@@ -105,14 +114,16 @@ impl Matrices {
         self.factored = None;
         let (g, z) = (coefficients.real / h, coefficients.complex / h);
         let square = z * z;
-        for entry in 0..self.real_block.len() {
-            let (m, d, k) = (
-                self.tangent.mass[entry],
-                self.tangent.damping[entry],
-                self.tangent.stiffness[entry],
-            );
-            self.real_block[entry] = (g * m + d) * g + k;
-            self.complex_block[entry] = c64::new(square.re * m + z.re * d + k, square.im * m + z.im * d);
+        let Tangent {
+            mass,
+            damping,
+            stiffness,
+        } = &self.tangent;
+        let given = mass.iter().zip(damping).zip(stiffness);
+        let blocks = self.real_block.iter_mut().zip(&mut self.complex_block);
+        for ((real, complex), ((&m, &d), &k)) in blocks.zip(given) {
+            *real = (g * m + d) * g + k;
+            *complex = c64::new(square.re * m + z.re * d + k, square.im * m + z.im * d);
         }
         statistics.factorizations += 2;
         let (forces, slopes) = (&self.forces, &self.slopes);
@@ -138,10 +149,17 @@ impl Matrices {
         statistics: &mut Statistics,
     ) {
         for (k, stages) in sides.iter().enumerate() {
-            let (real, complex) = (&mut self.real_sides[k], &mut self.complex_sides[k]);
-            for i in 0..real.len() {
-                real[i] = (0..3).map(|s| coefficients.real_left[s] * stages[s][i]).sum();
-                complex[i] = (0..3).map(|s| coefficients.complex_left[s] * stages[s][i]).sum();
+            let (real, complex) = (&mut self.real_sides[k][..], &mut self.complex_sides[k][..]);
+            let n = real.len();
+            let (stages, complex) = (stages.each_ref().map(|stage| &stage[..n]), &mut complex[..n]);
+            let (r, c) = (coefficients.real_left, coefficients.complex_left);
+            for i in 0..n {
+                let f = stages.map(|stage| stage[i]);
+                real[i] = r[0] * f[0] + r[1] * f[1] + r[2] * f[2];
+                complex[i] = c64::new(
+                    c[0].re * f[0] + c[1].re * f[1] + c[2].re * f[2],
+                    c[0].im * f[0] + c[1].im * f[1] + c[2].im * f[2],
+                );
             }
         }
         let ([f, c, r], [zf, zc, zr]) = (&mut self.real_sides, &mut self.complex_sides);
@@ -163,8 +181,8 @@ impl Matrices {
             let (real, complex) = (&self.real_sides[k], &self.complex_sides[k]);
             for (s, stage) in stages.iter_mut().enumerate() {
                 let (a, b) = (coefficients.real_right[s], coefficients.complex_right[s]);
-                for i in 0..real.len() {
-                    stage[i] = a * real[i] + 2.0 * (b.re * complex[i].re - b.im * complex[i].im);
+                for ((value, real), complex) in stage.iter_mut().zip(real).zip(complex) {
+                    *value = a * real + 2.0 * (b.re * complex.re - b.im * complex.im);
                 }
             }
         }

@@ -315,8 +315,9 @@ impl Newton {
                 system.constraint(ConstraintLevel::Velocity, state, rates);
                 pattern.transpose_multiply_add(1.0, values, &state.v, rates);
             }
-            let sides = out.iter_mut().chain(&mut self.constraints[s]).chain(rates);
-            sides.for_each(|value| *value = -*value);
+            for sides in [out, &mut self.constraints[s], rates] {
+                sides.iter_mut().for_each(|value| *value = -*value);
+            }
         }
         statistics.residual_evaluations += 3;
     }

@@ -67,24 +67,31 @@ impl Stages {
     /// Increments, rates and their derivatives at the stages from the unknowns and the drift:
     /// `Z = W + c h v_n`, `V - v_n = A^-1 W / h + drift`, `A = A^-1 (V - v_n) / h`.
     pub(super) fn differentiate(&mut self, coefficients: &Coefficients, start: &State) {
+        let rates = &start.v[..];
+        let n = rates.len();
+        let [w0, w1, w2] = self.w.each_ref().map(|w| &w[..n]);
         for (s, row) in coefficients.inverse.iter().enumerate() {
             let [a, b, c] = row.map(|value| value / self.h);
             let dt = coefficients.nodes[s] * self.h;
-            for i in 0..start.v.len() {
-                self.z[s][i] = dt * start.v[i] + self.w[s][i];
-                self.change[s][i] = a * self.w[0][i] + b * self.w[1][i] + c * self.w[2][i];
+            let own = [w0, w1, w2][s];
+            let (z, change) = (&mut self.z[s][..n], &mut self.change[s][..n]);
+            for i in 0..n {
+                z[i] = dt * rates[i] + own[i];
+                change[i] = a * w0[i] + b * w1[i] + c * w2[i];
             }
-            for (change, drift) in self.change[s].iter_mut().zip(&self.drift[s]) {
+            for (change, drift) in change.iter_mut().zip(&self.drift[s]) {
                 *change += drift;
             }
-            for i in 0..start.v.len() {
-                self.v[s][i] = start.v[i] + self.change[s][i];
+            for ((v, rate), change) in self.v[s].iter_mut().zip(rates).zip(&*change) {
+                *v = rate + change;
             }
         }
-        for (s, row) in coefficients.inverse.iter().enumerate() {
+        let [c0, c1, c2] = self.change.each_ref().map(|change| &change[..n]);
+        for (row, out) in coefficients.inverse.iter().zip(&mut self.a) {
             let [a, b, c] = row.map(|value| value / self.h);
-            for i in 0..start.v.len() {
-                self.a[s][i] = a * self.change[0][i] + b * self.change[1][i] + c * self.change[2][i];
+            let out = &mut out[..n];
+            for i in 0..n {
+                out[i] = a * c0[i] + b * c1[i] + c * c2[i];
             }
         }
     }
@@ -120,9 +127,7 @@ impl Stages {
             let at = 1.0 + node * h / last.h;
             let [_, a, b, c] = coefficients.cubic(at);
             let z = &mut self.z[s];
-            for i in 0..z.len() {
-                z[i] = a * last.z[0][i] + b * last.z[1][i] + c * end[i];
-            }
+            combine([a, b, c], &last.z, z);
             chart.transport(end, z);
             let mut turns = chart.turns().iter().copied().peekable();
             let mut i = 0;
@@ -134,8 +139,8 @@ impl Stages {
                     i += 1;
                 }
             }
-            for i in 0..z.len() {
-                self.w[s][i] = z[i] - node * h * start.v[i];
+            for ((w, z), rate) in self.w[s].iter_mut().zip(&*z).zip(&start.v) {
+                *w = z - node * h * rate;
             }
             combine(coefficients.quadratic(at), &last.lambda, &mut self.lambda[s]);
         }
@@ -155,8 +160,9 @@ impl Stages {
         let dt = coefficients.nodes[s] * self.h;
         state.t = start.t + dt;
         state.turns.clone_from(&start.turns);
-        for i in 0..start.x.len() {
-            state.x[i] = start.x[i] + (dt * start.v[i] + self.w[s][i]);
+        let given = start.x.iter().zip(&start.v).zip(&self.w[s]);
+        for (x, ((start, rate), w)) in state.x.iter_mut().zip(given) {
+            *x = start + (dt * rate + w);
         }
     }
 
@@ -189,9 +195,13 @@ impl Stages {
         let quadratic = coefficients.quadratic(at);
         out.clone_from(start);
         out.t = t;
-        for i in 0..start.x.len() {
-            out.x[i] += a * self.z[0][i] + b * self.z[1][i] + c * self.z[2][i];
-            out.v[i] = first * start.v[i] + a * self.v[0][i] + b * self.v[1][i] + c * self.v[2][i];
+        let n = start.x.len();
+        let ([z0, z1, z2], [v0, v1, v2]) = (&self.z, &self.v);
+        let (z, v) = ([z0, z1, z2].map(|z| &z[..n]), [v0, v1, v2].map(|v| &v[..n]));
+        let (x, rates) = (&mut out.x[..n], &mut out.v[..n]);
+        for i in 0..n {
+            x[i] += a * z[0][i] + b * z[1][i] + c * z[2][i];
+            rates[i] = first * rates[i] + a * v[0][i] + b * v[1][i] + c * v[2][i];
         }
         combine(quadratic, &self.a, &mut out.a);
         combine(quadratic, &self.lambda, &mut out.lambda);
@@ -199,8 +209,8 @@ impl Stages {
     }
 }
 
-fn combine([a, b, c]: [f64; 3], stages: &[Vec<f64>; 3], out: &mut [f64]) {
-    for (i, out) in out.iter_mut().enumerate() {
-        *out = a * stages[0][i] + b * stages[1][i] + c * stages[2][i];
+fn combine([a, b, c]: [f64; 3], [first, second, third]: &[Vec<f64>; 3], out: &mut [f64]) {
+    for (((out, first), second), third) in out.iter_mut().zip(first).zip(second).zip(third) {
+        *out = a * first + b * second + c * third;
     }
 }

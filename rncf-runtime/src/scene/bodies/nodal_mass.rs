@@ -18,7 +18,7 @@ pub(crate) fn vector([x, y, z, _]: Padded) -> Vector {
 
 /// `sum += factor x`
 #[inline(always)]
-pub(crate) fn add_scaled(sum: &mut Padded, factor: f64, x: &Padded) {
+pub(crate) fn add_scaled<const W: usize>(sum: &mut [f64; W], factor: f64, x: &[f64; W]) {
     for (sum, x) in sum.iter_mut().zip(x) {
         *sum += factor * x;
     }
@@ -197,6 +197,17 @@ impl NodalMass {
     /// Whether a vector is a position.
     pub fn is_position(&self, vector: usize) -> bool {
         self.is_position[vector]
+    }
+
+    /// `M^ab x_b` of one row.
+    #[inline(always)]
+    pub fn row_times<const W: usize>(&self, row: usize, x: &[[f64; W]]) -> [f64; W] {
+        let mut sum = [0.0; W];
+        let own = self.starts[row] as usize..self.starts[row + 1] as usize;
+        for (&column, &value) in self.columns[own.clone()].iter().zip(&self.values[own]) {
+            add_scaled(&mut sum, value, &x[column as usize]);
+        }
+        sum
     }
 
     /// `M^ab x_b` of one row for several quantities of every vector.

@@ -1,6 +1,7 @@
 //! The full (not reduced) state, and what is kept beside it.
 
 use super::point_force::PointForce;
+use super::reach::Reaches;
 use crate::emitted::{FrameMotion, LANES};
 use crate::scene::bodies::nodal_mass::Padded;
 use crate::vector::Vector;
@@ -21,13 +22,15 @@ pub(crate) struct Buffers {
     /// Results of elements side by side.
     pub lanes: Vec<[f64; LANES]>,
     /// Accelerations in space of a body's vectors.
-    pub nodal: Vec<[Padded; 1]>,
+    pub nodal: Vec<f64>,
     /// Places, velocities and accelerations in space of a body's vectors.
     pub nodal_rates: Vec<[Padded; 3]>,
     /// Gravity of the loads that are applied, m/s^2, inertial axes; for section forces.
     pub gravity: Vector,
     /// What acts inside the elements of every body, for section forces.
     pub point_forces: Vec<Vec<PointForce>>,
+    /// Reaches on the elements of every body that was read.
+    pub reaches: Vec<Reaches>,
     /// What is added to the forces of the elements of every body in modes, for section forces; else nothing.
     pub held: Vec<Vec<f64>>,
     /// Values of densities and the part of them that is applied, for section forces.
@@ -54,6 +57,7 @@ impl Buffers {
             nodal_rates: Vec::new(),
             gravity: [0.0; 3],
             point_forces: Vec::new(),
+            reaches: Vec::new(),
             held: Vec::new(),
             density_values: Vec::new(),
             density_scale: 0.0,

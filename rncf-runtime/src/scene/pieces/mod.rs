@@ -10,4 +10,5 @@ pub(crate) mod fixture;
 pub(crate) mod marker;
 pub(crate) mod point_force;
 pub(crate) mod push;
+pub(crate) mod reach;
 pub(crate) mod rigid_section;

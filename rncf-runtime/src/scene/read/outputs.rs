@@ -7,6 +7,7 @@ use crate::scene::bodies::mesh_body::MeshBody;
 use crate::scene::bodies::place::PlaceVector;
 use crate::scene::mesh_scene::MeshScene;
 use crate::scene::pieces::marker::Linked;
+use crate::scene::pieces::reach::Reaches;
 use crate::system::{State, System};
 use crate::vector::{Vector, add, cross, dot, subtract};
 
@@ -110,7 +111,7 @@ impl MeshScene {
     }
 
     /// Value of something observed at the loaded state; forces must be evaluated for reactions.
-    fn observe(&self, index: usize, t: f64, lambda: &[f64]) -> f64 {
+    fn observe(&self, index: usize, t: f64, lambda: &[f64], reaches: &mut [Reaches]) -> f64 {
         match self.observed[index] {
             ObservedSpec::Point {
                 body, what, component, ..
@@ -124,7 +125,7 @@ impl MeshScene {
             }
             ObservedSpec::Section { what, .. } => {
                 let point = self.observed_points[index].as_ref();
-                let value = point.and_then(|point| self.section_at(point).value(what));
+                let value = point.and_then(|point| self.section_at(point, &mut reaches[point.body]).value(what));
                 // Sections without stress are refused when the scene is built.
                 value.unwrap_or(f64::NAN)
             }
@@ -266,9 +267,11 @@ impl MeshScene {
         if has_sections {
             self.set_sections(t, load_scale, lambda);
         }
+        let mut reaches = self.taken_reaches();
         let observed: Vec<f64> = (0..self.observed.len())
-            .map(|index| self.observe(index, t, lambda))
+            .map(|index| self.observe(index, t, lambda, &mut reaches))
             .collect();
+        self.buffers.reaches = reaches;
         self.parts.outputs(t, &observed, out);
     }
 }

@@ -33,13 +33,15 @@ impl MeshScene {
     }
 
     /// Section states of all sampled bodies at the loaded state, in their order, from start to end.
-    pub(crate) fn sample_sections(&self, out: &mut Vec<SectionState>) {
+    pub(crate) fn sample_sections(&mut self, out: &mut Vec<SectionState>) {
         out.clear();
+        let mut reaches = self.taken_reaches();
         for body in self.sampled() {
-            let mut reader = Reader::new(self, body);
+            let mut reader = Reader::new(self, body, &mut reaches[body]);
             for element in 0..self.bodies[body].spec.count {
                 reader.element(element, &PLACES, out);
             }
         }
+        self.buffers.reaches = reaches;
     }
 }

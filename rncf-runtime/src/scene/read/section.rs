@@ -2,15 +2,15 @@
 //! the balance of the element with the forces on its nodes, and of its part up to the place with inertia and loads.
 
 use super::stress::largest_stress;
-use crate::emitted::{FIVE, Fidelity, Interpolant, MAX_SIZE, SectionQuantity, SectionSpec};
+use crate::emitted::{Fidelity, MAX_SIZE, SectionQuantity, SectionSpec};
 use crate::error::ModelError;
-use crate::linalg::Cholesky;
 use crate::model::SectionState;
 use crate::scene::bodies::described::Kernels;
 use crate::scene::bodies::nodal_mass::{Total, Transport, padded, vector as vector_of};
 use crate::scene::bodies::place::MeshPoint;
 use crate::scene::mesh_scene::MeshScene;
 use crate::scene::pieces::point_force::PointForce;
+use crate::scene::pieces::reach::{Body, Reach, Reaches};
 use crate::vector::{Vector, add, cross, dot, norm, scale, subtract};
 
 /// A unit vector; zero where there is no direction.
@@ -26,28 +26,16 @@ fn section_axes(y: Vector, z: Vector) -> [Vector; 3] {
 }
 
 /// What the section at the start of an element carries, and what acts between there and its end.
+#[derive(Default)]
 struct Element {
     /// Nodal vectors at the places that forces act at, frame axes.
     levers: Vec<Vector>,
     /// Force and moment at its start, frame axes.
     start: [Vector; 2],
-    /// Inertia less loads per length: nodal values of what is interpolated as the vectors are.
-    distributed: Vec<Vector>,
-}
-
-/// Weights of an element's nodal vectors at a place in what it interpolates, zeros where it does not.
-struct Weights {
-    position: Vec<f64>,
-    slope: Vec<f64>,
-    /// Of r_y and r_z.
-    axes: [Vec<f64>; 2],
-}
-
-/// A place on an element, and the points between its start and the place with their parts of the element's length.
-struct Reach {
-    xi: f64,
-    at: Weights,
-    before: [(f64, Weights); 5],
+    /// Inertia less loads on the nodal vectors, N on positions.
+    acting: Vec<Vector>,
+    /// Accelerations in space, m/s^2 of positions.
+    accelerations: Vec<Vector>,
 }
 
 /// `sum_a weight_a u_a`
@@ -64,112 +52,45 @@ pub(crate) struct Reader<'a> {
     section: Option<SectionSpec>,
     is_line: bool,
     normal: Option<Vector>,
-    /// The element that is read, and its length, m.
-    element: usize,
-    length: f64,
     /// The local vector that is the position of the first node.
     first: usize,
-    /// For every interpolant the local vectors that it interpolates, with the factors of `int s_a s_b dx`.
-    grams: Vec<(Vec<usize>, Cholesky)>,
-    reaches: Vec<Reach>,
+    reaches: &'a mut Reaches,
+    /// The element that is read.
+    found: Element,
 }
 
 impl<'a> Reader<'a> {
-    pub fn new(scene: &'a MeshScene, body: usize) -> Self {
+    pub fn new(scene: &'a MeshScene, body: usize, reaches: &'a mut Reaches) -> Self {
         let spec = &scene.bodies[body].spec;
-        let mut reader = Self {
+        Self {
             scene,
             body,
             section: (!scene.parts.varies(body)).then(|| scene.section_spec(body, 0.0)),
             is_line: !spec.has_section(),
             normal: spec.plane_normal(),
-            element: 0,
-            length: 0.0,
             first: spec
                 .nodal
                 .iter()
                 .position(|vector| vector.is_position() && vector.xi == 0.0)
                 .unwrap_or(0),
-            grams: Vec::new(),
-            reaches: Vec::new(),
-        };
-        reader.begin_length(0);
-        reader
-    }
-
-    /// What depends on the length of an element.
-    fn begin_length(&mut self, element: usize) {
-        self.element = element;
-        let length = self.scene.bodies[self.body].spec.element_length(element);
-        if length != self.length {
-            self.length = length;
-            self.reaches.clear();
-            let all = [Interpolant::Position, Interpolant::SectionY, Interpolant::SectionZ];
-            self.grams = all.into_iter().filter_map(|of| self.gram(of)).collect();
+            reaches,
+            found: Element::default(),
         }
-    }
-
-    fn gram(&self, of: Interpolant) -> Option<(Vec<usize>, Cholesky)> {
-        let nodal = self.scene.bodies[self.body].spec.nodal;
-        let own: Vec<usize> = (0..nodal.len()).filter(|&vector| nodal[vector].of == of).collect();
-        let mut matrix = vec![0.0; own.len() * own.len()];
-        for (xi, weight) in FIVE {
-            let shapes = self.shapes(of, 0, xi);
-            for (place, entry) in matrix.iter_mut().enumerate() {
-                let (row, column) = (own[place / own.len()], own[place % own.len()]);
-                *entry += self.length * weight * shapes[row] * shapes[column];
-            }
-        }
-        // Shape functions are independent.
-        let factor = Cholesky::new(own.len(), &matrix).ok()?;
-        (!own.is_empty()).then_some((own, factor))
-    }
-
-    fn shapes(&self, of: Interpolant, order: usize, xi: f64) -> Vec<f64> {
-        let spec = &self.scene.bodies[self.body].spec;
-        let mut weights = vec![0.0; spec.nodal.len()];
-        if spec.interpolates(of) {
-            self.scene
-                .parts
-                .shapes(self.body, self.element, of, order, xi, &mut weights);
-        }
-        weights
-    }
-
-    fn weights(&self, xi: f64) -> Weights {
-        Weights {
-            position: self.shapes(Interpolant::Position, 0, xi),
-            slope: self.shapes(Interpolant::Position, 1, xi),
-            axes: [Interpolant::SectionY, Interpolant::SectionZ].map(|of| self.shapes(of, 0, xi)),
-        }
-    }
-
-    /// Place among the reaches of one up to `xi`.
-    fn reach(&mut self, xi: f64) -> usize {
-        if let Some(place) = self.reaches.iter().position(|reach| reach.xi == xi) {
-            return place;
-        }
-        let reach = Reach {
-            xi,
-            at: self.weights(xi),
-            before: FIVE.map(|(point, weight)| (xi * weight, self.weights(xi * point))),
-        };
-        self.reaches.push(reach);
-        self.reaches.len() - 1
     }
 
     /// What the sections at places in [0, 1] of an element carry.
     pub fn element(&mut self, element: usize, places: &[f64], out: &mut Vec<SectionState>) {
-        let found = self.begin(element);
+        self.begin(element);
         for &xi in places {
-            out.push(self.state(element, xi, &found));
+            out.push(self.state(element, xi));
         }
     }
 
-    fn state(&mut self, element: usize, xi: f64, found: &Element) -> SectionState {
-        let place = self.reach(xi);
-        let triad = self.triad(&self.reaches[place].at, &found.levers);
-        let [force, moment] = self.carried(element, &self.reaches[place], found);
+    fn state(&mut self, element: usize, xi: f64) -> SectionState {
+        let found = &self.found;
+        let reach = self.reaches.to(described(self.scene, self.body), xi);
+        let triad = triad(self.is_line, self.normal, reach, &found.levers);
+        let [force, moment] = carried(self.scene, (self.body, element), self.first, reach, found);
         let mut forces = triad.map(|axis| dot(axis, force));
         let mut moments = triad.map(|axis| dot(axis, moment));
         let spec = &self.scene.bodies[self.body].spec;
@@ -199,166 +120,155 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Force and moment on the section at the end of a reach, frame axes: those at the start of the element, and what
-    /// between there and here is not balanced by the section. Of what acts at single places that up to here counts.
-    fn carried(&self, element: usize, reach: &Reach, found: &Element) -> [Vector; 2] {
-        let here = sum(&reach.at.position, &found.levers);
-        let lever = |weights: &[f64]| subtract(sum(weights, &found.levers), here);
-        let [mut force, mut moment] = found.start;
-        moment = add(moment, cross(subtract(found.levers[self.first], here), force));
-        for (part, weights) in &reach.before {
-            let part = part * self.length;
-            let density = scale(part, sum(&weights.position, &found.distributed));
-            force = add(force, density);
-            moment = add(moment, cross(lever(&weights.position), density));
-            for axes in &weights.axes {
-                let couple = scale(part, sum(axes, &found.distributed));
-                moment = add(moment, cross(sum(axes, &found.levers), couple));
-            }
-        }
-        for point in self.acting(element).filter(|point| point.xi <= reach.xi) {
-            if point.on_position {
-                force = subtract(force, point.force);
-                moment = subtract(moment, cross(lever(&point.weights), point.force));
-            } else {
-                moment = subtract(moment, cross(sum(&point.weights, &found.levers), point.force));
-            }
-        }
-        [force, moment]
-    }
-
-    /// What acts inside an element.
-    fn acting(&self, element: usize) -> impl Iterator<Item = &PointForce> {
-        let all = self.scene.buffers.point_forces.get(self.body);
-        all.into_iter().flatten().filter(move |point| point.element == element)
-    }
-
     /// What the section at the start of an element carries. The element is in equilibrium with what its nodes exert on
     /// it: its generalised forces (elastic ones and inertia less loads) on the vectors of its first node are what the
     /// part before exerts there. So sections, joints and loads balance as the discrete equations do, whatever the mesh.
-    fn begin(&mut self, element: usize) -> Element {
-        self.begin_length(element);
+    fn begin(&mut self, element: usize) {
+        self.reaches.begin(described(self.scene, self.body), element);
         let body = &self.scene.bodies[self.body];
         let (spec, buffers) = (&body.spec, &self.scene.buffers);
-        let (d, size) = (spec.dimension(), spec.element_size());
-        let vectors = |local: &[f64]| -> Vec<Vector> {
-            let parts = local.chunks_exact(d);
-            let components = |part: &[f64]| std::array::from_fn(|i| part.get(i).copied().unwrap_or(0.0));
-            parts.map(|part| body.spread(components(part))).collect()
-        };
-        let gather = |full: &[f64]| {
-            let mut local = [0.0; MAX_SIZE];
+        let size = spec.element_size();
+        let mut at = [[0.0; MAX_SIZE]; 3];
+        for (local, full) in at.iter_mut().zip([&buffers.q, &buffers.v, &buffers.a]) {
             body.connectivity.gather(element, full, &mut local[..size]);
-            local
+        }
+        let [q, v, a] = at.each_ref().map(|local| &local[..size]);
+        let (mut levers, mut elastic) = ([0.0; MAX_SIZE], [0.0; MAX_SIZE]);
+        self.elastic(element, [q, v], [&mut levers[..size], &mut elastic[..size]]);
+        let count = spec.nodal.len();
+        let vector = |local: &[f64], vector: usize| -> Vector {
+            let mut value = [0.0; 3];
+            for (&axis, &component) in spec.axes.iter().zip(&local[vector * spec.axes.len()..]) {
+                value[axis] = component;
+            }
+            value
         };
-        let undeformed = || -> Vec<f64> {
-            let all = (0..spec.nodal.len()).flat_map(|local| spec.undeformed(element, local));
-            all.collect()
-        };
-        let [q, v, a] = [&buffers.q, &buffers.v, &buffers.a].map(|full| gather(full));
-        let (levers, elastic) = self.elastic(element, [&q[..size], &v[..size]]);
-        let levers = vectors(&levers.unwrap_or_else(undeformed));
+        let found = &mut self.found;
+        found.levers.clear();
+        found.levers.extend((0..count).map(|place| vector(&levers, place)));
         // Inertia less loads.
         let transport = Transport::new(&buffers.frames[body.frame], spec.axes, buffers.gravity);
         let total = Total::new(&transport);
-        let rates = [&v[..size], &a[..size]].map(vectors);
-        let acceleration = |vector: usize| {
-            let at = [levers[vector], rates[0][vector], rates[1][vector]].map(padded);
-            vector_of(total.acceleration(spec.nodal[vector].is_position(), at.each_ref()))
-        };
-        let accelerations: Vec<Vector> = (0..spec.nodal.len()).map(acceleration).collect();
-        let loads = vectors(&self.scene.densities_on(self.body, element)[..size]);
-        let inertia = body.mass_of(element).chunks_exact(spec.nodal.len());
-        let acting: Vec<Vector> = inertia
-            .zip(&loads)
-            .map(|(masses, &load)| subtract(sum(masses, &accelerations), load))
-            .collect();
-        let mut start = [[0.0; 3]; 2];
-        for (vector, elastic) in vectors(&elastic).into_iter().enumerate() {
-            if spec.nodal[vector].xi != 0.0 {
-                continue;
-            }
-            let points = self.acting(element);
+        found.accelerations.clear();
+        found.accelerations.extend((0..count).map(|place| {
+            let at = [found.levers[place], vector(v, place), vector(a, place)].map(padded);
+            vector_of(total.acceleration(spec.nodal[place].is_position(), at.each_ref()))
+        }));
+        let loads = self.scene.densities_on(self.body, element);
+        let inertia = body.mass_of(element).chunks_exact(count).enumerate();
+        found.acting.clear();
+        found
+            .acting
+            .extend(inertia.map(|(place, masses)| subtract(sum(masses, &found.accelerations), vector(&loads, place))));
+        found.start = [[0.0; 3]; 2];
+        for place in (0..count).filter(|&place| spec.nodal[place].xi == 0.0) {
+            let points = acting_inside(self.scene, self.body, element);
             let points = points.fold([0.0; 3], |sum, point| {
-                add(sum, scale(point.weights[vector], point.force))
+                add(sum, scale(point.weights[place], point.force))
             });
-            let force = subtract(points, add(elastic, acting[vector]));
-            if spec.nodal[vector].is_position() {
-                start[0] = add(start[0], force);
+            let force = subtract(points, add(vector(&elastic, place), found.acting[place]));
+            if spec.nodal[place].is_position() {
+                found.start[0] = add(found.start[0], force);
             } else {
-                start[1] = add(start[1], cross(levers[vector], force));
+                found.start[1] = add(found.start[1], cross(found.levers[place], force));
             }
-        }
-        Element {
-            start,
-            distributed: self.distribution(&acting),
-            levers,
         }
     }
 
-    /// Elastic forces of an element on its nodal vectors as the description of the body has them, what bodies in modes
-    /// carry to their joints included, and its nodal vectors where they act; none: the undeformed ones.
-    fn elastic(&self, element: usize, [q, v]: [&[f64]; 2]) -> (Option<Vec<f64>>, Vec<f64>) {
+    /// Where the nodal vectors of an element are as the description of the body has them, and its elastic forces on them,
+    /// what bodies in modes carry to their joints included; forces are zero before.
+    fn elastic(&self, element: usize, [q, v]: [&[f64]; 2], [levers, force]: [&mut [f64]; 2]) {
         let body = &self.scene.bodies[self.body];
-        let mut force = vec![0.0; q.len()];
-        let Some(modes) = &body.modes else {
-            self.scene.parts.elastic_force(self.body, element, q, v, &mut force);
-            return (Some(q.to_vec()), force);
-        };
-        let levers = if modes.is_linear() {
-            let first = self.scene.layout.offset(body.first_vector);
-            let own = first..first + modes.shape().len();
-            let elements = Kernels {
-                parts: &*self.scene.parts,
-                body: self.body,
-            };
-            let buffers = &self.scene.buffers;
-            force = modes.linear_force(&elements, element, [&buffers.q[own.clone()], &buffers.v[own]]);
-            None
-        } else {
-            self.scene.parts.elastic_force(self.body, element, q, v, &mut force);
-            Some(q.to_vec())
-        };
-        let held = self.scene.buffers.held.get(self.body);
+        match &body.modes {
+            Some(modes) if modes.is_linear() => {
+                let first = self.scene.layout.offset(body.first_vector);
+                let own = first..first + modes.shape().len();
+                let elements = Kernels {
+                    parts: &*self.scene.parts,
+                    body: self.body,
+                };
+                let buffers = &self.scene.buffers;
+                let at = [&buffers.q[own.clone()], &buffers.v[own]];
+                force.copy_from_slice(&modes.linear_force(&elements, element, at));
+                let undeformed = (0..body.spec.nodal.len()).flat_map(|local| body.spec.undeformed(element, local));
+                levers
+                    .iter_mut()
+                    .zip(undeformed)
+                    .for_each(|(lever, value)| *lever = value);
+            }
+            _ => {
+                self.scene.parts.elastic_force(self.body, element, q, v, force);
+                levers.copy_from_slice(q);
+            }
+        }
+        let held = self.scene.buffers.held.get(self.body).filter(|_| body.modes.is_some());
         let held = held.and_then(|held| held.chunks_exact(q.len()).nth(element));
         for (force, held) in force.iter_mut().zip(held.unwrap_or(&[])) {
             *force += held;
         }
-        (levers, force)
-    }
-
-    /// Nodal values of the force per length, interpolated as the vectors are, that makes these generalised forces:
-    /// that itself where it is at most cubic, as inertia is; else the nearest to it, with the same force and moment.
-    fn distribution(&self, forces: &[Vector]) -> Vec<Vector> {
-        let mut values = vec![[0.0; 3]; forces.len()];
-        for (own, factor) in &self.grams {
-            for axis in 0..3 {
-                let mut part: Vec<f64> = own.iter().map(|&vector| forces[vector][axis]).collect();
-                factor.solve(&mut part);
-                for (&vector, value) in own.iter().zip(part) {
-                    values[vector][axis] = value;
-                }
-            }
-        }
-        values
-    }
-
-    /// Axes of the section at a place of an element; of a centre line the first is along its slope.
-    fn triad(&self, at: &Weights, levers: &[Vector]) -> [Vector; 3] {
-        if self.is_line {
-            return [unit(sum(&at.slope, levers)), [0.0; 3], [0.0; 3]];
-        }
-        let [y, z] = at.axes.each_ref().map(|weights| sum(weights, levers));
-        section_axes(y, self.normal.unwrap_or(z))
     }
 }
 
+/// A body as reaches see it.
+fn described(scene: &MeshScene, index: usize) -> Body<'_> {
+    Body {
+        parts: &*scene.parts,
+        index,
+        spec: &scene.bodies[index].spec,
+    }
+}
+
+/// What acts inside an element of a body.
+fn acting_inside(scene: &MeshScene, body: usize, element: usize) -> impl Iterator<Item = &PointForce> {
+    let all = scene.buffers.point_forces.get(body);
+    all.into_iter().flatten().filter(move |point| point.element == element)
+}
+
+/// Force and moment on the section at the end of a reach, frame axes: those at the start of the element, and what
+/// between there and here is not balanced by the section. Of what acts at single places that up to here counts.
+fn carried(
+    scene: &MeshScene,
+    (body, element): (usize, usize),
+    first: usize,
+    reach: &Reach,
+    found: &Element,
+) -> [Vector; 2] {
+    let here = sum(&reach.position, &found.levers);
+    let [mut force, mut moment] = found.start;
+    moment = add(moment, cross(subtract(found.levers[first], here), force));
+    let between = sum(&reach.forces, &found.acting);
+    force = add(force, between);
+    moment = subtract(moment, cross(here, between));
+    for (row, &lever) in reach.levers.chunks_exact(reach.position.len()).zip(&found.levers) {
+        moment = add(moment, cross(lever, sum(row, &found.acting)));
+    }
+    for point in acting_inside(scene, body, element).filter(|point| point.xi <= reach.xi) {
+        let lever = sum(&point.weights, &found.levers);
+        if point.on_position {
+            force = subtract(force, point.force);
+            moment = subtract(moment, cross(subtract(lever, here), point.force));
+        } else {
+            moment = subtract(moment, cross(lever, point.force));
+        }
+    }
+    [force, moment]
+}
+
+/// Axes of the section at the end of a reach; of a centre line the first is along its slope.
+fn triad(is_line: bool, normal: Option<Vector>, reach: &Reach, levers: &[Vector]) -> [Vector; 3] {
+    if is_line {
+        return [unit(sum(&reach.slope, levers)), [0.0; 3], [0.0; 3]];
+    }
+    let [y, z] = reach.axes.each_ref().map(|weights| sum(weights, levers));
+    section_axes(y, normal.unwrap_or(z))
+}
+
 impl MeshScene {
-    /// What the section of a body carries at `xi` in [0, 1] of an element, at the loaded state.
-    fn section_state(&self, body: usize, element: usize, xi: f64) -> SectionState {
-        let mut reader = Reader::new(self, body);
-        let found = reader.begin(element);
-        reader.state(element, xi, &found)
+    /// The reaches on the elements of all bodies, to be given back.
+    pub(crate) fn taken_reaches(&mut self) -> Vec<Reaches> {
+        let mut reaches = std::mem::take(&mut self.buffers.reaches);
+        reaches.resize(self.bodies.len(), Reaches::default());
+        reaches
     }
 
     /// Remembers what section forces need at the loaded state; of bodies in modes the forces are evaluated before.
@@ -409,8 +319,10 @@ impl MeshScene {
         )))
     }
 
-    /// The same at a place.
-    pub(crate) fn section_at(&self, point: &MeshPoint) -> SectionState {
-        self.section_state(point.body, point.element, point.xi)
+    /// What the section at a place carries at the loaded state.
+    pub(crate) fn section_at(&self, point: &MeshPoint, reaches: &mut Reaches) -> SectionState {
+        let mut reader = Reader::new(self, point.body, reaches);
+        reader.begin(point.element);
+        reader.state(point.element, point.xi)
     }
 }

@@ -10,7 +10,7 @@
 //! The sums run over eliminated vectors, too, and hold before elastic forces are added, which drop out of them.
 //! Planar bodies are taken in space, with vectors in their plane.
 
-use crate::scene::bodies::nodal_mass::{NodalMass, Padded, Total, Transport, add_scaled, spread, vector};
+use crate::scene::bodies::nodal_mass::{NodalMass, Transport, add_scaled};
 use pulp::Arch;
 
 use crate::emitted::Fidelity;
@@ -18,7 +18,7 @@ use crate::linalg::{Vectorised, dispatch};
 use crate::scene::frames::free_frames::SPATIAL;
 use crate::scene::mesh_scene::MeshScene;
 use crate::scene::pieces::buffers::Buffers;
-use crate::vector::{Vector, add, cross, dot};
+use crate::vector::{Matrix, Vector, add, cross, dot};
 
 impl MeshScene {
     /// Masses of the nodal vectors of a body: with its elements, and of fixtures alone.
@@ -75,6 +75,7 @@ impl MeshScene {
                     axes,
                     transport: &transport,
                     at,
+                    summed: self.free_of[body.frame].is_some(),
                     scratch: &mut *nodal,
                     out,
                 };
@@ -121,7 +122,9 @@ struct Forces<'a> {
     axes: &'a [usize],
     transport: &'a Transport,
     at: [&'a [f64]; 3],
-    scratch: &'a mut Vec<[Padded; 1]>,
+    /// Whether force and moment on the frame are wanted.
+    summed: bool,
+    scratch: &'a mut Vec<f64>,
     out: &'a mut [f64],
 }
 
@@ -130,36 +133,69 @@ impl Vectorised for Forces<'_> {
 
     #[inline(always)]
     fn run<const F: bool>(self) -> [Vector; 2] {
-        forces(self.mass, self.axes, self.transport, self.at, self.scratch, self.out)
+        match *self.axes {
+            // Nothing leaves the plane.
+            [first, second] if !self.summed => forces::<2, 2>(self, [0, 1], [first, second]),
+            [first, second] => forces::<2, 4>(self, [first, second], [0, 1, 2, 3]),
+            [_, _, _] => forces::<3, 4>(self, [0, 1, 2], [0, 1, 2, 3]),
+            _ => Default::default(),
+        }
     }
 }
 
-/// Adds the inertia forces of a body on its vectors; their force and moment about the frame's origin.
+/// Adds the inertia forces of a body on its vectors, which have `D` components; their force and moment about the frame's
+/// origin. Each stands at its place among the `W` components that are computed, which are along these axes of the frame; a
+/// fourth axis is zero.
 #[inline(always)]
-fn forces(
-    mass: &NodalMass,
-    axes: &[usize],
-    transport: &Transport,
-    [q, v, a]: [&[f64]; 3],
-    scratch: &mut Vec<[Padded; 1]>,
-    out: &mut [f64],
-) -> [Vector; 2] {
-    let total = Total::new(transport);
-    scratch.clear();
-    scratch.extend((0..mass.vectors()).map(|place| {
-        let at = [q, v, a].map(|values| spread(axes, values, place));
-        [total.acceleration(mass.is_position(place), at.each_ref())]
-    }));
-    let (mut force, mut moment) = ([0.0; 4], [0.0; 3]);
-    for (place, out) in out.chunks_exact_mut(axes.len()).enumerate() {
-        let [g] = mass.product(place, scratch);
-        for (out, &axis) in out.iter_mut().zip(axes) {
-            *out += g[axis & 3];
+fn forces<const D: usize, const W: usize>(of: Forces<'_>, places: [usize; D], axes: [usize; W]) -> [Vector; 2] {
+    let Forces { mass, transport, .. } = of;
+    let spread = |values: &[f64; D]| {
+        let mut all = [0.0; W];
+        for (&place, &value) in places.iter().zip(values) {
+            all[place % W] = value;
         }
-        if mass.is_position(place) {
-            add_scaled(&mut force, 1.0, &g);
+        all
+    };
+    let along = |vector: Vector| axes.map(|axis| vector.get(axis).copied().unwrap_or(0.0));
+    let columns = |matrix: &Matrix| places.map(|j| along(matrix.map(|row| row[axes[j]])));
+    let (turning, coriolis) = (columns(&transport.turning()), columns(&transport.coriolis()));
+    let e = along(transport.e);
+    let [(q, _), (v, _), (a, _)] = of.at.map(|values| values.as_chunks::<D>());
+    let count = mass.vectors();
+    let (q, v, a, is_position) = (&q[..count], &v[..count], &a[..count], &mass.is_position[..count]);
+    of.scratch.resize(W * count, 0.0);
+    let (accelerations, _) = of.scratch.as_chunks_mut::<W>();
+    for (place, u) in accelerations[..count].iter_mut().enumerate() {
+        *u = spread(&a[place]);
+        for j in 0..D {
+            add_scaled(u, q[place][j], &turning[j]);
         }
-        moment = add(moment, cross(vector(spread(axes, q, place)), vector(g)));
+        for j in 0..D {
+            add_scaled(u, v[place][j], &coriolis[j]);
+        }
+        if is_position[place] {
+            add_scaled(u, 1.0, &e);
+        }
     }
-    [vector(force), moment]
+    let (mut force, mut moment) = ([0.0; W], [0.0; 3]);
+    let (out, _) = of.out.as_chunks_mut::<D>();
+    for (place, out) in out[..count].iter_mut().enumerate() {
+        let g = mass.row_times(place, accelerations);
+        for (out, &at) in out.iter_mut().zip(&places) {
+            *out += g[at % W];
+        }
+        if of.summed {
+            if is_position[place] {
+                add_scaled(&mut force, 1.0, &g);
+            }
+            moment = add(moment, cross(first(&spread(&q[place])), first(&g)));
+        }
+    }
+    [first(&force), moment]
+}
+
+/// The first three of some components, zeros beyond their end.
+#[inline(always)]
+fn first<const W: usize>(values: &[f64; W]) -> Vector {
+    std::array::from_fn(|axis| values.get(axis).copied().unwrap_or(0.0))
 }

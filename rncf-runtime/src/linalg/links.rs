@@ -1,0 +1,101 @@
+//! The links of a chain: groups of unknowns in an order in which each is coupled with its neighbours alone.
+
+use super::block_order::{adjacency, equal_unknowns};
+use super::pattern::Pattern;
+
+/// Places for each unknown, at most: links that are filled up cost as much as full ones.
+const WASTE: usize = 2;
+
+/// Unknowns of every link.
+#[derive(Debug, PartialEq)]
+pub(super) struct Links {
+    pub(super) members: Vec<Vec<usize>>,
+}
+
+impl Links {
+    /// The links of a square pattern; `None` where the diagonal is not whole.
+    pub(super) fn new(pattern: &Pattern) -> Option<Self> {
+        let unknowns = pattern.columns();
+        if unknowns == 0 || (0..unknowns).any(|index| pattern.find(index, index).is_none()) {
+            return None;
+        }
+        let adjacent = adjacency(pattern);
+        let nodes = equal_unknowns(pattern, &adjacent);
+        let mut node_of = vec![0; unknowns];
+        for (index, members) in nodes.iter().enumerate() {
+            members.iter().for_each(|&member| node_of[member] = index);
+        }
+        let neighbours: Vec<Vec<usize>> = nodes
+            .iter()
+            .map(|members| {
+                let mut others: Vec<usize> = adjacent[members[0]].iter().map(|&other| node_of[other]).collect();
+                others.sort_unstable();
+                others.dedup();
+                others
+            })
+            .collect();
+        let members = levels(&neighbours).into_iter().map(|level| {
+            let unknowns = level.into_iter().flat_map(|node| nodes[node].iter().copied());
+            unknowns.collect()
+        });
+        Some(Self {
+            members: members.collect(),
+        })
+    }
+
+    /// Those that follow each other put together, as far as they have at most `size` unknowns; `None` where there are larger
+    /// ones, or where most places would be empty.
+    pub(super) fn together(&self, size: usize) -> Option<Self> {
+        let mut members: Vec<Vec<usize>> = Vec::new();
+        for link in &self.members {
+            if link.len() > size {
+                return None;
+            }
+            match members.last_mut() {
+                Some(last) if last.len() + link.len() <= size => last.extend(link),
+                _ => members.push(link.clone()),
+            }
+        }
+        let unknowns: usize = self.members.iter().map(Vec::len).sum();
+        (members.len() * size <= WASTE * unknowns + size).then_some(Self { members })
+    }
+}
+
+/// Levels of all components of a graph, from an end of each: a node's neighbours are in its level and the two beside it.
+fn levels(neighbours: &[Vec<usize>]) -> Vec<Vec<usize>> {
+    let mut all = Vec::new();
+    let mut seen = vec![false; neighbours.len()];
+    for seed in 0..neighbours.len() {
+        if seen[seed] {
+            continue;
+        }
+        // An end of the component: the last one reached from anywhere, twice.
+        let mut start = seed;
+        for _ in 0..2 {
+            let from_here = breadth_first(neighbours, start, &mut seen.clone());
+            start = from_here.last().map_or(start, |level| level[0]);
+        }
+        all.extend(breadth_first(neighbours, start, &mut seen));
+    }
+    all
+}
+
+/// The component of a node, level by level.
+fn breadth_first(neighbours: &[Vec<usize>], start: usize, seen: &mut [bool]) -> Vec<Vec<usize>> {
+    seen[start] = true;
+    let mut levels = vec![vec![start]];
+    loop {
+        let mut next = Vec::new();
+        for &node in levels.iter().next_back().into_iter().flatten() {
+            for &other in &neighbours[node] {
+                if !std::mem::replace(&mut seen[other], true) {
+                    next.push(other);
+                }
+            }
+        }
+        if next.is_empty() {
+            return levels;
+        }
+        levels.push(next);
+    }
+}
