@@ -194,43 +194,67 @@ pub struct Lever {
     pub inertia: Option<[Matrix; 2]>,
 }
 
-/// An angle that a law reads by its sine and cosine. The law jumps where the angle goes from pi to -pi, unless it is periodic.
+/// Where a law of what moves is not smooth.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Branch {
-    /// Sine, times what it has in common with the cosine.
-    pub sine: f64,
-    /// Cosine, likewise.
-    pub cosine: f64,
-    /// By how much the law jumps half a turn away from 0, and its size there, in its unit.
-    pub jump: f64,
-    /// See `jump`.
-    pub size: f64,
+pub enum Branch {
+    /// An angle that the law reads by its sine and cosine. The law jumps where the angle goes from pi to -pi, unless it is periodic.
+    Angle {
+        /// Sine, times what it has in common with the cosine.
+        sine: f64,
+        /// Cosine, likewise.
+        cosine: f64,
+        /// By how much the law jumps half a turn away from 0, in its unit.
+        jump: f64,
+        /// Its size there.
+        size: f64,
+    },
+    /// `max`, `min` or `abs`: the law has a kink where this changes its sign.
+    Kink(f64),
 }
 
 /// Part of the size of a law by which it jumps for round-off.
 const PERIODIC: f64 = 1e-9;
 /// What is left to half a turn, rad, where that is near.
 const NEAR: f64 = 0.1;
+/// Part of its change over a step that is as good as at the kink.
+const AT_KINK: f64 = 1e-6;
 
 impl Branch {
-    /// rad, in (-pi, pi].
-    fn angle(&self) -> f64 {
-        self.sine.atan2(self.cosine)
-    }
-
-    fn jumps(&self) -> bool {
-        self.jump > PERIODIC * self.size
+    /// rad, in (-pi, pi], where a law jumps with it.
+    fn jumping_angle(&self) -> Option<f64> {
+        match *self {
+            Branch::Angle {
+                sine,
+                cosine,
+                jump,
+                size,
+            } if jump > PERIODIC * size => Some(sine.atan2(cosine)),
+            _ => None,
+        }
     }
 
     /// Whether a step that ends here has passed the place where the law jumps, by the shorter way.
     pub fn is_passed_from(&self, before: &Branch) -> bool {
-        let straight = self.angle() - before.angle();
-        self.jumps() && straight.abs() > std::f64::consts::PI
+        match (self.jumping_angle(), before.jumping_angle()) {
+            (Some(now), Some(before)) => (now - before).abs() > std::f64::consts::PI,
+            _ => false,
+        }
     }
 
     /// Whether the law jumps within some degrees.
     pub fn is_near(&self) -> bool {
-        self.jumps() && self.angle().abs() > std::f64::consts::PI - NEAR
+        self.jumping_angle()
+            .is_some_and(|angle| angle.abs() > std::f64::consts::PI - NEAR)
+    }
+
+    /// Whether a step that ends here has passed a kink at which it did not begin.
+    pub fn is_kink_passed_from(&self, before: &Branch) -> bool {
+        match (self, before) {
+            (Branch::Kink(now), Branch::Kink(before)) => {
+                now * before < 0.0 && before.abs() > AT_KINK * (now - before).abs()
+            }
+            _ => false,
+        }
     }
 }
 
@@ -354,12 +378,12 @@ pub trait System {
         Vec::new()
     }
 
-    /// Angles that laws read, always in the same order.
+    /// Angles that laws read, and their kinks, always in the same order.
     fn branches(&mut self, _state: &State) -> Vec<Branch> {
         Vec::new()
     }
 
-    /// The law that reads an angle, in the user's words.
+    /// The law that a branch is of, in the user's words.
     fn describe_branch(&self, index: usize) -> String {
         format!("angle {index}")
     }

@@ -9,7 +9,7 @@ use super::advise::{self, AdviseSettings};
 use super::chart::{self, ChartSettings};
 use super::command::{Command, Frequency};
 use super::help::{about, after_help};
-use super::parameters::{List, angular_velocity, assign, time};
+use super::parameters::{List, angular_velocity, assign, instant, time};
 use super::run::RunSettings;
 use super::sweep::SweepSettings;
 use crate::equilibrium::Spin;
@@ -173,7 +173,9 @@ fn sweep(matches: &ArgMatches) -> Result<SweepSettings, String> {
         };
         text(matches, name).map(read).transpose()
     };
-    let at = text(matches, "at").map(|text| time("--at", text, "2 s")).transpose()?;
+    let at = text(matches, "at")
+        .map(|text| instant("--at", text, "2 s"))
+        .transpose()?;
     let spin = text(matches, "spin").map(|text| angular_velocity("--spin", text, "4 rad/s"));
     let axis = text(matches, "axis");
     let spin = match (spin.transpose()?, axis) {

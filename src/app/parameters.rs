@@ -229,11 +229,23 @@ fn mismatch(symbols: &str, found: Dimension, declared: &str, dimension: Dimensio
 /// # Errors
 /// The flag and what would be right.
 pub(super) fn time(flag: &str, text: &str, example: &str) -> Result<f64, String> {
+    seconds(flag, text, example, |seconds| seconds > 0.0, "positive")
+}
+
+/// A time that may be zero, with its unit, for a flag.
+///
+/// # Errors
+/// The flag and what would be right.
+pub(super) fn instant(flag: &str, text: &str, example: &str) -> Result<f64, String> {
+    seconds(flag, text, example, |seconds| seconds >= 0.0, "zero or positive")
+}
+
+fn seconds(flag: &str, text: &str, example: &str, fits: fn(f64) -> bool, wanted: &str) -> Result<f64, String> {
     let seconds = quantity(text, "s", SECOND).and_then(|seconds| {
-        if seconds > 0.0 {
+        if fits(seconds) {
             Ok(seconds)
         } else {
-            Err("the time must be positive".into())
+            Err(format!("the time must be {wanted}"))
         }
     });
     seconds.map_err(|mistake| format!("`{flag} {}`: {mistake} (e.g. `{flag} \"{example}\"`)", quoted(text)))

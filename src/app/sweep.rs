@@ -4,7 +4,7 @@
 use super::history::Column;
 use super::parameters::digits;
 use super::run_error::RunError;
-use crate::equilibrium::{Continued, Kind, Spin, Uniform, continue_from, follow};
+use crate::equilibrium::{Continued, Kind, Spin, Uniform, continue_from, follow, goes_back, settle};
 use crate::error::SolveErrorKind;
 use crate::{AnyModel, Formulation, Joints, ParamKind, Scene, SolveError, State};
 
@@ -60,6 +60,10 @@ pub struct SweepProgress {
 const PARTS: u64 = 2048;
 /// Part of a step at which a gap is tried to be leapt over.
 const SHORT: u64 = 128;
+/// Why a step is shortened.
+const LEAPT: &str = "no equilibrium next to those before is found: the bodies may buckle or snap through there";
+/// Where the first step is cut.
+const CUTS: [f64; 2] = [0.5, 0.25];
 /// Most continuation steps that may be asked for.
 const MOST_STEPS: u32 = 1_000_000;
 
@@ -359,9 +363,56 @@ impl<'m> Line<'m> {
         if found.is_err() && guess.x != self.last.state.x {
             found = continued(scene.as_mut(), &at, &self.last.state);
         }
+        let leapt = match &found {
+            Ok(found) if self.kind == Kind::Static => self.leaps(scene.as_mut(), &at, share, found),
+            _ => false,
+        };
+        if (leapt || found.is_err()) && self.kind == Kind::Static && self.settings.range.is_none() && self.place == 0 {
+            found = match settle(scene.as_mut(), &at) {
+                Err(_) if leapt => return Err(LEAPT.into()),
+                Err(_) => found,
+                settled => settled,
+            };
+        } else if leapt {
+            return Err(LEAPT.into());
+        }
         let found = found.map_err(|error| reason(&error, self.settings.range.is_some()))?;
         self.keep(scene, at, share, found);
         Ok(())
+    }
+
+    /// Whether the first static step is far from straight where it is cut: what lies beyond a limit point may look near by chance.
+    fn leaps_within(&self, share: f64) -> bool {
+        let strays = |part: f64| {
+            let Ok((mut scene, at)) = placed(self.model, self.kind, &self.settings, part * share) else {
+                return false;
+            };
+            continued(scene.as_mut(), &at, &self.last.state).map_or(true, |found| found.strayed)
+        };
+        self.place == 0 && CUTS.into_iter().any(strays)
+    }
+
+    /// Whether a limit point may lie between the last static equilibrium and the one that was found. Shorter steps show it.
+    fn leaps(&mut self, scene: &mut dyn Scene, at: &Uniform, share: f64, found: &Continued) -> bool {
+        if self.increment > 1 && (found.strayed || self.leaps_within(share)) {
+            return true;
+        }
+        let is_doubtful = found.strayed || found.moved_far && self.place > 0;
+        is_doubtful && self.has_leapt(scene, at, found)
+    }
+
+    /// Whether the way back from an equilibrium does not end at the last one.
+    fn has_leapt(&mut self, scene: &mut dyn Scene, at: &Uniform, found: &Continued) -> bool {
+        let state = scene.carried(at, &found.state, true);
+        let Ok((mut scene, at)) = placed(self.model, self.kind, &self.settings, self.last.share) else {
+            return false;
+        };
+        let [from, to] = [&state, &self.last.state].map(|state| {
+            let mut state = state.clone();
+            state.t = at.t;
+            scene.carried(&at, &state, false)
+        });
+        goes_back(scene.as_mut(), &at, &from, &to) == Some(false)
     }
 
     fn keep(&mut self, mut scene: Box<dyn Scene>, at: Uniform, share: f64, found: Continued) {

@@ -11,6 +11,7 @@ mod free_frames;
 mod gravity;
 mod heavy_top;
 mod kinks;
+mod machines;
 mod mechanisms;
 mod modal;
 mod models;

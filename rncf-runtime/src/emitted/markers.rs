@@ -135,7 +135,7 @@ pub struct ForceSpec {
     pub markers: &'static [usize],
     /// Whether it has a potential ([`super::MarkerForces::marker_energy`]).
     pub conservative: bool,
-    /// Number of angles in it ([`super::Parts::marker_force_branches`]).
+    /// Number of angles and kinks in it ([`super::Parts::marker_force_branches`]).
     pub branches: usize,
 }
 

@@ -14,6 +14,9 @@ pub(super) const NO_WAY: f64 = 1.0 / 64.0;
 /// Increment of the loads at which Newton's iteration seldom leaps over a limit point.
 pub(super) const LOAD_STEP: f64 = 1.0 / 32.0;
 
+/// Where a first step is cut.
+const CUTS: [f64; 2] = [0.5, 0.25];
+
 /// Distance, relative to the sizes of the unknowns, at which a way back has come to where it began.
 pub(super) const RETURNED: f64 = 1e-6;
 
@@ -40,6 +43,10 @@ pub struct Continued {
     /// leave free: it changes where the bodies buckle or reach a limit point. Its parity alone (0 or 1) where
     /// there are more than some hundred unknowns, or where the stiffness is not symmetric.
     pub negative: Option<usize>,
+    /// Whether Newton's iteration ended far from where its first increment pointed, so that a limit point may lie between.
+    pub strayed: bool,
+    /// Whether the iteration moved the unknowns by a visible part of their sizes.
+    pub moved_far: bool,
 }
 
 impl Equilibrium {
@@ -121,11 +128,28 @@ pub(super) fn along(
         }
         match result {
             Ok(step) => {
+                let stands = at.kind == Kind::Steady && scale == 0.0 && angular_velocity(scene, at) == 0.0;
+                if stands && (step.strayed || newton.has_moved_far() && strays_within(scene, &mut newton, at, &last)) {
+                    // All loads at once may leap over a limit point.
+                    let loaded = Uniform::at_rest(at.t);
+                    return along(scene, &loaded, LOAD_STEP, patience, visit);
+                }
                 scale = target;
                 increment = (2.0 * increment).min(largest);
                 last.clone_from(&step.state);
                 visit(scene, &step);
                 found.path.push(step);
+            }
+            Err(_)
+                if increment == largest
+                    && scale == 0.0
+                    && at.kind == Kind::Static
+                    && rests_nowhere(scene, &mut newton, at)
+                    && let Some(step) = settled(scene, &mut newton, at) =>
+            {
+                visit(scene, &step);
+                found.path.push(step);
+                return Ok(found);
             }
             Err(failure) => {
                 increment = 0.5 * (target - scale);
@@ -150,10 +174,13 @@ pub(super) fn along(
 /// The equilibrium at the whole angular velocity that the start flows to: where next to rest nothing is stiff, as hinged
 /// blades, no way leads there.
 pub(super) fn settled(scene: &mut dyn Scene, newton: &mut Newton, at: &Uniform) -> Option<Continued> {
-    let speed = at.speed()
-        * at.spin
-            .map_or_else(|| scene.spin(at.t), |spin| crate::vector::norm(spin.velocity));
     let mut state = scene.uniform_guess(at);
+    let turning = angular_velocity(scene, at);
+    let speed = if turning > 0.0 {
+        turning
+    } else {
+        newton.pace(scene, at, &state)
+    };
     newton.flow(scene, at, &mut state, speed).ok()?;
     let (result, iterations) = newton.solve(scene, at, &mut state, Patience::Strict);
     result.ok()?;
@@ -162,7 +189,59 @@ pub(super) fn settled(scene: &mut dyn Scene, newton: &mut Newton, at: &Uniform) 
         state,
         iterations,
         negative: newton.count(at),
+        strayed: false,
+        moved_far: true,
     })
+}
+
+/// Whether an iteration from `last` to a part of the loads of `at` ends far from where it pointed to, or nowhere: what lies beyond a limit
+/// point may look near by chance.
+fn strays_within(scene: &mut dyn Scene, newton: &mut Newton, at: &Uniform, last: &State) -> bool {
+    CUTS.into_iter().any(|part| {
+        let mut state = last.clone();
+        let loads = Uniform::at_rest(at.t).scaled(part * at.scale);
+        let (result, _) = newton.solve(scene, &loads, &mut state, Patience::Strict);
+        result.is_err() || newton.has_strayed()
+    })
+}
+
+/// Angular velocity of a uniform motion, rad/s.
+fn angular_velocity(scene: &dyn Scene, at: &Uniform) -> f64 {
+    let full = at.spin.map(|spin| crate::vector::norm(spin.velocity));
+    at.speed() * full.unwrap_or_else(|| scene.spin(at.t))
+}
+
+/// Whether the start is no equilibrium without loads, nor near one: a rope that hangs on one end, or is slack.
+fn rests_nowhere(scene: &mut dyn Scene, newton: &mut Newton, at: &Uniform) -> bool {
+    let mut state = scene.uniform_guess(at);
+    newton
+        .solve(scene, &at.scaled(0.0), &mut state, Patience::Strict)
+        .0
+        .is_err()
+}
+
+/// The equilibrium at rest under the loads of `at` to which the start settles, if it is none without loads and none is near.
+///
+/// # Errors
+/// [`SolveErrorKind::NoEquilibrium`] if it is one, or settles nowhere.
+pub fn settle(scene: &mut dyn Scene, at: &Uniform) -> Result<Continued, SolveError> {
+    let guess = scene.uniform_guess(at);
+    check(scene, at, &guess)?;
+    let mut newton = Newton::new(scene);
+    let found = rests_nowhere(scene, &mut newton, at).then(|| settled(scene, &mut newton, at));
+    found.flatten().ok_or_else(|| {
+        let row = newton.farthest();
+        failed(scene, at, &Failure::Slow(row), at.scale)
+    })
+}
+
+/// Whether the equilibrium `from`, which stands where `at` says, goes back to `to`; `None` where nothing is found there.
+pub fn goes_back(scene: &mut dyn Scene, at: &Uniform, from: &State, to: &State) -> Option<bool> {
+    let mut back = from.clone();
+    back.t = at.t;
+    let (result, _) = Newton::new(scene).solve(scene, at, &mut back, Patience::Strict);
+    result.ok()?;
+    Some(distance(scene, &back, to) <= RETURNED)
 }
 
 /// The equilibrium at the second of two scales from that at the first one; also the iterations that led nowhere or
@@ -186,12 +265,19 @@ pub(super) fn attempt(
         state,
         iterations,
         negative: newton.count(at),
+        strayed: newton.has_strayed(),
+        moved_far: newton.has_moved_far(),
     };
-    if patience == Patience::Strict || !newton.has_wandered() {
+    let is_first = at.kind == Kind::Static && scale == 0.0 && newton.has_moved_far();
+    if patience == Patience::Strict || !(newton.has_wandered() || step.strayed || is_first) {
+        return (Ok(step), 0);
+    }
+    if !(newton.has_wandered() || step.strayed) && !strays_within(scene, newton, &at.scaled(target), last) {
         return (Ok(step), 0);
     }
     let leapt = Failure::Leapt(newton.farthest());
-    if newton.has_turned_back() {
+    let is_long = target - scale >= 2.0 * SMALLEST;
+    if newton.has_turned_back() || is_long && (step.strayed || is_first) {
         return (Err(leapt), iterations);
     }
     // The way back from another branch leads elsewhere.
@@ -245,6 +331,8 @@ pub fn continue_from(scene: &mut dyn Scene, at: &Uniform, guess: &State) -> Resu
             state,
             iterations,
             negative: newton.count(at),
+            strayed: newton.has_strayed(),
+            moved_far: newton.has_moved_far(),
         }),
         Err(failure) => Err(failed(scene, at, &failure, at.scale)),
     }

@@ -69,6 +69,8 @@ fn bracket(
                 state,
                 iterations,
                 negative,
+                strayed: newton.has_strayed(),
+                moved_far: newton.has_moved_far(),
             };
         } else {
             is_limit = result.is_err();

@@ -17,10 +17,12 @@ const STAGNANT: f64 = 0.25;
 const ASTRAY: f64 = 10.0;
 /// Largest entry of an increment that a patient iteration takes, relative to the size of its unknown.
 const STRIDE: f64 = 0.3;
-/// Steps of a flow; the first one and the smallest, times the angular velocity squared; increments at which it is Newton's turn.
+/// Steps of a flow; the first one, times the angular velocity squared; increments at which it is Newton's turn; the smallest step,
+/// likewise: what is compressed at the start lets go within such steps.
 const FLOWS: u32 = 400;
 const FLOW_START: f64 = 1e-2;
 const FLOWN: f64 = 1e-4;
+const FLOW_LEAST: f64 = 1e-10;
 /// Part of the acting forces that a phase condition may carry.
 const UNBALANCED: f64 = 1e-6;
 /// Most rows of a matrix whose eigenvalues are counted.
@@ -29,6 +31,9 @@ const LARGEST_COUNTED: usize = 400;
 const SKEW: f64 = 1e-9;
 /// Part of the stiffness times the sizes that forces are resolved to.
 const RESOLVED: f64 = 1e-11;
+/// Part of its first increment by which an iteration may miss it, if that is larger than this, relative to the sizes.
+const MISSED: f64 = 0.25;
+const FAR: f64 = 1e-3;
 
 /// Why no equilibrium was found; rows count unknowns first, then constraints.
 pub(super) enum Failure {
@@ -237,7 +242,7 @@ impl Newton {
                     }
                 }
                 step *= 0.25;
-                if step * speed * speed < FLOW_START * FLOW_START {
+                if step * speed * speed < FLOW_LEAST {
                     return Err(Failure::Slow(self.largest(&right)));
                 }
             }
@@ -450,9 +455,42 @@ impl Newton {
             < 0.0
     }
 
+    /// Whether the last iteration ended far from where its first increment pointed: limit points may lie between.
+    pub fn has_strayed(&self) -> bool {
+        let missed = self.moved.iter().zip(&self.first).map(|(moved, first)| moved - first);
+        let first = self.mean(self.first.iter().copied());
+        first > FAR && self.mean(missed) > MISSED * first
+    }
+
+    /// Whether the last iteration moved the unknowns by a visible part of their sizes.
+    pub fn has_moved_far(&self) -> bool {
+        self.mean(self.moved.iter().copied()) > FAR
+    }
+
+    /// Angular velocity, rad/s, at whose inertia forces what acts on the state would be: the pace of a flow where nothing turns.
+    pub fn pace(&mut self, scene: &mut dyn Scene, at: &Uniform, state: &State) -> f64 {
+        let mut state = state.clone();
+        state.rebase(scene.turns());
+        self.hold(scene, at, &state);
+        self.linearize(scene, at, &mut state);
+        let forces = self.increments.iter().zip(&self.inverse_sizes);
+        let acting: f64 = forces.map(|(force, inverse)| (force / inverse).abs()).sum();
+        let diagonal = self.columns.iter().zip(&self.tangent.mass);
+        let inert: f64 = diagonal
+            .filter(|((row, column), _)| row == column)
+            .map(|(&(row, _), mass)| mass / self.inverse_sizes[row].powi(2))
+            .sum();
+        (acting / inert).sqrt()
+    }
+
     /// Root mean square of the increments of `x`, relative to the sizes of the unknowns.
     fn size(&self) -> f64 {
-        let parts = self.increments.iter().zip(&self.inverse_sizes);
+        self.mean(self.increments.iter().copied())
+    }
+
+    /// Root mean square of changes of `x`, relative to the sizes of the unknowns.
+    fn mean(&self, changes: impl Iterator<Item = f64>) -> f64 {
+        let parts = changes.zip(&self.inverse_sizes);
         let sum: f64 = parts.map(|(change, factor)| (change * factor).powi(2)).sum();
         (sum / self.inverse_sizes.len().max(1) as f64).sqrt()
     }

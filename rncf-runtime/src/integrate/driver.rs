@@ -10,7 +10,7 @@ use super::renewal::Renewal;
 use super::scheme::{Cause, Outcome, Scheme};
 use super::segments::Segments;
 use super::start::{self, describe};
-use super::switches::Switches;
+use super::switches::{Switches, first_that};
 use super::watch::{Trouble, Watch};
 use super::{Method, Options, Statistics, StepSize, Stop, diagnose, newton, noise};
 use crate::error::{SolveError, SolveErrorKind};
@@ -120,6 +120,8 @@ impl Driver {
         if self.segments.is_at_end(t) {
             return Ok(Stop::End);
         }
+        let has_kinks = branches.iter().any(|branch| matches!(branch, Branch::Kink(_)));
+        let before = has_kinks.then(|| self.state().clone());
         let fixed = matches!(self.options.step, StepSize::Fixed(_));
         loop {
             let limited = self.wanted.min(self.options.max_step);
@@ -129,6 +131,14 @@ impl Driver {
             }
             match self.scheme.attempt(system, h, &mut self.statistics) {
                 Outcome::Accepted { next } => {
+                    if let Some(before) = &before
+                        && self.ends_at_passed_kink(system, &branches, before)
+                    {
+                        self.statistics.rejected_steps += 1;
+                        self.statistics.rejected_by_error += 1;
+                        self.begin(system, before.clone())?;
+                        continue;
+                    }
                     // A step cut short by a kink or the end says little about the next one.
                     self.wanted = if next >= h { next.max(limited) } else { next };
                     let stop = self.accepted(system, t, h);
@@ -248,6 +258,32 @@ impl Driver {
             from = kink.next_up();
         }
         false
+    }
+
+    /// Ends the present segment where the step just taken first passed a kink of a law; false if it passed none, or if something rattles.
+    fn ends_at_passed_kink(&mut self, system: &mut dyn System, branches: &[Branch], before: &State) -> bool {
+        let passed = |system: &mut dyn System, state: &State| {
+            let now = system.branches(state);
+            now.iter()
+                .zip(branches)
+                .position(|(now, before)| now.is_kink_passed_from(before))
+        };
+        let mut state = self.state().clone();
+        let Some(first) = passed(system, &state) else {
+            return false;
+        };
+        let (from, to) = (before.t, state.t);
+        if self.segments.rattles(self.statistics.steps) {
+            self.statistics.note_rattling(from, &system.describe_branch(first));
+            return false;
+        }
+        let scheme = &self.scheme;
+        let kink = first_that(from, to, |t| {
+            scheme.interpolate(t, &mut state);
+            passed(system, &state).is_some()
+        });
+        // At the end of a step the formulas of the method are better than what lies between.
+        kink < to && !self.segments.is_near(from, kink) && self.segments.meet(kink)
     }
 
     /// Counts an accepted step from `t` and says where it ended.

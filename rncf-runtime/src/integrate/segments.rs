@@ -7,6 +7,9 @@ use crate::archive::{Archive, Keep};
 const ONE_KINK: f64 = 1e-11;
 /// Smallest step as a part of the span.
 const SMALLEST: f64 = 1e-12;
+/// Kinks of laws that steps end at in any case; beyond, one in so many steps.
+const FIRST_KINKS: u64 = 64;
+const STEPS_A_KINK: u64 = 4;
 /// An adaptive last step may be this much longer than proposed.
 const STRETCH: f64 = 1.1;
 /// A fixed step may differ by this part to end where it should: round-off of the summed time.
@@ -21,6 +24,8 @@ pub(super) struct Segments {
     kinks: Vec<(f64, f64)>,
     /// Kinks that are passed.
     passed: usize,
+    /// Kinks of laws that were found in steps.
+    met: u64,
     end: f64,
 }
 
@@ -31,12 +36,14 @@ impl Keep for Segments {
             span,
             kinks,
             passed,
+            met,
             end,
         } = self;
         start.keep(archive);
         span.keep(archive);
         kinks.keep(archive);
         passed.keep(archive);
+        met.keep(archive);
         end.keep(archive);
         if *passed > kinks.len() {
             archive.misfit();
@@ -61,6 +68,7 @@ impl Segments {
             span,
             kinks: Vec::new(),
             passed: 0,
+            met: 0,
             end,
         };
         for kink in times {
@@ -88,6 +96,18 @@ impl Segments {
         }
         self.kinks.insert(self.passed, (kink, kink));
         true
+    }
+
+    /// [`Segments::insert`] of a kink of a law.
+    pub(super) fn meet(&mut self, kink: f64) -> bool {
+        let is_new = self.insert(kink);
+        self.met += u64::from(is_new);
+        is_new
+    }
+
+    /// Whether something rattles: there is a kink of a law every few of so many steps.
+    pub(super) fn rattles(&self, steps: u64) -> bool {
+        self.met > FIRST_KINKS && self.met * STEPS_A_KINK > steps
     }
 
     /// Whether two times (s) count as one kink.

@@ -105,6 +105,17 @@ impl Statistics {
         }
     }
 
+    /// Notes that steps pass the kink of a law without an end there, from a time on, s: once for each law.
+    pub(super) fn note_rattling(&mut self, t: f64, law: &str) {
+        let what = format!("{law} rattles");
+        if self.jumps.len() < MOST_JUMPS && !self.jumps.iter().any(|told| told.starts_with(&what)) {
+            self.jumps.push(format!(
+                "{what}: it passes a kink every few steps, from t = {t:.6} s on, so that these are left to the control of the error, and its \
+                 impulses may be wrong by more than the tolerance; compare with a smaller one, or make the law softer"
+            ));
+        }
+    }
+
     /// Accepted steps for each factorization: how often one is used again; `None` without any. Radau makes two at a time, a
     /// real and a complex one.
     pub fn steps_per_factorization(&self) -> Option<f64> {

@@ -3,7 +3,7 @@
 //!
 //! A step is looked through at even intervals. Where a gap changes its sign, or comes back from a turn that crosses
 //! zero, the first number behind the switch is found by bisection. A gap that depends on the state has no root that could
-//! be known before the step: such switches are left to the error control.
+//! be known before the step: such kinks are looked for in the step that passed them (`driver.rs`).
 
 /// Intervals in which a step is looked through.
 const INTERVALS: u32 = 32;
@@ -94,7 +94,7 @@ fn switch(from: (f64, [f64; 2]), to: (f64, [f64; 2]), at: &mut impl FnMut(f64) -
 }
 
 /// The least number in `(low, high]` that is found to have what `high` has and `low` has not, by bisection down to neighbours.
-fn first_that(mut low: f64, mut high: f64, mut has: impl FnMut(f64) -> bool) -> f64 {
+pub(super) fn first_that(mut low: f64, mut high: f64, mut has: impl FnMut(f64) -> bool) -> f64 {
     loop {
         let middle = low + 0.5 * (high - low);
         if middle <= low || middle >= high {

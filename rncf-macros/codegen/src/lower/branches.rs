@@ -1,19 +1,19 @@
 //! Where a law reads an angle by its sine and cosine: the angle is known up to whole turns, and jumps from pi to -pi.
-//! A law that is not periodic jumps with it; the runtime looks whether a step passes such a place.
+//! A law that is not periodic jumps with it; the runtime looks whether a step passes such a place. Kinks of a law, where `max`, `min` or `abs` of
+//! what moves changes over, are told in the same way; steps end there.
 
 use super::kernel::Kernel;
 use super::markers::Marked;
 use crate::model::{Expr, Function};
 use crate::symbolic::Id;
 
-/// Numbers that are written for each angle: sine, cosine, jump and size of the law.
+/// Numbers that are written for each angle: sine, cosine, jump and size of the law; for each kink what changes its sign there, 0, -1, 0.
 const NUMBERS: usize = 4;
 
 /// What such a function writes.
-pub const TITLE: &str =
-    "writes, for each angle in it, sine and cosine, by how much it jumps half a turn away, and its size.";
+pub const TITLE: &str = "writes, for each angle in it, sine and cosine, by how much it jumps half a turn away, and its size; for each kink what changes its sign, and 0, -1, 0.";
 
-/// Number of angles that a kernel writes about.
+/// Number of angles and kinks that a kernel writes about.
 pub fn count(kernel: Option<&Kernel>) -> usize {
     kernel.map_or(0, |kernel| kernel.outputs.len() / NUMBERS)
 }
@@ -33,7 +33,22 @@ fn collect(expr: &Expr, found: &mut Vec<Expr>) {
     expr.parts().into_iter().for_each(|part| collect(part, found));
 }
 
+/// Calls of what moves that have a kink, each once.
+fn kinks(components: &[Expr]) -> Vec<Expr> {
+    fn collect(expr: &Expr, found: &mut Vec<Expr>) {
+        let has_kink = matches!(expr, Expr::Call(Function::Max | Function::Min | Function::Abs, _));
+        if has_kink && crate::model::fold::has_state(expr) && !found.contains(expr) {
+            found.push(expr.clone());
+        }
+        expr.parts().into_iter().for_each(|part| collect(part, found));
+    }
+    let mut found = Vec::new();
+    components.iter().for_each(|component| collect(component, &mut found));
+    found
+}
+
 /// For each angle: its sine and cosine (times what they have in common), by how much the law jumps half a turn away, and its size there.
+/// For each kink: what changes its sign there, and three numbers that no angle has.
 pub fn outputs(marked: &mut Marked, components: &[Expr]) -> Vec<(String, Id)> {
     let mut outputs = Vec::new();
     for (number, angle) in angles(components).iter().enumerate() {
@@ -59,6 +74,22 @@ pub fn outputs(marked: &mut Marked, components: &[Expr]) -> Vec<(String, Id)> {
         let size = magnitudes(&[behind, before, left, right].concat());
         for (place, id) in [sine, cosine, jump, size].into_iter().enumerate() {
             outputs.push((format!("out[{}]", NUMBERS * number + place), id));
+        }
+    }
+    for kink in kinks(components) {
+        let Expr::Call(_, arguments) = &kink else { continue };
+        let sides: Vec<Id> = arguments.iter().map(|side| marked.time.expression(side)).collect();
+        let graph = &mut marked.time.graph;
+        let gap = match sides[..] {
+            [left, right] => graph.subtract(left, right),
+            _ => sides[0],
+        };
+        let begin = outputs.len();
+        for (place, id) in [gap, graph.number(0.0), graph.number(-1.0), graph.number(0.0)]
+            .into_iter()
+            .enumerate()
+        {
+            outputs.push((format!("out[{}]", begin + place), id));
         }
     }
     outputs

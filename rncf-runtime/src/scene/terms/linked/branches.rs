@@ -1,11 +1,11 @@
-//! Angles that forces and constraints read by their sines and cosines.
+//! Angles that forces and constraints read by their sines and cosines, and kinks of forces.
 
 use crate::scene::mesh_scene::MeshScene;
 use crate::scene::pieces::push::Law;
 use crate::system::{Branch, State};
 
 impl MeshScene {
-    /// Number of these angles.
+    /// Number of these angles and kinks.
     pub(crate) fn angles_read(&self) -> usize {
         let of_forces: usize = self.forces.iter().map(|push| push.branches).sum();
         let of_constraints: usize = self.constraints.iter().map(|linked| linked.spec.branches).sum();
@@ -35,16 +35,22 @@ impl MeshScene {
             self.parts.marker_constraint_branches(linked.index, state.t, &z, own);
             rest = others;
         }
-        let branch = |&[sine, cosine, jump, size]: &[f64; 4]| Branch {
-            sine,
-            cosine,
-            jump,
-            size,
+        let branch = |&[sine, cosine, jump, size]: &[f64; 4]| {
+            if jump < 0.0 {
+                Branch::Kink(sine)
+            } else {
+                Branch::Angle {
+                    sine,
+                    cosine,
+                    jump,
+                    size,
+                }
+            }
         };
         numbers.iter().map(branch).collect()
     }
 
-    /// The force or constraint that reads an angle.
+    /// The force or constraint of a branch.
     pub(in crate::scene) fn law_of_branch(&self, index: usize) -> String {
         let forces = self.forces.iter().map(|spec| (spec.branches, spec.name));
         let constraints = self
