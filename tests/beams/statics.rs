@@ -170,9 +170,10 @@ fn slender_beams_bend_far_in_few_steps() {
         println!("{} steps, {} iterations", found.path.len(), found.iterations());
         assert!(found.path.len() <= most, "{} steps", found.path.len());
     };
-    few(referenced(&planar).as_mut(), 0.25, 10);
-    few(referenced(&rolled).as_mut(), 0.125, 10);
-    few(referenced(&bend).as_mut(), 0.25, 6);
+    // The first steps are short: no limit point lies within.
+    few(referenced(&planar).as_mut(), 0.25, 12);
+    few(referenced(&rolled).as_mut(), 0.125, 14);
+    few(referenced(&bend).as_mut(), 0.25, 10);
 }
 
 #[test]

@@ -277,7 +277,7 @@ pub(super) fn attempt(
     }
     let leapt = Failure::Leapt(newton.farthest());
     let is_long = target - scale >= 2.0 * SMALLEST;
-    if newton.has_turned_back() || is_long && (step.strayed || is_first) {
+    if newton.has_turned_back() || is_long && is_first {
         return (Err(leapt), iterations);
     }
     // The way back from another branch leads elsewhere.
