@@ -269,10 +269,12 @@ pub(super) fn attempt(
         moved_far: newton.has_moved_far(),
     };
     let is_first = at.kind == Kind::Static && scale == 0.0 && newton.has_moved_far();
-    if patience == Patience::Strict || !(newton.has_wandered() || step.strayed || is_first) {
+    if patience == Patience::Strict {
         return (Ok(step), 0);
     }
-    if !(newton.has_wandered() || step.strayed) && !strays_within(scene, newton, &at.scaled(target), last) {
+    let is_doubtful =
+        newton.has_wandered() || step.strayed || is_first && strays_within(scene, newton, &at.scaled(target), last);
+    if !is_doubtful {
         return (Ok(step), 0);
     }
     let leapt = Failure::Leapt(newton.farthest());

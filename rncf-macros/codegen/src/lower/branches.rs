@@ -4,7 +4,7 @@
 
 use super::kernel::Kernel;
 use super::markers::Marked;
-use crate::model::{Expr, Function};
+use crate::model::{Binary, Expr, Function};
 use crate::symbolic::Id;
 
 /// Numbers that are written for each angle: sine, cosine, jump and size of the law; for each kink what changes its sign there, 0, -1, 0.
@@ -33,9 +33,24 @@ fn collect(expr: &Expr, found: &mut Vec<Expr>) {
     expr.parts().into_iter().for_each(|part| collect(part, found));
 }
 
-/// Calls of what moves that have a kink, each once.
+/// Calls of what moves that have a kink, each once. `v * abs(v)`, the drag of a fluid, has none: where `abs` turns, it is multiplied by zero.
 fn kinks(components: &[Expr]) -> Vec<Expr> {
     fn collect(expr: &Expr, found: &mut Vec<Expr>) {
+        let mut factors = Vec::new();
+        factors_of(expr, &mut factors);
+        if factors.len() > 1 {
+            for factor in &factors {
+                match factor {
+                    Expr::Call(Function::Abs, of)
+                        if factors.iter().any(|other| is_same_but_for_sign(other, &of[0])) =>
+                    {
+                        collect(&of[0], found)
+                    }
+                    _ => collect(factor, found),
+                }
+            }
+            return;
+        }
         let has_kink = matches!(expr, Expr::Call(Function::Max | Function::Min | Function::Abs, _));
         if has_kink && crate::model::fold::has_state(expr) && !found.contains(expr) {
             found.push(expr.clone());
@@ -45,6 +60,29 @@ fn kinks(components: &[Expr]) -> Vec<Expr> {
     let mut found = Vec::new();
     components.iter().for_each(|component| collect(component, &mut found));
     found
+}
+
+/// What an expression is a product of, signs left out.
+fn factors_of<'e>(expr: &'e Expr, factors: &mut Vec<&'e Expr>) {
+    match expr {
+        Expr::Negate(inner) => factors_of(inner, factors),
+        Expr::Binary(Binary::Multiply, left, right) => {
+            factors_of(left, factors);
+            factors_of(right, factors);
+        }
+        expr => factors.push(expr),
+    }
+}
+
+/// Whether `expr` is `of`, but for its sign.
+fn is_same_but_for_sign(expr: &Expr, of: &Expr) -> bool {
+    let unsigned = |mut expr: &Expr| {
+        while let Expr::Negate(inner) = expr {
+            expr = inner;
+        }
+        expr.clone()
+    };
+    unsigned(expr) == unsigned(of)
 }
 
 /// For each angle: its sine and cosine (times what they have in common), by how much the law jumps half a turn away, and its size there.
@@ -102,4 +140,39 @@ fn with(expr: &Expr, angle: &Expr, value: f64) -> Expr {
     }
     let rebuilt = expr.with_parts(&mut |part| Some(with(part, angle, value)));
     rebuilt.unwrap_or_else(|| expr.clone())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{MarkerId, Observable};
+
+    fn speed() -> Expr {
+        Expr::Observed(Observable::Marker {
+            marker: MarkerId(0),
+            derivative: 1,
+            component: 0,
+        })
+    }
+
+    fn abs(of: Expr) -> Expr {
+        Expr::Call(Function::Abs, vec![of])
+    }
+
+    fn times(a: Expr, b: Expr) -> Expr {
+        Expr::Binary(Binary::Multiply, Box::new(a), Box::new(b))
+    }
+
+    #[test]
+    fn drag_has_no_kink_and_a_stop_has_one() {
+        let drag = times(times(Expr::Number(-3.0), abs(speed())), speed());
+        assert_eq!(kinks(std::slice::from_ref(&drag)), []);
+        assert_eq!(kinks(&[times(speed(), abs(Expr::Negate(Box::new(speed()))))]), []);
+        let stop = Expr::Call(Function::Max, vec![speed(), Expr::Number(0.0)]);
+        assert_eq!(kinks(&[times(Expr::Number(2.0), stop.clone()), drag]), [stop]);
+        // A kink that nothing takes away, and one inside of what is multiplied.
+        assert_eq!(kinks(&[times(Expr::Number(2.0), abs(speed()))]), [abs(speed())]);
+        let inner = Expr::Binary(Binary::Add, Box::new(abs(speed())), Box::new(Expr::Number(-2.0)));
+        assert_eq!(kinks(&[times(abs(inner.clone()), inner)]), [abs(speed())]);
+    }
 }
