@@ -37,7 +37,6 @@ fn with(method: Method, options: Options, t_end: f64) -> RunSettings {
 }
 
 fn scenes() -> Vec<Counted> {
-    let counted = |name, model: Box<dyn AnyModel>, settings| Counted { name, model, settings };
     let tolerance = |rtol| Options {
         rtol,
         ..Options::default()
@@ -69,19 +68,27 @@ fn scenes() -> Vec<Counted> {
     };
     let (hht, alpha) = (Method::Hht { alpha: -0.3 }, Method::GeneralizedAlpha { rho_inf: 0.8 });
     vec![
-        counted("spin_up", Box::new(beam(16)), until(4.0)),
-        counted("spin_up_hht", Box::new(beam(16)), with(hht, tolerance(1e-6), 2.0)),
-        counted("spin_up_ancf", Box::new(beam(8)), ancf),
-        counted("spin_up_spatial", Box::new(blade), until(3.0)),
-        counted("free_flight", Box::new(FreeFlight::default()), until(0.2)),
-        counted("free_flight_energy", Box::new(FreeFlight::default()), conserving),
-        counted("slider_crank", Box::new(SliderCrank::default()), until(0.5)),
-        counted("heavy_top", Box::new(HeavyTop::default()), until(0.2)),
-        counted("andrews_squeezer", Box::new(AndrewsSqueezer::default()), until(0.005)),
-        counted("pinned_pipe", Box::new(PinnedPipe::default()), until(0.05)),
-        counted("blade", Box::new(Nrel5mwBlade::default()), until(0.1)),
-        counted("esail", Box::new(sail), with(alpha, fixed(1.0), 10.0)),
+        counted("spin_up", beam(16), until(4.0)),
+        counted("spin_up_hht", beam(16), with(hht, tolerance(1e-6), 2.0)),
+        counted("spin_up_ancf", beam(8), ancf),
+        counted("spin_up_spatial", blade, until(3.0)),
+        counted("free_flight", FreeFlight::default(), until(0.2)),
+        counted("free_flight_energy", FreeFlight::default(), conserving),
+        counted("slider_crank", SliderCrank::default(), until(0.5)),
+        counted("heavy_top", HeavyTop::default(), until(0.2)),
+        counted("andrews_squeezer", AndrewsSqueezer::default(), until(0.005)),
+        counted("pinned_pipe", PinnedPipe::default(), until(0.05)),
+        counted("blade", Nrel5mwBlade::default(), until(0.1)),
+        counted("esail", sail, with(alpha, fixed(1.0), 10.0)),
     ]
+}
+
+fn counted(name: &'static str, model: impl AnyModel + 'static, settings: RunSettings) -> Counted {
+    Counted {
+        name,
+        model: Box::new(model),
+        settings,
+    }
 }
 
 fn main() -> ExitCode {
