@@ -20,7 +20,7 @@ use super::pattern::Pattern;
 use super::scalar::Scalar;
 
 /// Largest residual of an inverse on the trial vector, relative to it.
-const TRUE_INVERSE: f64 = 1e-6;
+const TRUE_INVERSE: f64 = 1e-10;
 /// Growth of the rows of a diagonal block beyond which cancellation is to be feared.
 const LARGEST_GROWTH: f64 = 1e3;
 
