@@ -4,7 +4,7 @@
 use super::history::Column;
 use super::parameters::digits;
 use super::run_error::RunError;
-use crate::equilibrium::{Continued, Kind, Spin, Uniform, continue_from, follow, goes_back, settle};
+use crate::equilibrium::{CUTS, Continued, Kind, Spin, Uniform, continue_from, follow, goes_back, settle};
 use crate::error::SolveErrorKind;
 use crate::{AnyModel, Formulation, Joints, ParamKind, Scene, SolveError, State};
 
@@ -62,8 +62,6 @@ const PARTS: u64 = 2048;
 const SHORT: u64 = 128;
 /// Why a step is shortened.
 const LEAPT: &str = "no equilibrium next to those before is found: the bodies may buckle or snap through there";
-/// Where the first step is cut.
-const CUTS: [f64; 2] = [0.5, 0.25];
 /// Most continuation steps that may be asked for.
 const MOST_STEPS: u32 = 1_000_000;
 

@@ -14,8 +14,8 @@ pub(super) const NO_WAY: f64 = 1.0 / 64.0;
 /// Increment of the loads at which Newton's iteration seldom leaps over a limit point.
 pub(super) const LOAD_STEP: f64 = 1.0 / 32.0;
 
-/// Where a first step is cut.
-const CUTS: [f64; 2] = [0.5, 0.25];
+/// Parts of a first step at which it is looked at, too.
+pub const CUTS: [f64; 2] = [0.5, 0.25];
 
 /// Distance, relative to the sizes of the unknowns, at which a way back has come to where it began.
 pub(super) const RETURNED: f64 = 1e-6;

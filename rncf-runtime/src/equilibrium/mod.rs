@@ -7,7 +7,7 @@ mod critical;
 mod newton;
 
 pub use crate::model::{Kind, Spin, Uniform};
-pub use continuation::{Continued, Equilibrium, continue_from, follow, goes_back, settle, static_load, steady};
+pub use continuation::{CUTS, Continued, Equilibrium, continue_from, follow, goes_back, settle, static_load, steady};
 pub use critical::{Critical, critical_factor};
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! The links of a chain: groups of unknowns in an order in which each is coupled with its neighbours alone.
 
 use super::block_order::{adjacency, equal_unknowns};
+use super::order::components;
 use super::pattern::Pattern;
 
 /// Places for each unknown, at most: links that are filled up cost as much as full ones.
@@ -63,21 +64,8 @@ impl Links {
 
 /// Levels of all components of a graph, from an end of each: a node's neighbours are in its level and the two beside it.
 fn levels(neighbours: &[Vec<usize>]) -> Vec<Vec<usize>> {
-    let mut all = Vec::new();
-    let mut seen = vec![false; neighbours.len()];
-    for seed in 0..neighbours.len() {
-        if seen[seed] {
-            continue;
-        }
-        // An end of the component: the last one reached from anywhere, twice.
-        let mut start = seed;
-        for _ in 0..2 {
-            let from_here = breadth_first(neighbours, start, &mut seen.clone());
-            start = from_here.last().map_or(start, |level| level[0]);
-        }
-        all.extend(breadth_first(neighbours, start, &mut seen));
-    }
-    all
+    let walk = |start, seen: &mut [bool]| breadth_first(neighbours, start, seen);
+    components(neighbours.len(), walk, |levels| levels[levels.len() - 1][0]).concat()
 }
 
 /// The component of a node, level by level.

@@ -6,21 +6,32 @@ use super::pattern::Pattern;
 /// `order[new] = old`.
 pub(super) fn reverse_cuthill_mckee(pattern: &Pattern) -> Vec<usize> {
     let neighbours = neighbours(pattern);
-    let mut order = Vec::with_capacity(neighbours.len());
-    let mut seen = vec![false; neighbours.len()];
-    for seed in 0..neighbours.len() {
+    let walk = |start, seen: &mut [bool]| breadth_first(&neighbours, start, seen);
+    let mut order = components(neighbours.len(), walk, |order| order[order.len() - 1]).concat();
+    order.reverse();
+    order
+}
+
+/// The components of a graph, each walked from an end: the last node reached from anywhere, twice. `walk` goes through the component of
+/// a node, all of which it marks as seen; `last` is the node that it came to in the end.
+pub(super) fn components<W>(
+    nodes: usize,
+    walk: impl Fn(usize, &mut [bool]) -> W,
+    last: impl Fn(&W) -> usize,
+) -> Vec<W> {
+    let mut walks = Vec::new();
+    let mut seen = vec![false; nodes];
+    for seed in 0..nodes {
         if seen[seed] {
             continue;
         }
-        // An end of the component: the last one reached from anywhere, twice.
         let mut start = seed;
         for _ in 0..2 {
-            start = breadth_first(&neighbours, start, &mut seen.clone(), &mut Vec::new());
+            start = last(&walk(start, &mut seen.clone()));
         }
-        breadth_first(&neighbours, start, &mut seen, &mut order);
+        walks.push(walk(start, &mut seen));
     }
-    order.reverse();
-    order
+    walks
 }
 
 /// Largest distance of an entry from the diagonal in the given order.
@@ -52,10 +63,10 @@ fn neighbours(pattern: &Pattern) -> Vec<Vec<usize>> {
     neighbours
 }
 
-/// Appends the component of `start` level by level, few neighbours first; returns the last one.
-fn breadth_first(neighbours: &[Vec<usize>], start: usize, seen: &mut [bool], order: &mut Vec<usize>) -> usize {
-    let mut head = order.len();
-    order.push(start);
+/// The component of `start` level by level, few neighbours first.
+fn breadth_first(neighbours: &[Vec<usize>], start: usize, seen: &mut [bool]) -> Vec<usize> {
+    let mut order = vec![start];
+    let mut head = 0;
     seen[start] = true;
     while head < order.len() {
         let from = order.len();
@@ -68,5 +79,5 @@ fn breadth_first(neighbours: &[Vec<usize>], start: usize, seen: &mut [bool], ord
         order[from..].sort_by_key(|&index| (neighbours[index].len(), index));
         head += 1;
     }
-    order[order.len() - 1]
+    order
 }
