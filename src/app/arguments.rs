@@ -9,9 +9,11 @@ use super::advise::{self, AdviseSettings};
 use super::chart::{self, ChartSettings};
 use super::command::{Command, Frequency};
 use super::help::{about, after_help};
-use super::parameters::{List, angular_velocity, assign, instant, time};
+use super::parameters::{List, Values, Varied, angular_velocity, assign, instant, time};
+use super::plan::{self, PlanSettings};
 use super::run::RunSettings;
-use super::sweep::SweepSettings;
+use super::scenario::{self, Scenario};
+use super::sweep::{Range, SweepSettings};
 use crate::equilibrium::Spin;
 use crate::model::Fidelity;
 use crate::{AnyModel, Formulation, Joints, Method, Options, Start, StepSize};
@@ -24,10 +26,15 @@ pub(super) struct Arguments {
     pub sweep: SweepSettings,
     pub chart: ChartSettings,
     pub advise: AdviseSettings,
+    pub plan: PlanSettings,
     /// Parameters of which several values are tried.
     pub lists: Vec<List>,
     pub frequency: Frequency,
     pub out: PathBuf,
+    /// What the line, and a scenario file below it, say.
+    pub scenario: Scenario,
+    /// Where that is kept.
+    pub saved: Option<PathBuf>,
     /// The words behind the program's name that make the result from its beginning, quoted where a shell needs it.
     pub line: String,
     pub quiet: bool,
@@ -77,19 +84,91 @@ pub(super) fn parse(
     words: impl IntoIterator<Item = OsString>,
 ) -> Result<Arguments, Refusal> {
     let words: Vec<OsString> = words.into_iter().collect();
-    let anew = words.iter().filter(|word| *word != "--resume");
-    let told = anew.map(|word| quoted(&word.to_string_lossy()));
-    let told = told.collect::<Vec<_>>().join(" ");
-    let line = std::iter::once(program.name.into()).chain(words);
-    let matches = command_line(model, program)
-        .try_get_matches_from(line)
+    let line = command_line(model, program);
+    let matches = matched(&line, program, words.clone())?;
+    let given = Scenario::of_line(&line, &matches);
+    let mistaken = Refusal::Mistake;
+    if let Some(command @ (Command::Task | Command::Collect)) = given.command {
+        return planned(model, program, command, &matches).map_err(mistaken);
+    }
+    let Some(path) = matches.get_one::<PathBuf>("scenario") else {
+        let anew = words.iter().filter(|word| *word != "--resume");
+        let told = anew.map(|word| quoted(&word.to_string_lossy())).collect::<Vec<_>>();
+        return read(model, program, (told.join(" "), given), &matches).map_err(mistaken);
+    };
+    let merged = scenario::read(path, model, &line).map_err(mistaken)?.under(given);
+    // Words that are no params are left for the reader, which says what is wrong with them.
+    let strays = matches.get_many::<String>("words").into_iter().flatten();
+    let strays = strays.filter(|word| !word.contains('=') && Command::named(word).is_none());
+    let inner: Vec<OsString> = merged
+        .words()
+        .into_iter()
+        .chain(strays.cloned())
+        .map(OsString::from)
+        .collect();
+    let told = inner
+        .iter()
+        .map(|word| quoted(&word.to_string_lossy()))
+        .collect::<Vec<_>>();
+    let within = matched(&line, program, inner.clone())?;
+    let mut arguments = read(model, program, (told.join(" "), merged), &within).map_err(mistaken)?;
+    outer(&mut arguments, program, &matches);
+    Ok(arguments)
+}
+
+fn matched(line: &clap::Command, program: &Program<'_>, words: Vec<OsString>) -> Result<ArgMatches, Refusal> {
+    let words = std::iter::once(program.name.into()).chain(words);
+    line.clone()
+        .try_get_matches_from(words)
         .map_err(|error| match error.kind() {
             clap::error::ErrorKind::DisplayHelp | clap::error::ErrorKind::DisplayVersion => {
                 Refusal::Help(error.to_string())
             }
             _ => Refusal::Mistake(error.to_string().trim_start_matches("error: ").trim_end().into()),
-        })?;
-    read(model, program, told, &matches).map_err(Refusal::Mistake)
+        })
+}
+
+/// `task` or `collect`: everything but the place of the files stands in the plan.
+fn planned(
+    model: &dyn AnyModel,
+    program: &Program<'_>,
+    command: Command,
+    matches: &ArgMatches,
+) -> Result<Arguments, String> {
+    refuse(command, command, matches)?;
+    let name = command.name();
+    if let Some(word) = matches.get_many::<String>("words").into_iter().flatten().nth(1) {
+        return Err(format!("`{word}`: `{name}` takes no params, they stand in the plan"));
+    }
+    let Some(path) = text(matches, "plan") else {
+        return Err(format!(
+            "`{name}` needs the plan: `--plan plan.toml`, which `plan` and `sweep` write"
+        ));
+    };
+    let line = command_line(model, program);
+    let scenario = scenario::read(path.as_ref(), model, &line)?;
+    if scenario.command != Some(Command::Sweep) {
+        return Err(format!("{path}: this is no plan; write `command = \"sweep\"`"));
+    }
+    let words: Vec<OsString> = scenario.words().into_iter().map(OsString::from).collect();
+    let told = format!("{name} --plan {}", quoted(path));
+    let inner = matched(&line, program, words).map_err(|refusal| match refusal {
+        Refusal::Help(text) | Refusal::Mistake(text) => format!("{path}: {text}"),
+    })?;
+    let mut arguments = read(model, program, (told, scenario), &inner)?;
+    outer(&mut arguments, program, matches);
+    arguments.command = command;
+    arguments.plan.index = plan::settings(model, matches, Vec::new(), program.default)?.index;
+    Ok(arguments)
+}
+
+/// Where things go, from the line itself.
+fn outer(arguments: &mut Arguments, program: &Program<'_>, matches: &ArgMatches) {
+    let out = matches.get_one::<PathBuf>("out").cloned();
+    arguments.out = out.unwrap_or_else(|| program.out.clone());
+    arguments.saved = matches.get_one::<PathBuf>("save-scenario").cloned();
+    arguments.quiet = matches.get_flag("quiet");
+    arguments.resume = matches.get_flag("resume");
 }
 
 /// A word as a shell reads it back.
@@ -101,60 +180,100 @@ fn quoted(word: &str) -> String {
     format!("'{}'", word.replace('\'', "'\\''"))
 }
 
-fn read(model: &dyn AnyModel, program: &Program<'_>, line: String, matches: &ArgMatches) -> Result<Arguments, String> {
+/// The arguments of matched words; `told` is the line in one text, and what it says.
+fn read(
+    model: &dyn AnyModel,
+    program: &Program<'_>,
+    (line, scenario): (String, Scenario),
+    matches: &ArgMatches,
+) -> Result<Arguments, String> {
     let mut words: Vec<String> = matches.get_many("words").into_iter().flatten().cloned().collect();
     let command = words.first().and_then(|word| Command::named(word));
     if command.is_some() {
         words.remove(0);
     }
     let mut model = model.boxed();
-    let assigned = assign(model.as_mut(), &words)?;
+    let varied = assign(model.as_mut(), &words)?;
     let command = command.unwrap_or(program.default);
-    refuse(command, matches)?;
-    if let (true, Some(range)) = (command.runs(), assigned.range) {
-        let (name, command) = (model.params()[range.param].name, command.name());
-        return Err(format!(
-            "`{name}` is given as a range, which `{command}` does not take: give one value, or use steady, campbell or static"
-        ));
-    }
-    if let (false, [list, ..]) = (command.takes_lists(), &assigned.lists[..]) {
-        let (name, command) = (model.params()[list.param].name, command.name());
-        return Err(format!(
-            "`{name}` is given as a list, which `{command}` does not take: give one value, or use chart or advise"
-        ));
-    }
-    let out = matches.get_one::<PathBuf>("out").cloned();
-    Ok(Arguments {
+    let plan = plan::settings(model.as_ref(), matches, varied.clone(), program.default)?;
+    refuse(command, if command.sweeps() { plan.of } else { command }, matches)?;
+    let (range, lists) = if command.sweeps() {
+        (None, Vec::new())
+    } else {
+        several(command, model.as_ref(), varied)?
+    };
+    let mut arguments = Arguments {
         command,
         settings: settings(matches)?,
         sweep: SweepSettings {
-            range: assigned.range,
+            range,
             ..sweep(matches)?
         },
         chart: chart::settings(model.as_ref(), matches)?,
         advise: advise::settings(model.as_ref(), matches)?,
+        plan,
         model,
-        lists: assigned.lists,
+        lists,
         frequency: text(matches, "frequency").map_or_else(Frequency::default, Frequency::named),
-        out: out.unwrap_or_else(|| program.out.clone()),
+        out: PathBuf::new(),
+        scenario,
+        saved: None,
         line,
-        quiet: matches.get_flag("quiet"),
-        resume: matches.get_flag("resume"),
+        quiet: false,
+        resume: false,
         animate: matches.get_flag("animate"),
         vtu: matches.get_flag("vtu"),
-    })
+    };
+    outer(&mut arguments, program, matches);
+    Ok(arguments)
+}
+
+/// The range that is continued, and the lists that are tried.
+fn several(command: Command, model: &dyn AnyModel, varied: Vec<Varied>) -> Result<(Option<Range>, Vec<List>), String> {
+    let (mut continued, mut lists): (Option<Range>, Vec<List>) = (None, Vec::new());
+    for Varied { param, values } in varied {
+        let (name, word) = (model.params()[param].name, command.name());
+        match values {
+            Values::Normal(..) | Values::Range(_, _, Some(_)) => {
+                return Err(format!(
+                    "`{name}` is given many values, which `{word}` does not take: use sweep"
+                ));
+            }
+            Values::List(_) if !command.takes_lists() => {
+                return Err(format!(
+                    "`{name}` is given as a list, which `{word}` does not take: give one value, or use sweep, chart or advise"
+                ));
+            }
+            Values::List(values) => lists.push(List { param, values }),
+            Values::Range(..) if !command.continues() => {
+                return Err(format!(
+                    "`{name}` is given as a range, which `{word}` does not take: give one value, or use steady, campbell, static or sweep"
+                ));
+            }
+            Values::Range(from, to, None) => {
+                let range = Range { param, from, to };
+                if let Some(first) = continued.replace(range) {
+                    let first = model.params()[first.param].name;
+                    return Err(format!(
+                        "`{first}` and `{name}` are both given as ranges: one parameter is continued at a time"
+                    ));
+                }
+            }
+        }
+    }
+    Ok((continued, lists))
 }
 
 /// Refuses flags that mean nothing for the command.
-fn refuse(command: Command, matches: &ArgMatches) -> Result<(), String> {
+fn refuse(command: Command, of: Command, matches: &ArgMatches) -> Result<(), String> {
     for id in matches.ids() {
         let flag = id.as_str();
         let is_given = matches.value_source(flag) == Some(clap::parser::ValueSource::CommandLine);
-        if let (true, Some(refusal)) = (is_given, command.refusal(flag)) {
+        if let (true, Some(refusal)) = (is_given, command.refusal(of, flag)) {
             return Err(refusal);
         }
     }
-    if !command.runs() && text(matches, "formulation") == Some("ancf") {
+    if !of.runs() && text(matches, "formulation") == Some("ancf") {
         return Err(
             "`--formulation ancf` belongs to `run`: an equilibrium is one of referenced coordinates, with the same result"
                 .into(),
@@ -446,6 +565,24 @@ fn command_line(model: &dyn AnyModel, program: &Program<'_>) -> clap::Command {
                 .value_parser(clap::value_parser!(PathBuf))
                 .allow_hyphen_values(false),
         )
+        .arg(
+            value(
+                "scenario",
+                "FILE",
+                "Params and settings from a file of TOML; what stands on the line comes before it",
+            )
+            .value_parser(clap::value_parser!(PathBuf))
+            .allow_hyphen_values(false),
+        )
+        .arg(
+            value(
+                "save-scenario",
+                "FILE",
+                "Keep the params and settings of this line in such a file",
+            )
+            .value_parser(clap::value_parser!(PathBuf))
+            .allow_hyphen_values(false),
+        )
         .arg(flag(
             "resume",
             "Go on with the run in the folder that was ended before its time, with the same result",
@@ -457,6 +594,7 @@ fn command_line(model: &dyn AnyModel, program: &Program<'_>) -> clap::Command {
         .arg(flag("vtu", "Write paraview.pvd: the bodies over time, for ParaView"))
         .args(chart::flags())
         .args(advise::flags())
+        .args(plan::flags())
         .arg(flag("quiet", "No progress and no summary"))
 }
 
@@ -597,7 +735,7 @@ mod tests {
             ),
             (
                 &["omega=1..2 rad/s"],
-                "`omega` is given as a range, which `run` does not take: give one value, or use steady, campbell or static",
+                "`omega` is given as a range, which `run` does not take: give one value, or use steady, campbell, static or sweep",
             ),
             (
                 &["steady", "--formulation", "ancf"],

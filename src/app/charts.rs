@@ -198,7 +198,8 @@ impl Chart {
 
     fn range(&self, of: impl Fn(&(f64, f64)) -> f64) -> (f64, f64) {
         let fitted = self.lines.iter().filter(|line| line.guide.is_none());
-        let values = fitted.flat_map(|line| &line.points).map(of);
+        let dots = self.dots.iter().map(|(place, _)| place);
+        let values = fitted.flat_map(|line| &line.points).chain(dots).map(of);
         values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
             (low.min(value), high.max(value))
         })

@@ -19,11 +19,19 @@ pub enum Command {
     Chart,
     /// The cheapest model that suffices.
     Advise,
+    /// Many runs with other values of the parameters.
+    Sweep,
+    /// The plan of a sweep, without its runs.
+    Plan,
+    /// One run of a plan.
+    Task,
+    /// One table of all runs of a plan.
+    Collect,
 }
 
 impl Command {
     /// All of them, as they stand in the help.
-    pub(super) const ALL: [Command; 7] = [
+    pub(super) const ALL: [Command; 11] = [
         Command::Run,
         Command::Steady,
         Command::Modes,
@@ -31,6 +39,10 @@ impl Command {
         Command::Static,
         Command::Chart,
         Command::Advise,
+        Command::Sweep,
+        Command::Plan,
+        Command::Task,
+        Command::Collect,
     ];
 
     /// The word on the command line.
@@ -43,6 +55,10 @@ impl Command {
             Command::Static => "static",
             Command::Chart => "chart",
             Command::Advise => "advise",
+            Command::Sweep => "sweep",
+            Command::Plan => "plan",
+            Command::Task => "task",
+            Command::Collect => "collect",
         }
     }
 
@@ -65,12 +81,31 @@ impl Command {
             Command::Advise => {
                 "The cheapest description of the bodies, and mesh, that gives the outputs to a wanted accuracy"
             }
+            Command::Sweep => {
+                "Many runs: lists (name=a,b,c), ranges (name=from..to in 9), samples (name=normal(mean, deviation) --samples 100)"
+            }
+            Command::Plan => "The plan of a sweep alone, for other programs to hand out its points",
+            Command::Task => "One point of a plan: --plan plan.toml --index 3",
+            Command::Collect => "One table, and pictures, of the points of a plan that are done",
         }
     }
 
     /// Whether it integrates in time.
     pub(super) fn runs(self) -> bool {
         matches!(self, Command::Run | Command::Chart | Command::Advise)
+    }
+
+    /// Whether it follows equilibria along a range of a parameter.
+    pub(super) fn continues(self) -> bool {
+        matches!(
+            self,
+            Command::Steady | Command::Campbell | Command::Static | Command::Modes
+        )
+    }
+
+    /// Whether it lays out many runs.
+    pub(super) fn sweeps(self) -> bool {
+        matches!(self, Command::Sweep | Command::Plan)
     }
 
     /// Whether it tries several values of a parameter, `name=a,b,c`.
@@ -80,25 +115,34 @@ impl Command {
 
     /// Whether it takes the flag; flags that no list names are for all.
     fn takes(self, flag: &str) -> bool {
+        if matches!(self, Command::Task | Command::Collect) {
+            let is_one = self == Command::Task && flag == "index";
+            return is_one || matches!(flag, "plan" | "out" | "quiet" | "words");
+        }
         match flag {
+            "of" | "samples" | "design" | "seed" => self.sweeps(),
+            "plan" | "index" => false,
             "start" | "every" | "t-end" | "stabilised" | "no-elimination" | "max-step" => self.runs(),
             "integrator" | "rtol" | "alpha" | "rho-inf" => matches!(self, Command::Run | Command::Advise),
             "step" | "proportional" | "animate" | "vtu" | "fidelity" | "resume" => self == Command::Run,
             "formulation" => self != Command::Chart,
             "formulations" | "integrators" | "rtols" | "reference" | "beside" => self == Command::Chart,
-            "fresh" => self == Command::Chart,
-            "outputs" | "wanted" | "limit" => matches!(self, Command::Chart | Command::Advise),
+            "fresh" => self == Command::Chart || self.sweeps(),
+            "wanted" => matches!(self, Command::Chart | Command::Advise),
+            "outputs" | "limit" => matches!(self, Command::Chart | Command::Advise) || self.sweeps(),
             "steps" => matches!(self, Command::Steady | Command::Campbell | Command::Static),
-            "at" => !self.runs(),
+            "at" => !self.runs() && !self.sweeps(),
             "spin" | "axis" => matches!(self, Command::Steady | Command::Modes | Command::Campbell),
             "modes" | "frequency" => matches!(self, Command::Modes | Command::Campbell),
             _ => true,
         }
     }
 
-    /// Why the flag means nothing for this command; `None` where it does.
-    pub(super) fn refusal(self, flag: &str) -> Option<String> {
-        if self.takes(flag) {
+    /// Why the flag means nothing for this command; `None` where it does. `of` is what the points of a sweep compute,
+    /// and the command itself otherwise.
+    pub(super) fn refusal(self, of: Command, flag: &str) -> Option<String> {
+        let is_of_many = matches!(flag, "animate" | "vtu" | "resume" | "frequency");
+        if self.takes(flag) || self.sweeps() && of.takes(flag) && !is_of_many {
             return None;
         }
         let owners: Vec<String> = Self::ALL
@@ -107,6 +151,12 @@ impl Command {
             .map(|command| format!("`{}`", command.name()))
             .collect();
         let why = match (self, flag) {
+            (Command::Task | Command::Collect, _) => "what is computed stands in the plan",
+            (_, "of" | "samples" | "design" | "seed") => "it computes one point",
+            (_, "plan" | "index") => "its params and settings stand on its line, or in a file named by `--scenario`",
+            (_, "animate" | "vtu" | "resume" | "frequency") if self.sweeps() => "it computes many points",
+            (_, _) if self.sweeps() && of.runs() => "its points are runs in time (`--of`)",
+            (_, _) if self.sweeps() => "its points do not advance in time (`--of`)",
             (
                 _,
                 "formulations" | "integrators" | "rtols" | "reference" | "beside" | "outputs" | "wanted" | "fresh"

@@ -2,9 +2,28 @@
 
 use super::command::Command;
 use super::nearest::nearest;
-use super::sweep::Range;
 use super::units::{Dimension, Number, SECOND, Unit};
 use crate::{AnyModel, Param, ParamKind};
+
+/// What is given of a parameter: one value, or several in some way.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Values {
+    /// At least two different values, in the order in which they are given.
+    List(Vec<f64>),
+    /// All from the first to the second one; the third says into how many values a sweep divides it.
+    Range(f64, f64, Option<u32>),
+    /// Normally distributed, with mean and standard deviation.
+    Normal(f64, f64),
+}
+
+/// A parameter that is given more than one value.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Varied {
+    /// Index in [`Model::params`].
+    pub param: usize,
+    /// Its values, SI.
+    pub values: Values,
+}
 
 /// Several values of a parameter, each of which is tried.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,74 +34,50 @@ pub(super) struct List {
     pub values: Vec<f64>,
 }
 
-/// What is given of parameters besides single values.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Assigned {
-    /// The one that is continued.
-    pub range: Option<Range>,
-    /// Those of which several values are tried.
-    pub lists: Vec<List>,
-}
-
-/// Sets the parameters of a model from words `name=value`, `name=from..to` of the one that is continued, or
-/// `name=a,b,c`; ranges and lists are returned and set to their last value.
+/// Sets the parameters of a model from words `name=value`, and returns those with several values: `name=from..to`,
+/// `name=from..to in 9`, `name=a,b,c`, `name=normal(mean, deviation)`; they are set to their last value, or the mean.
 ///
 /// # Errors
 /// All mistakes, one a line: each with the word and what would be right.
-pub(super) fn assign(model: &mut dyn AnyModel, words: &[String]) -> Result<Assigned, String> {
+pub(super) fn assign(model: &mut dyn AnyModel, words: &[String]) -> Result<Vec<Varied>, String> {
     let mut given = vec![false; model.params().len()];
-    let mut mistakes = Vec::new();
-    let (mut continued, mut lists): (Option<Range>, Vec<List>) = (None, Vec::new());
+    let (mut mistakes, mut varied) = (Vec::new(), Vec::new());
     for word in words {
-        match read(model, word) {
-            Ok(Given::One(range) | Given::Several(range, _)) if given[range.param] => {
-                mistakes.push(format!("`{}` is given twice", model.params()[range.param].name));
+        let (param, value) = match read(model, word) {
+            Ok(found) => found,
+            Err(mistake) => {
+                mistakes.push(mistake);
+                continue;
             }
-            Ok(Given::Several(last, values)) => {
-                given[last.param] = true;
-                model.set(last.param, last.to);
-                lists.push(List {
-                    param: last.param,
-                    values,
-                });
-            }
-            Ok(Given::One(range)) => {
-                given[range.param] = true;
-                model.set(range.param, range.to);
-                if range.from == range.to {
-                    continue;
-                }
-                if let Some(first) = continued {
-                    let [first, second] = [first, range].map(|range| model.params()[range.param].name);
-                    mistakes.push(format!(
-                        "`{first}` and `{second}` are both given as ranges: one parameter is continued at a time"
-                    ));
-                }
-                continued = Some(range);
-            }
-            Err(mistake) => mistakes.push(mistake),
+        };
+        if std::mem::replace(&mut given[param], true) {
+            mistakes.push(format!("`{}` is given twice", model.params()[param].name));
+            continue;
+        }
+        let last = match &value {
+            Given::One(value) | Given::Several(Values::Range(_, value, _) | Values::Normal(value, _)) => *value,
+            Given::Several(Values::List(values)) => values[values.len() - 1],
+        };
+        model.set(param, last);
+        if let Given::Several(values) = value {
+            varied.push(Varied { param, values });
         }
     }
     if mistakes.is_empty() {
-        Ok(Assigned {
-            range: continued,
-            lists,
-        })
+        Ok(varied)
     } else {
         Err(mistakes.join("\n"))
     }
 }
 
-/// What a word gives.
+/// What a word gives, SI.
 enum Given {
-    /// A value, `from` and `to` being equal, or a range.
-    One(Range),
-    /// Several values and the last one of them.
-    Several(Range, Vec<f64>),
+    One(f64),
+    Several(Values),
 }
 
-/// The parameter with its value or values in SI.
-fn read(model: &dyn AnyModel, word: &str) -> Result<Given, String> {
+/// The index of the parameter with its value or values.
+fn read(model: &dyn AnyModel, word: &str) -> Result<(usize, Given), String> {
     let Some((name, text)) = word.split_once('=') else {
         return Err(stray(model, word));
     };
@@ -91,61 +86,89 @@ fn read(model: &dyn AnyModel, word: &str) -> Result<Given, String> {
         return Err(unknown(model, name));
     };
     let param = &model.params()[index];
-    let example = format!("{name}={}", quoted(&in_unit(param, param.default)));
-    let value = |text: &str| match param.kind {
+    let given = if let Some(inside) = text.strip_prefix("normal(") {
+        normal(param, inside).map(Given::Several)
+    } else if text.contains(',') {
+        list(param, text).map(Given::Several)
+    } else if let Some((from, to)) = text.split_once("..") {
+        range(param, from, to).map(Given::Several)
+    } else {
+        value(param, text).map(Given::One)
+    };
+    let given = given.map_err(|mistake| {
+        let example = format!("{name}={}", quoted(&in_unit(param, param.default)));
+        format!("`{name}={text}`: {mistake} (e.g. `{example}`)")
+    })?;
+    Ok((index, given))
+}
+
+fn value(param: &Param, text: &str) -> Result<f64, String> {
+    match param.kind {
         ParamKind::Count => count(text),
         ParamKind::Quantity => quantity(text, param.unit, param.dimension),
-    };
-    if text.contains(',') {
-        // The unit may stand once, at the end.
-        let unit = text
-            .rsplit(',')
-            .next()
-            .and_then(Number::split)
-            .map_or("", |(_, unit)| unit);
-        let one = |text: &str| {
-            let text = text.trim();
-            let is_bare = Number::split(text).is_some_and(|(_, unit)| unit.is_empty());
-            value(&if is_bare && !unit.is_empty() {
-                format!("{text} {unit}")
-            } else {
-                text.into()
-            })
-        };
-        let values: Result<Vec<f64>, String> = text.split(',').map(one).collect();
-        let values = values.map_err(|mistake| format!("`{name}={text}`: {mistake} (e.g. `{example}`)"))?;
-        if (1..values.len()).any(|i| values[..i].contains(&values[i])) {
-            return Err(format!("`{name}={text}`: a value is given twice"));
-        }
-        let last = values[values.len() - 1];
-        let range = Range {
-            param: index,
-            from: last,
-            to: last,
-        };
-        return Ok(Given::Several(range, values));
     }
-    let values = match text.split_once("..") {
-        None => value(text).map(|value| (value, value)),
-        Some(_) if param.kind == ParamKind::Count => {
-            Err("a count does not change continuously: give one value".to_owned())
-        }
-        Some((from, to)) => {
-            // The unit may stand once, at the end.
-            let unit = Number::split(to).map_or("", |(_, unit)| unit);
-            let is_bare = Number::split(from).is_some_and(|(_, unit)| unit.is_empty());
-            let from = if is_bare { format!("{from} {unit}") } else { from.into() };
-            let both = value(&from).and_then(|from| value(to).map(|to| (from, to)));
-            both.and_then(|(from, to)| match from == to {
-                true => Err("the range begins where it ends: give one value".into()),
-                false => Ok((from, to)),
-            })
-        }
-    };
-    match values {
-        Ok((from, to)) => Ok(Given::One(Range { param: index, from, to })),
-        Err(mistake) => Err(format!("`{name}={text}`: {mistake} (e.g. `{example}`)")),
+}
+
+/// A value whose unit may stand behind a later one.
+fn value_in(param: &Param, text: &str, unit: &str) -> Result<f64, String> {
+    let text = text.trim();
+    let is_bare = Number::split(text).is_some_and(|(_, unit)| unit.is_empty());
+    if is_bare && !unit.is_empty() {
+        return value(param, &format!("{text} {unit}"));
     }
+    value(param, text)
+}
+
+fn list(param: &Param, text: &str) -> Result<Values, String> {
+    let last = text.rsplit(',').next().and_then(Number::split);
+    let unit = last.map_or("", |(_, unit)| unit);
+    let values: Result<Vec<f64>, String> = text.split(',').map(|text| value_in(param, text, unit)).collect();
+    let values = values?;
+    if (1..values.len()).any(|i| values[..i].contains(&values[i])) {
+        return Err("a value is given twice".into());
+    }
+    Ok(Values::List(values))
+}
+
+fn range(param: &Param, from: &str, to: &str) -> Result<Values, String> {
+    if param.kind == ParamKind::Count {
+        return Err("a count does not change continuously: give one value, or a list".into());
+    }
+    let (to, parts) = match to.rsplit_once(" in ") {
+        Some((to, parts)) => (to.trim(), Some(parts.trim())),
+        None => (to, None),
+    };
+    let divided = |text: &str| match text.parse::<u32>() {
+        Ok(number) if number >= 2 => Ok(number),
+        _ => Err(format!(
+            "`in {text}`: a whole number of at least 2 says into how many values"
+        )),
+    };
+    let parts = parts.map(divided).transpose()?;
+    let unit = Number::split(to).map_or("", |(_, unit)| unit);
+    let (from, to) = (value_in(param, from, unit)?, value(param, to)?);
+    if from == to {
+        return Err("the range begins where it ends: give one value".into());
+    }
+    Ok(Values::Range(from, to, parts))
+}
+
+/// `mean, deviation) unit`
+fn normal(param: &Param, inside: &str) -> Result<Values, String> {
+    const FORM: &str = "a distribution is written `normal(mean, deviation) unit`";
+    if param.kind == ParamKind::Count {
+        return Err("a count does not change continuously: give one value, or a list".into());
+    }
+    let (inside, unit) = inside.split_once(')').ok_or(FORM)?;
+    let (mean, deviation) = inside.split_once(',').ok_or(FORM)?;
+    let unit = unit.trim();
+    let mean = value_in(param, mean, unit)?;
+    let deviation = value_in(param, deviation, unit)?;
+    // A temperature in degrees has another zero than SI; none of the units here has.
+    if deviation <= 0.0 {
+        return Err("the standard deviation must be positive".into());
+    }
+    Ok(Values::Normal(mean, deviation))
 }
 
 fn stray(model: &dyn AnyModel, word: &str) -> String {
@@ -313,30 +336,56 @@ mod tests {
         assert_eq!(rotor.loss, 0.1);
     }
 
+    fn varied(word: &str) -> (Rotor, Varied) {
+        let mut rotor = Rotor::default();
+        let mut varied = assign(&mut rotor, &[word.into()]).unwrap();
+        assert_eq!(varied.len(), 1);
+        (rotor, varied.remove(0))
+    }
+
     #[test]
     fn ranges_carry_their_unit_at_the_end_or_twice() {
-        let mut rotor = Rotor::default();
-        for word in ["omega=0..60 rpm", "omega=0 rad/s..60rpm"] {
-            let range = assign(&mut rotor, &[word.into()]).unwrap().range.unwrap();
-            assert_eq!((range.param, range.from, range.to), (0, 0.0, rotor.omega));
+        for (word, parts) in [
+            ("omega=0..60 rpm", None),
+            ("omega=0 rad/s..60rpm", None),
+            ("omega=0..60 rpm in 5", Some(5)),
+        ] {
+            let (rotor, found) = varied(word);
+            assert_eq!((found.param, found.values), (0, Values::Range(0.0, rotor.omega, parts)));
             assert_eq!(rotor.omega, 60.0 * (std::f64::consts::PI / 30.0));
         }
-        let words = ["loss=0.5..-0.5", "stiffness=1..2 N/m"].map(String::from);
-        assert_eq!(
-            assign(&mut rotor, &words).unwrap_err(),
-            "`loss` and `stiffness` are both given as ranges: one parameter is continued at a time"
-        );
+        assert!(mistake("omega=0..60 rpm in 1").contains("`in 1`: a whole number of at least 2"));
     }
 
     #[test]
     fn lists_carry_their_unit_at_the_end_or_with_every_value() {
-        let mut rotor = Rotor::default();
-        let words = ["omega=30, 60 rpm", "coils=3,5"].map(String::from);
-        let lists = assign(&mut rotor, &words).unwrap().lists;
-        assert_eq!((lists[0].param, lists[1].values.clone()), (0, vec![3.0, 5.0]));
-        assert_eq!((lists[0].values[1], rotor.coils), (rotor.omega, 5));
-        assert_eq!(mistake("coils=3,3"), "`coils=3,3`: a value is given twice");
+        let (rotor, found) = varied("omega=30, 60 rpm");
+        assert_eq!(found.values, Values::List(vec![rotor.omega / 2.0, rotor.omega]));
+        let (rotor, found) = varied("coils=3,5");
+        assert_eq!((found.values, rotor.coils), (Values::List(vec![3.0, 5.0]), 5));
+        assert_eq!(
+            mistake("coils=3,3"),
+            "`coils=3,3`: a value is given twice (e.g. `coils=2`)"
+        );
         assert!(mistake("omega=1 rad/s,2").contains("the unit is missing"));
+    }
+
+    #[test]
+    fn distributions_have_a_mean_a_deviation_and_a_unit() {
+        let (rotor, found) = varied("stiffness=normal(0.2, 0.01) kN/m");
+        assert_eq!((found.values, rotor.stiffness), (Values::Normal(200.0, 10.0), 200.0));
+        assert_eq!(varied("loss=normal(0.5,0.1)").1.values, Values::Normal(0.5, 0.1));
+        for (word, part) in [
+            ("stiffness=normal(1, 2)", "the unit is missing"),
+            (
+                "loss=normal(1)",
+                "a distribution is written `normal(mean, deviation) unit`",
+            ),
+            ("loss=normal(1, 0)", "the standard deviation must be positive"),
+            ("coils=normal(3, 1)", "a count does not change continuously"),
+        ] {
+            assert!(mistake(word).contains(part), "{}", mistake(word));
+        }
     }
 
     #[test]
@@ -385,7 +434,7 @@ mod tests {
             ),
             (
                 "coils=1..4",
-                "`coils=1..4`: a count does not change continuously: give one value (e.g. `coils=2`)",
+                "`coils=1..4`: a count does not change continuously: give one value, or a list (e.g. `coils=2`)",
             ),
             (
                 "omega=1..4",
@@ -405,7 +454,7 @@ mod tests {
             ),
             (
                 "whatever",
-                "`whatever` is neither a command (run, steady, modes, campbell, static, chart, advise) nor `name=value`",
+                "`whatever` is neither a command (run, steady, modes, campbell, static, chart, advise, sweep, plan, task, collect) nor `name=value`",
             ),
         ];
         for (word, expected) in cases {

@@ -17,8 +17,8 @@ pub(super) type Written<'w> = &'w mut dyn FnMut(&mut Vec<u8>);
 
 /// Is told of the rows of a run as they come.
 pub(super) trait Recorder {
-    /// Whether the rows are kept on disk, so that memory holds what pictures need alone.
-    fn is_on_disk(&self) -> bool {
+    /// Whether it takes care of the rows, so that memory holds what pictures need alone.
+    fn takes_rows(&self) -> bool {
         false
     }
 
@@ -113,7 +113,7 @@ impl<'a> OnDisk<'a> {
 }
 
 impl Recorder for OnDisk<'_> {
-    fn is_on_disk(&self) -> bool {
+    fn takes_rows(&self) -> bool {
         true
     }
 

@@ -98,6 +98,8 @@ fn header(model: &dyn AnyModel, page: &mut String, title: &str, summary: &Summar
     let _ = writeln!(page, "<p class=\"{class}\"><b>{head}</b>{text}</p>");
     page.push_str("<dl class=\"facts\">\n");
     let facts = [
+        "points",
+        "points_failed",
         "formulation",
         "integrator",
         "unknowns",
@@ -257,6 +259,7 @@ fn notes(page: &mut String, summary: &Summary) {
 fn label(key: &str) -> String {
     let words = match key {
         "rtol" => "relative tolerance",
+        "of" => "each point computes",
         "rho_inf" => "spectral radius at infinity",
         "rejected_by_newton" => "rejected by Newton",
         "cpu_seconds" => "processor time",

@@ -145,7 +145,7 @@ pub(super) fn run_recorded(
     watch: impl FnMut(&Progress) -> ControlFlow<()>,
 ) -> Result<RunResult, RunError> {
     let clock = Clock::start();
-    let settings = complete_for(settings, model.run(), MOST_ROWS[usize::from(recorder.is_on_disk())])?;
+    let settings = complete_for(settings, model.run(), MOST_ROWS[usize::from(recorder.takes_rows())])?;
     let mut scene = model
         .build_as(settings.formulation, settings.joints, &settings.fidelity)
         .map_err(RunError::Model)?;
@@ -174,7 +174,7 @@ pub(super) fn run_recorded(
         incomplete: None,
     };
     integrate(scene.as_mut(), start.clone(), &mut result, clock, recorder, watch)?;
-    if recorder.is_on_disk() && result.incomplete.is_none() && result.settings.method != Method::EnergyMomentum {
+    if recorder.takes_rows() && result.incomplete.is_none() && result.settings.method != Method::EnergyMomentum {
         // A program that calls `run` pays for its steps alone.
         let run = Followed {
             t_end,
@@ -261,7 +261,7 @@ fn integrate(
     }
     .map_err(RunError::Start)?;
     let mut moved = corrections(integrator.statistics());
-    let mut course = Course::new(&mut integrator, columns, recorder.is_on_disk(), result, clock);
+    let mut course = Course::new(&mut integrator, columns, recorder.takes_rows(), result, clock);
     match &taken_up {
         Some(earlier) => course.take_up(&earlier.course, result).map_err(RunError::Files)?,
         None => course.begin(&mut integrator),

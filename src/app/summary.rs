@@ -41,10 +41,15 @@ pub(super) const SETTINGS: &[&str] = &[
     "continuation_steps",
     "spin",
     "frame_of_observation",
+    "of",
+    "design",
+    "varied",
 ];
 
 /// Keys of counts and times, for the report.
 pub(super) const STATISTICS: &[&str] = &[
+    "points",
+    "points_failed",
     "unknowns",
     "constraints",
     "steps",

@@ -8,7 +8,6 @@ pub(super) mod flags;
 mod grid;
 mod judged;
 mod outcome;
-mod parallel;
 mod peers;
 mod picture;
 mod points;

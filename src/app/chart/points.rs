@@ -5,11 +5,11 @@ use std::ops::ControlFlow;
 
 use super::errors::errors;
 use super::grid::{Grid, Setting};
-use super::parallel::{Ended, on_all_cores, solve};
 use super::reference::References;
 use super::table::{Counts, Outcome, Point, Table};
 use crate::AnyModel;
 use crate::app::hash::hash;
+use crate::app::parallel::{Ended, on_all_cores, solve};
 use crate::app::run::{RunSettings, run_watched};
 use crate::app::run_error::{Incomplete, RunError};
 

@@ -26,37 +26,76 @@ pub(super) enum Ended {
     Interrupted,
 }
 
-/// Runs a model; `limit` in processor seconds of this thread.
-pub(super) fn solve(model: &dyn AnyModel, settings: &RunSettings, limit: f64, stop: &AtomicBool) -> Ended {
-    if stop.load(Ordering::Relaxed) {
-        return Ended::Interrupted;
+/// Ends work from within: where the program is to stop, and where it has used up its processor time.
+pub(super) struct Watch<'s> {
+    /// Processor seconds of this thread.
+    limit: f64,
+    stop: &'s AtomicBool,
+    clock: Clock,
+    own: Option<Duration>,
+    seen: Instant,
+    is_interrupted: bool,
+    is_too_long: bool,
+}
+
+impl<'s> Watch<'s> {
+    /// Begins now.
+    pub fn new(limit: f64, stop: &'s AtomicBool) -> Self {
+        Self {
+            limit,
+            stop,
+            clock: Clock::start(),
+            own: thread_cpu_time(),
+            seen: Instant::now(),
+            is_interrupted: stop.load(Ordering::Relaxed),
+            is_too_long: false,
+        }
     }
-    let (clock, own) = (Clock::start(), thread_cpu_time());
-    let (mut seen, mut is_too_long) = (Instant::now(), false);
-    let outcome = run_watched(model, settings, |_| {
-        if stop.load(Ordering::Relaxed) {
+
+    /// To be called after every step.
+    pub fn look(&mut self) -> ControlFlow<()> {
+        self.is_interrupted |= self.stop.load(Ordering::Relaxed);
+        if self.is_interrupted {
             return ControlFlow::Break(());
         }
-        if seen.elapsed() < PAUSE {
+        if self.seen.elapsed() < PAUSE {
             return ControlFlow::Continue(());
         }
-        seen = Instant::now();
-        let all = clock.seconds().cpu;
-        let used = match (own, thread_cpu_time()) {
+        self.seen = Instant::now();
+        let all = self.clock.seconds().cpu;
+        let used = match (self.own, thread_cpu_time()) {
             (Some(start), Some(now)) => now.saturating_sub(start).as_secs_f64().max(all / (SHARE * cores())),
             _ => all,
         };
-        is_too_long = used > limit;
-        if is_too_long {
+        self.is_too_long = used > self.limit;
+        if self.is_too_long {
             ControlFlow::Break(())
         } else {
             ControlFlow::Continue(())
         }
-    });
-    match outcome {
+    }
+
+    /// Whether the program was to stop at the last look.
+    pub fn is_interrupted(&self) -> bool {
+        self.is_interrupted
+    }
+
+    /// Whether the time was used up at the last look.
+    pub fn is_too_long(&self) -> bool {
+        self.is_too_long
+    }
+}
+
+/// Runs a model; `limit` in processor seconds of this thread.
+pub(super) fn solve(model: &dyn AnyModel, settings: &RunSettings, limit: f64, stop: &AtomicBool) -> Ended {
+    let mut watch = Watch::new(limit, stop);
+    if watch.is_interrupted() {
+        return Ended::Interrupted;
+    }
+    match run_watched(model, settings, |_| watch.look()) {
         Ok(result) => Ended::Complete(Box::new(result)),
         Err(RunError::Incomplete(result)) if result.incomplete == Some(Incomplete::Interrupted) => {
-            if is_too_long {
+            if watch.is_too_long() {
                 Ended::TooLong
             } else {
                 Ended::Interrupted

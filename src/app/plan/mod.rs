@@ -1,0 +1,448 @@
+//! Many runs of one model with other values of its parameters: grids, Latin hypercubes and random samples.
+//!
+//! A plan names its points once and for all ([`design`]); each is one task whose result is one file ([`point`]), written
+//! whole or not at all, and skipped where it is there. `sweep` does all of them on the cores of this machine, `task` one of
+//! them, so that any engine can hand them out; `collect` makes one table of the files ([`table`]) with pictures
+//! ([`picture`]).
+
+mod design;
+mod picture;
+mod point;
+mod random;
+mod table;
+#[cfg(test)]
+mod tests;
+
+use std::path::{Path, PathBuf};
+
+use clap::{Arg, ArgMatches};
+use serde_json::json;
+
+pub(super) use self::design::Design;
+use self::point::Work;
+use self::table::Table;
+use super::arguments::{Arguments, text};
+use super::clock::Clock;
+use super::command::Command;
+use super::execute::{FAILURE, Failure, INTERRUPTION, MISTAKE, write};
+use super::hash::hash;
+use super::parallel::on_all_cores;
+use super::parameters::{Varied, digits, in_unit, short, time};
+use super::progress::Bar;
+use super::summary::{self, put};
+use super::{chart, files};
+use crate::AnyModel;
+
+/// The file that a plan is written to.
+const PLAN: &str = "plan.toml";
+const TABLE: &str = "sweep.csv";
+/// Most sentences that are printed of failed points, and of notes.
+const MOST_LINES: usize = 3;
+
+/// What is asked of a plan.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct PlanSettings {
+    /// What each point computes: `run`, `static`, `steady` or `modes`.
+    pub of: Command,
+    pub design: Design,
+    pub seed: u64,
+    pub varied: Vec<Varied>,
+    /// Columns of the history that stand in the table; `None`: all.
+    pub outputs: Option<Vec<usize>>,
+    /// Processor time after which a point is ended, s.
+    pub limit: f64,
+    /// Whether points are computed anew.
+    pub is_fresh: bool,
+    /// The point that `task` computes.
+    pub index: Option<usize>,
+}
+
+/// The points of a plan.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Plan {
+    /// Hash of what is computed and with what: results of other plans have another one.
+    pub name: String,
+    pub design: Design,
+    pub varied: Vec<Varied>,
+    /// Values of the varied parameters, SI.
+    pub points: Vec<Vec<f64>>,
+}
+
+impl Plan {
+    /// The points, and the text of the plan's file.
+    fn new(arguments: &Arguments) -> Result<(Self, String), String> {
+        let (model, settings) = (arguments.model(), &arguments.plan);
+        let points = design::points(model, &settings.varied, settings.design, settings.seed)?;
+        let text = arguments.scenario.to_text(model, Command::Sweep, Some(points.len()));
+        let version = env!("CARGO_PKG_VERSION");
+        let identity = format!("{version} {}\n{text}\n{}", settings.of.name(), model.source());
+        let plan = Self {
+            name: format!("{:016x}", hash(&identity)),
+            design: settings.design,
+            varied: settings.varied.clone(),
+            points,
+        };
+        Ok((plan, text))
+    }
+
+    /// Where its points are, in the folder of the results.
+    fn folder(&self, out: &Path) -> PathBuf {
+        out.join(format!("points-{}", self.name))
+    }
+}
+
+/// The flags of plans; `--outputs`, `--limit` and `--fresh` are those of `chart`, too.
+pub(super) fn flags() -> Vec<Arg> {
+    let value = |name: &'static str, placeholder: &'static str, help: &'static str| {
+        Arg::new(name).long(name).value_name(placeholder).help(help)
+    };
+    let choice =
+        |arg: Arg, choices: &'static [&'static str]| arg.value_parser(choices.to_vec()).hide_possible_values(true);
+    vec![
+        choice(
+            value(
+                "of",
+                "COMMAND",
+                "What each point of a sweep computes: run, static, steady or modes (default: what the program does without a command)",
+            ),
+            &["run", "static", "steady", "modes"],
+        ),
+        value(
+            "samples",
+            "NUMBER",
+            "Points drawn from ranges and distributions (default: a grid of all values)",
+        ),
+        choice(
+            value(
+                "design",
+                "NAME",
+                "How they are drawn: latin (one in every equally likely part, default) or random",
+            ),
+            &["latin", "random"],
+        ),
+        value("seed", "NUMBER", "Another number draws other points (default 0)"),
+        value("plan", "FILE", "The plan.toml of a sweep, for task and collect"),
+        value("index", "NUMBER", "The point that task computes, from 0 on"),
+    ]
+}
+
+/// Reads the flags; `default` is the command of a line without one.
+///
+/// # Errors
+/// The flag and what would be right.
+pub(super) fn settings(
+    model: &dyn AnyModel,
+    matches: &ArgMatches,
+    varied: Vec<Varied>,
+    default: Command,
+) -> Result<PlanSettings, String> {
+    let whole = |name: &str| {
+        let read = |text: &str| {
+            let wanted = || format!("`--{name} {text}`: a whole number is needed");
+            text.parse::<u64>().map_err(|_| wanted())
+        };
+        text(matches, name).map(read).transpose()
+    };
+    let design = match (whole("samples")?, text(matches, "design")) {
+        (Some(count), _) if !(2..=1_000_000).contains(&count) => {
+            return Err(format!(
+                "`--samples {count}`: a whole number from 2 to 1000000 is needed"
+            ));
+        }
+        (Some(count), Some("random")) => Design::Random(count as usize),
+        (Some(count), _) => Design::Latin(count as usize),
+        (None, Some(name)) => {
+            return Err(format!(
+                "`--design {name}` draws points: say with `--samples 100` how many"
+            ));
+        }
+        (None, None) => Design::Grid,
+    };
+    Ok(PlanSettings {
+        of: match text(matches, "of").and_then(Command::named).unwrap_or(default) {
+            of @ (Command::Static | Command::Steady | Command::Modes) => of,
+            _ => Command::Run,
+        },
+        design,
+        seed: whole("seed")?.unwrap_or(0),
+        varied,
+        outputs: chart::flags::outputs(model, matches)?,
+        limit: match text(matches, "limit") {
+            Some(given) => time("--limit", given, "60 s")?,
+            None => f64::INFINITY,
+        },
+        is_fresh: chart::flags::fresh(matches),
+        index: whole("index")?.map(|index| index as usize),
+    })
+}
+
+fn failure(text: String) -> Failure {
+    Failure::new(FAILURE, text)
+}
+
+fn mistake(text: String) -> Failure {
+    Failure::new(MISTAKE, text)
+}
+
+/// The work of each point.
+fn work_of(arguments: &Arguments) -> Work<'_> {
+    Work {
+        of: arguments.plan.of,
+        run: &arguments.settings,
+        equilibrium: &arguments.sweep,
+        limit: arguments.plan.limit,
+    }
+}
+
+/// Writes the plan and does nothing of it.
+///
+/// # Errors
+/// With its exit code: a plan that makes no sense, a file that cannot be written.
+pub(super) fn lay_out(arguments: &Arguments) -> Result<String, Failure> {
+    let (plan, text) = Plan::new(arguments).map_err(mistake)?;
+    files::write(&arguments.out, PLAN, &text).map_err(failure)?;
+    let path = arguments.out.join(PLAN);
+    Ok(format!(
+        "{}: a plan of {} points\n  {}",
+        arguments.model().name(),
+        plan.points.len(),
+        path.display()
+    ))
+}
+
+/// Does all points that are not there yet on the cores of this machine, and collects them.
+///
+/// # Errors
+/// With its exit code: a plan that makes no sense; a file that cannot be written; Ctrl-C, where all points that were done
+/// stay and the same command goes on; no point at all without a failure.
+pub(super) fn sweep(arguments: &Arguments, interrupted: impl Fn() -> bool) -> Result<String, Failure> {
+    let (plan, text) = Plan::new(arguments).map_err(mistake)?;
+    files::write(&arguments.out, PLAN, &text).map_err(failure)?;
+    let folder = plan.folder(&arguments.out);
+    files::create_folder(&folder).map_err(failure)?;
+    files::remove_partial(&folder);
+    if arguments.plan.is_fresh {
+        let names: Vec<String> = (0..plan.points.len()).map(point::name).collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        files::remove(&folder, &names).map_err(failure)?;
+    }
+    let clock = Clock::start();
+    let open: Vec<usize> = (0..plan.points.len())
+        .filter(|&index| point::read(&folder, &plan, index).is_none())
+        .collect();
+    let (count, mut done) = (open.len(), 0);
+    let mut bar = Bar::new(arguments.quiet);
+    let (model, work) = (arguments.model().boxed(), work_of(arguments));
+    let model = model.as_ref();
+    let mut is_interrupted = false;
+    let outcome = on_all_cores(
+        open,
+        &interrupted,
+        |&index, stop| point::work(model, &plan, index, &folder, &work, stop),
+        |_, written: Result<bool, String>| {
+            is_interrupted |= !written?;
+            done += 1;
+            bar.show_share(done as f64 / count as f64, &format!("{done} of {count} points"));
+            Ok(None)
+        },
+    );
+    bar.clear();
+    outcome.map_err(failure)?;
+    if is_interrupted || interrupted() {
+        let text = "interrupted by the user; the same command again goes on from here";
+        return Err(Failure::new(INTERRUPTION, text));
+    }
+    finish(arguments, &plan, clock)
+}
+
+/// Does one point, where it is not there yet.
+///
+/// # Errors
+/// With its exit code: no such point; a file that cannot be written; Ctrl-C.
+pub(super) fn task(arguments: &Arguments, interrupted: impl Fn() -> bool) -> Result<String, Failure> {
+    let (plan, _) = Plan::new(arguments).map_err(mistake)?;
+    let count = plan.points.len();
+    let index = match arguments.plan.index {
+        Some(index) if index < count => index,
+        Some(index) => {
+            let text = format!(
+                "`--index {index}`: the plan has {count} points, from 0 to {}",
+                count - 1
+            );
+            return Err(mistake(text));
+        }
+        None => {
+            return Err(mistake(format!(
+                "`--index` is missing: which of the {count} points, from 0 on"
+            )));
+        }
+    };
+    let folder = plan.folder(&arguments.out);
+    files::create_folder(&folder).map_err(failure)?;
+    let path = folder.join(point::name(index));
+    if point::read(&folder, &plan, index).is_some() {
+        return Ok(format!("point {index} is there already\n  {}", path.display()));
+    }
+    let model = arguments.model().boxed();
+    let (model, work) = (model.as_ref(), work_of(arguments));
+    let mut is_done = Ok(true);
+    let outcome = on_all_cores(
+        vec![index],
+        interrupted,
+        |&index, stop| point::work(model, &plan, index, &folder, &work, stop),
+        |_, written| {
+            is_done = written;
+            Ok(None)
+        },
+    );
+    outcome.and(is_done.map(drop)).map_err(failure)?;
+    let Some(record) = point::read(&folder, &plan, index) else {
+        return Err(Failure::new(
+            INTERRUPTION,
+            format!("point {index} was interrupted; nothing is written of it"),
+        ));
+    };
+    let failed = record.get("reason").and_then(serde_json::Value::as_str);
+    let failed = failed.map_or(String::new(), |reason| format!(", which failed: {reason}"));
+    Ok(format!("point {index} of {count}{failed}\n  {}", path.display()))
+}
+
+/// Collects the points that are there.
+///
+/// # Errors
+/// With its exit code: a plan that makes no sense; a file that cannot be written; points that are missing, where the others
+/// are in the table.
+pub(super) fn collect(arguments: &Arguments) -> Result<String, Failure> {
+    let (plan, _) = Plan::new(arguments).map_err(mistake)?;
+    finish(arguments, &plan, Clock::start())
+}
+
+/// Writes the table, the summary and the page; tells what failed and what is missing.
+fn finish(arguments: &Arguments, plan: &Plan, clock: Clock) -> Result<String, Failure> {
+    let (model, settings) = (arguments.model(), &arguments.plan);
+    let folder = plan.folder(&arguments.out);
+    let table = Table::gather(model, plan, settings.outputs.as_deref(), |index| {
+        point::read(&folder, plan, index)
+    });
+    let (count, failed) = (plan.points.len(), table.failed().count());
+    let sound = table.rows.len() - failed;
+    let problem = problem(plan, &table);
+
+    let mut summary = summary::head(model, "sweep");
+    summary::outcome(&mut summary, problem.clone());
+    put(&mut summary, "plan", json!(plan.name));
+    put(&mut summary, "of", json!(settings.of.name()));
+    put(&mut summary, "design", json!(design_words(plan.design, settings.seed)));
+    put(
+        &mut summary,
+        "varied",
+        json!(varied_words(model, &plan.varied).join("; ")),
+    );
+    put(&mut summary, "points", json!(count));
+    put(&mut summary, "points_failed", json!(failed));
+    put(&mut summary, "points_missing", json!(table.missing));
+    if settings.of == Command::Run {
+        summary::settings(&mut summary, &arguments.settings);
+    }
+    summary::seconds(&mut summary, clock.seconds());
+    if plan.design != Design::Grid {
+        put(&mut summary, "statistics", table.statistics());
+    }
+    let warnings = warnings(model, plan, &table);
+    put(&mut summary, "notes", summary::notes(model, &warnings));
+
+    let csv = (TABLE, table.to_csv(model, plan));
+    let files = write(arguments, "sweep", csv, &summary, picture::part(model, plan, &table))?;
+    let mut head = format!(
+        "{}: {sound} of {count} points of `{}`",
+        model.name(),
+        settings.of.name()
+    );
+    head += &format!(", {} s", digits(clock.seconds().wall, 3));
+    for warning in &warnings {
+        head += &format!("\nwarning: {warning}");
+    }
+    match problem {
+        None => Ok(format!("{head}\n{files}")),
+        Some(problem) => Err(failure(format!("{problem}\n{head}\n{files}"))),
+    }
+}
+
+/// Why the table is no answer to what was asked, if it is none.
+fn problem(plan: &Plan, table: &Table) -> Option<String> {
+    if let [first, ..] = table.missing[..] {
+        let (count, all) = (table.missing.len(), plan.points.len());
+        return Some(format!(
+            "{count} of {all} points are missing, the first is point {first}: do them with `task`"
+        ));
+    }
+    let mut failed = table.failed();
+    let first = failed.next()?;
+    let reason = first.failed.as_deref().unwrap_or_default();
+    (1 + failed.count() == table.rows.len()).then(|| format!("all points failed, the first one: {reason}"))
+}
+
+/// Sentences on points that failed and on notes of points, the commonest with where it is found.
+fn warnings(model: &dyn AnyModel, plan: &Plan, table: &Table) -> Vec<String> {
+    let mut warnings = Vec::new();
+    let place = |row: &table::Row| {
+        let values = plan.varied.iter().zip(&row.params);
+        let values = values.map(|(one, value)| {
+            let param = &model.params()[one.param];
+            format!("{} = {}", param.name, in_unit(param, *value))
+        });
+        values.collect::<Vec<_>>().join(", ")
+    };
+    let failed: Vec<_> = table.failed().collect();
+    for row in failed.iter().take(MOST_LINES) {
+        let reason = row.failed.as_deref().unwrap_or_default();
+        warnings.push(format!("point {} ({}) failed: {reason}", row.point, place(row)));
+    }
+    if failed.len() > MOST_LINES {
+        warnings.push(format!(
+            "{} points more failed: {TABLE} names them",
+            failed.len() - MOST_LINES
+        ));
+    }
+    let noted: Vec<_> = table.rows.iter().filter(|row| !row.notes.is_empty()).collect();
+    if let Some(first) = noted.first() {
+        let note = &first.notes[0];
+        warnings.push(format!(
+            "{} points have notes, which stand in {TABLE}; the first is point {} ({}): {note}",
+            noted.len(),
+            first.point,
+            place(first)
+        ));
+    }
+    warnings
+}
+
+fn design_words(design: Design, seed: u64) -> String {
+    match design {
+        Design::Grid => "grid".into(),
+        Design::Latin(count) => format!("Latin hypercube of {count} points, seed {seed}"),
+        Design::Random(count) => format!("{count} random points, seed {seed}"),
+    }
+}
+
+/// The varied parameters as they are typed, in their units.
+fn varied_words(model: &dyn AnyModel, varied: &[Varied]) -> Vec<String> {
+    use super::parameters::Values;
+    let words = |one: &Varied| {
+        let param = &model.params()[one.param];
+        let unit = if matches!(param.unit, "1" | "") {
+            String::new()
+        } else {
+            format!(" {}", param.unit)
+        };
+        let bare = |value: f64| short(value / param.unit_si);
+        let values = match &one.values {
+            Values::List(values) => values.iter().map(|value| bare(*value)).collect::<Vec<_>>().join(", ") + &unit,
+            Values::Range(from, to, None) => format!("{}..{}{unit}", bare(*from), bare(*to)),
+            Values::Range(from, to, Some(parts)) => format!("{}..{}{unit} in {parts}", bare(*from), bare(*to)),
+            Values::Normal(mean, deviation) => format!("normal({}, {}){unit}", bare(*mean), bare(*deviation)),
+        };
+        format!("{} = {values}", param.name)
+    };
+    varied.iter().map(words).collect()
+}

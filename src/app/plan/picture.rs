@@ -1,0 +1,191 @@
+//! Pictures of a plan's table: curves over one parameter, maps over two, clouds of points over each of more.
+
+use std::fmt::Write;
+
+use super::design::Design;
+use super::table::{Head, Table, param_head};
+use super::{Plan, table};
+use crate::AnyModel;
+use crate::app::charts::{Chart, Line};
+use crate::app::map::{Axis, Cells, Map};
+use crate::app::parameters::digits;
+use crate::app::report::{escape, figure};
+
+/// Columns of one output or mode, by their index in the table.
+fn groups(heads: &[Head]) -> Vec<Vec<usize>> {
+    let mut groups: Vec<Vec<usize>> = Vec::new();
+    for (index, head) in heads.iter().enumerate() {
+        let same = |group: &&mut Vec<usize>| heads[group[0]].name == head.name && heads[group[0]].unit == head.unit;
+        match groups.iter_mut().find(same) {
+            Some(group) => group.push(index),
+            None => groups.push(vec![index]),
+        }
+    }
+    groups
+}
+
+/// The part of the page with all pictures.
+///
+/// # Errors
+/// A picture that cannot be drawn.
+pub(super) fn part(model: &dyn AnyModel, plan: &Plan, table: &Table) -> Result<String, String> {
+    let mut page = String::new();
+    match (plan.design, plan.varied.len()) {
+        (Design::Grid, 1) => curves(model, plan, table, &mut page)?,
+        (Design::Grid, 2) => maps(model, plan, table, &mut page)?,
+        _ => clouds(model, plan, table, &mut page)?,
+    }
+    if plan.design != Design::Grid {
+        statistics(table, &mut page);
+    }
+    Ok(page)
+}
+
+/// The parameter's value in its declared unit.
+fn shown(model: &dyn AnyModel, plan: &Plan, row: &table::Row, place: usize) -> f64 {
+    row.params[place] / model.params()[plan.varied[place].param].unit_si
+}
+
+/// A chart over one parameter; of each column of the group a line, or dots.
+fn over(model: &dyn AnyModel, plan: &Plan, table: &Table, group: &[usize], place: usize) -> (Chart, String) {
+    let unit = &table.heads[group[0]].unit;
+    let mut chart = Chart {
+        x: param_head(model, plan.varied[place].param),
+        y: format!("{} [{unit}]", table.heads[group[0]].name),
+        logarithmic: false,
+        lines: Vec::new(),
+        marks: Vec::new(),
+        dots: Vec::new(),
+        is_tall: false,
+    };
+    let mut names = Vec::new();
+    for (color, &index) in group.iter().enumerate() {
+        let points = table
+            .column(index)
+            .map(|(row, value)| (shown(model, plan, row, place), value));
+        let mut points: Vec<(f64, f64)> = points.collect();
+        points.sort_by(|a, b| a.0.total_cmp(&b.0));
+        if plan.varied.len() == 1 && plan.design == Design::Grid {
+            chart.lines.push(Line::new(points, color));
+        } else {
+            chart.dots.extend(points.into_iter().map(|point| (point, color)));
+        }
+        names.push(format!("<i class=\"key k{color}\"></i>{}", table.heads[index].what));
+    }
+    let caption = format!(
+        "{}<span>{}</span>",
+        escape(&table.heads[group[0]].name),
+        names.join(" &nbsp; ")
+    );
+    (chart, caption)
+}
+
+fn curves(model: &dyn AnyModel, plan: &Plan, table: &Table, page: &mut String) -> Result<(), String> {
+    for group in groups(&table.heads) {
+        let (chart, caption) = over(model, plan, table, &group, 0);
+        figure(page, &caption, &chart, "")?;
+    }
+    Ok(())
+}
+
+fn clouds(model: &dyn AnyModel, plan: &Plan, table: &Table, page: &mut String) -> Result<(), String> {
+    for group in groups(&table.heads) {
+        for place in 0..plan.varied.len() {
+            let (chart, caption) = over(model, plan, table, &group, place);
+            figure(page, &caption, &chart, "")?;
+        }
+    }
+    Ok(())
+}
+
+fn maps(model: &dyn AnyModel, plan: &Plan, table: &Table, page: &mut String) -> Result<(), String> {
+    let axis = |place: usize| {
+        let points = plan.points.iter().map(|point| point[place]);
+        let mut values: Vec<f64> = points.collect();
+        values.sort_by(f64::total_cmp);
+        values.dedup();
+        values
+    };
+    let (x, y) = (axis(0), axis(1));
+    let drawn = |place: usize, values: &[f64]| {
+        let unit = model.params()[plan.varied[place].param].unit_si;
+        Axis {
+            name: param_head(model, plan.varied[place].param),
+            values: values.iter().map(|value| value / unit).collect(),
+            logarithmic: is_geometric(values),
+        }
+    };
+    for index in shown_columns(table) {
+        let head = &table.heads[index];
+        let mut cells = vec![f64::NAN; x.len() * y.len()];
+        for (row, value) in table.column(index) {
+            let place = |values: &[f64], value: f64| values.iter().position(|known| *known == value);
+            if let (Some(column), Some(line)) = (place(&x, row.params[0]), place(&y, row.params[1])) {
+                cells[line * x.len() + column] = value;
+            }
+        }
+        let map = Map {
+            heading: head.text(),
+            x: drawn(0, &x),
+            y: drawn(1, &y),
+            cells: Cells::Signed(cells),
+            marks: Vec::new(),
+        };
+        let svg = Map::to_svg(&head.text(), &[map])?;
+        let _ = write!(page, "<figure>\n{svg}</figure>\n");
+    }
+    Ok(())
+}
+
+/// Whether ratios of the values are more alike than their differences.
+fn is_geometric(values: &[f64]) -> bool {
+    let largest = |steps: &dyn Fn(f64, f64) -> f64| {
+        let steps = values.windows(2).map(|pair| steps(pair[0], pair[1]));
+        let (low, high) = steps.fold((f64::INFINITY, 0.0_f64), |(low, high), step| {
+            (low.min(step), high.max(step))
+        });
+        high / low
+    };
+    values[0] > 0.0 && largest(&|a, b| (b / a).ln()) < largest(&|a, b| b - a)
+}
+
+/// Of every output its last value and that of the extremes which is larger; of modes all.
+fn shown_columns(table: &Table) -> Vec<usize> {
+    let size = |index: usize| {
+        table
+            .column(index)
+            .fold(0.0, |most: f64, (_, value)| most.max(value.abs()))
+    };
+    let mut shown = Vec::new();
+    for group in groups(&table.heads) {
+        let is = |what: &str| group.iter().copied().find(|&index| table.heads[index].what == what);
+        match (is("min"), is("max")) {
+            (Some(low), Some(high)) => {
+                shown.extend(is("last"));
+                shown.push(if size(low) > size(high) { low } else { high });
+            }
+            _ => shown.extend(group),
+        }
+    }
+    shown
+}
+
+fn statistics(table: &Table, page: &mut String) {
+    page.push_str("<h2>Statistics</h2>\n<div class=\"scroll\"><table>\n<tr><th>Result</th>");
+    for head in ["Mean", "Standard deviation", "5 %", "Median", "95 %"] {
+        let _ = write!(page, "<th>{head}</th>");
+    }
+    page.push_str("</tr>\n");
+    let statistics = table.statistics();
+    for entry in statistics.as_array().into_iter().flatten() {
+        let text = |key: &str| entry[key].as_str().unwrap_or_default();
+        let head = format!("{} {} [{}]", text("name"), text("what"), text("unit"));
+        let _ = write!(page, "<tr><td>{}</td>", escape(&head));
+        for key in ["mean", "deviation", "p05", "p50", "p95"] {
+            let value = entry[key].as_f64().unwrap_or(f64::NAN);
+            let _ = write!(page, "<td class=\"n\">{}</td>", digits(value, 6));
+        }
+        page.push_str("</tr>\n");
+    }
+    page.push_str("</table></div>\n");
+}
