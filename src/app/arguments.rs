@@ -443,7 +443,8 @@ pub(super) fn number(matches: &ArgMatches, name: &str) -> Result<Option<f64>, St
     text(matches, name).map(read).transpose()
 }
 
-fn command_line(model: &dyn AnyModel, program: &Program<'_>) -> clap::Command {
+/// The words that a program of the model understands.
+pub(super) fn command_line(model: &dyn AnyModel, program: &Program<'_>) -> clap::Command {
     let value = |name: &'static str, placeholder: &'static str, help: &'static str| {
         Arg::new(name)
             .long(name)

@@ -113,6 +113,10 @@ impl Course {
         let state = &mut self.rows.state;
         state.clone_from(integrator.state());
         self.energy.meet(integrator.system().energy(state));
+        if self.energy.wants_potential() {
+            state.v.fill(0.0);
+            self.energy.meet_potential(integrator.system().energy(state));
+        }
     }
 
     /// Adds the rows up to the end of the last step.
@@ -283,14 +287,21 @@ impl Steps {
     }
 }
 
-/// Deviation of the energy from its first value.
+/// Deviation of the energy from its first value. It is measured in the largest kinetic energy: the zero of a potential is
+/// anybody's choice.
 #[derive(Default)]
 struct EnergyDrift {
     first: Option<f64>,
     lost: bool,
     deviation: f64,
-    largest: f64,
+    last: f64,
+    kinetic: f64,
+    /// States met.
+    count: u64,
 }
+
+/// The kinetic energy is looked at in one of so many states: it serves as a size.
+const LOOKED_AT: u64 = 4;
 
 impl Keep for EnergyDrift {
     fn keep(&mut self, archive: &mut Archive<'_>) {
@@ -298,12 +309,16 @@ impl Keep for EnergyDrift {
             first,
             lost,
             deviation,
-            largest,
+            last,
+            kinetic,
+            count,
         } = self;
         first.keep(archive);
         lost.keep(archive);
         deviation.keep(archive);
-        largest.keep(archive);
+        last.keep(archive);
+        kinetic.keep(archive);
+        count.keep(archive);
     }
 }
 
@@ -315,7 +330,19 @@ impl EnergyDrift {
         };
         let first = *self.first.get_or_insert(energy);
         self.deviation = self.deviation.max((energy - first).abs());
-        self.largest = self.largest.max(energy.abs());
+        self.last = energy;
+        self.count += 1;
+    }
+
+    fn wants_potential(&self) -> bool {
+        !self.lost && self.count % LOOKED_AT == 1
+    }
+
+    /// The energy of the same state without velocities.
+    fn meet_potential(&mut self, energy: Option<f64>) {
+        if let Some(potential) = energy {
+            self.kinetic = self.kinetic.max(self.last - potential);
+        }
     }
 
     fn relative(&self) -> Option<f64> {
@@ -325,7 +352,7 @@ impl EnergyDrift {
         Some(if self.deviation == 0.0 {
             0.0
         } else {
-            self.deviation / self.largest
+            self.deviation / self.kinetic
         })
     }
 }

@@ -39,6 +39,8 @@ mod parameters;
 mod pictures;
 mod plan;
 mod progress;
+#[cfg(feature = "python")]
+pub mod python;
 mod recorder;
 mod report;
 #[cfg(test)]

@@ -271,7 +271,7 @@ fn label(key: &str) -> String {
         "circular_whirl" => "modes whirl on circles",
         "every" => "time between rows",
         "max_step" => "step ceiling",
-        "energy_error" => "relative energy error",
+        "energy_error" => "deviation of the energy over the largest kinetic energy",
         "max_constraint_residual" => "largest constraint residual",
         "jacobian_evaluations" => "Jacobian evaluations",
         "newton_iterations" => "Newton iterations",

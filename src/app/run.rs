@@ -98,8 +98,8 @@ pub struct RunResult {
     pub unknowns: usize,
     /// Number of constraints with multipliers.
     pub constraints: usize,
-    /// Largest deviation of the total energy from its initial value, relative to the largest energy
-    /// met; `None` where the model does not conserve it.
+    /// Largest deviation of the total energy from its initial value, relative to the largest kinetic energy; `None` where
+    /// the model does not conserve it.
     pub energy_error: Option<f64>,
     /// What the model says a reader must know.
     pub cautions: Vec<Caution>,

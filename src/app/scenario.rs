@@ -131,6 +131,12 @@ impl Scenario {
     }
 }
 
+/// Names of the settings that a file may hold.
+pub(super) fn settings(line: &clap::Command) -> Vec<&str> {
+    let names = line.get_arguments().map(|arg| arg.get_id().as_str());
+    names.filter(|name| is_inner(name)).collect()
+}
+
 fn is_inner(flag: &str) -> bool {
     !OUTER.contains(&flag) && !["words", "help", "version"].contains(&flag)
 }
@@ -249,14 +255,13 @@ impl Reader<'_> {
         let mut flags = Vec::new();
         for (key, value) in self.table("settings", value)? {
             let (name, place): (&str, usize) = (key.get_ref().as_ref(), key.span().start);
-            let known = line.get_arguments().filter(|arg| is_inner(arg.get_id().as_str()));
-            let known: Vec<&clap::Arg> = known.collect();
-            let Some(arg) = known.iter().find(|arg| arg.get_id() == name) else {
+            let known = settings(line);
+            let arg = line.get_arguments().find(|arg| arg.get_id() == name);
+            let Some(arg) = arg.filter(|_| known.contains(&name)) else {
                 if OUTER.contains(&name) {
                     return Err(self.at(place, &format!("`{name}` stands on the command line, `--{name}`")));
                 }
-                let names: Vec<&str> = known.iter().map(|arg| arg.get_id().as_str()).collect();
-                return Err(self.at(place, &unknown("setting", name, &names)));
+                return Err(self.at(place, &unknown("setting", name, &known)));
             };
             match (arg.get_action().takes_values(), value.get_ref()) {
                 (false, DeValue::Boolean(true)) => flags.push((name.into(), None)),

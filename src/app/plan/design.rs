@@ -8,7 +8,7 @@ use crate::app::parameters::{Values, Varied};
 /// How points are laid out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::app) enum Design {
-    /// Every value of each parameter with every value of the others; the last parameter changes fastest.
+    /// Every value of each parameter with every value of the others; the model's last one changes fastest.
     Grid,
     /// So many points that of each parameter every one of as many equally likely parts holds one (Latin hypercube).
     Latin(usize),

@@ -46,6 +46,7 @@ pub(super) struct PlanSettings {
     pub of: Command,
     pub design: Design,
     pub seed: u64,
+    /// In the order of the model.
     pub varied: Vec<Varied>,
     /// Columns of the history that stand in the table; `None`: all.
     pub outputs: Option<Vec<usize>>,
@@ -133,9 +134,11 @@ pub(super) fn flags() -> Vec<Arg> {
 pub(super) fn settings(
     model: &dyn AnyModel,
     matches: &ArgMatches,
-    varied: Vec<Varied>,
+    mut varied: Vec<Varied>,
     default: Command,
 ) -> Result<PlanSettings, String> {
+    // A line and a file that say the same in another order make the same plan.
+    varied.sort_by_key(|one| one.param);
     let whole = |name: &str| {
         let read = |text: &str| {
             let wanted = || format!("`--{name} {text}`: a whole number is needed");

@@ -1,0 +1,5 @@
+//! `cargo run --release -- length="2 m" --rtol 1e-8`; `-- --help` lists all.
+
+fn main() -> std::process::ExitCode {
+    rncf::app::main::<swing::Swing>()
+}
