@@ -8,6 +8,9 @@ use plotters::coord::ranged1d::{Ranged, ValueFormatter};
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
+use serde_json::{Value, json};
+
+use super::parameters::digits;
 
 /// A chart of lines over a common axis.
 pub struct Chart {
@@ -33,6 +36,8 @@ pub struct Line {
     pub points: Vec<(f64, f64)>,
     /// Number of the colour: blue, orange, green, purple, ochre, grey, and again from the start.
     pub color: usize,
+    /// What its colour stands for; empty where it is the only one.
+    pub name: String,
     /// What is written at its end of a dashed, grey line, which does not count in the vertical range.
     pub guide: Option<String>,
 }
@@ -43,7 +48,16 @@ impl Line {
         Self {
             points: points.into_iter().collect(),
             color,
+            name: String::new(),
             guide: None,
+        }
+    }
+
+    /// The same with a name.
+    pub fn named(self, name: impl Into<String>) -> Self {
+        Self {
+            name: name.into(),
+            ..self
         }
     }
 
@@ -101,6 +115,33 @@ impl Chart {
         drawn.map_err(|error| format!("a chart cannot be drawn: {error}"))?;
         drop(area);
         Ok(text)
+    }
+
+    /// The same as data, for the script of the page: seven digits, no more points than a drawing shows.
+    pub(super) fn to_json(&self) -> Value {
+        let number = |value: f64| match digits(value, 7).parse::<f64>() {
+            Ok(short) => json!(short),
+            Err(_) => json!(value),
+        };
+        let line = |line: &Line| {
+            let points = thinned(&line.points, BUCKETS / 4);
+            json!({
+                "name": line.name,
+                "color": line.color,
+                "guide": line.guide,
+                "p": points.iter().flat_map(|&(x, y)| [number(x), number(y)]).collect::<Value>(),
+            })
+        };
+        let dot = |&((x, y), color): &((f64, f64), usize)| json!([number(x), number(y), color]);
+        json!({
+            "x": self.x,
+            "y": self.y,
+            "log": self.logarithmic,
+            "tall": self.is_tall,
+            "lines": self.lines.iter().map(line).collect::<Value>(),
+            "dots": self.dots.iter().map(dot).collect::<Value>(),
+            "marks": self.marks.iter().map(|(place, text)| json!([number(*place), text])).collect::<Value>(),
+        })
     }
 
     fn draw<Y>(
@@ -239,7 +280,7 @@ fn decades((low, high): (f64, f64)) -> Interval {
 fn tick(value: f64, size: f64) -> String {
     // Ticks are short decimals up to the round-off of their computation, which shows at zero.
     let value = if value.abs() < 1e-9 * size { 0.0 } else { value };
-    super::parameters::digits(value, 6)
+    digits(value, 6)
 }
 
 /// The part of an ascending line up to a height.

@@ -341,7 +341,8 @@ impl EnergyDrift {
     /// The energy of the same state without velocities.
     fn meet_potential(&mut self, energy: Option<f64>) {
         if let Some(potential) = energy {
-            self.kinetic = self.kinetic.max(self.last - potential);
+            // In a turning frame that of the rotation counts against it.
+            self.kinetic = self.kinetic.max((self.last - potential).abs());
         }
     }
 
@@ -352,7 +353,7 @@ impl EnergyDrift {
         Some(if self.deviation == 0.0 {
             0.0
         } else {
-            self.deviation / self.kinetic
+            self.deviation / self.kinetic.max(self.deviation)
         })
     }
 }

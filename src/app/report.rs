@@ -17,6 +17,7 @@ use crate::modes::Critical;
 use crate::{AnyModel, Caution, Output};
 
 const STYLE: &str = include_str!("page.css");
+const SCRIPT: &str = include_str!("page.js");
 
 /// The page of a command; `results` is what it found.
 pub(super) fn page(model: &dyn AnyModel, what: &str, summary: &Summary, results: &str) -> String {
@@ -47,7 +48,7 @@ pub(super) fn page(model: &dyn AnyModel, what: &str, summary: &Summary, results:
         page,
         "<footer>rncf {version}; all values in SI units unless a unit is given.</footer>"
     );
-    page += "</body>\n</html>\n";
+    let _ = write!(page, "<script>\n{SCRIPT}</script>\n</body>\n</html>\n");
     page
 }
 
@@ -130,7 +131,11 @@ fn results(
     let mut column = 0;
     for (index, output) in model.outputs().iter().enumerate() {
         let count = output.width();
-        let line = |index: usize| Line::new(history.keys.iter().copied().zip(history.column(index)), index - column);
+        let line = |index: usize| {
+            let points = history.keys.iter().copied().zip(history.column(index));
+            let name = output.components.get(index - column).copied().unwrap_or_default();
+            Line::new(points, index - column).named(name)
+        };
         // Over time the table below the chart is enough.
         let of_equilibria = history.key.name != "t";
         let dots = (column..column + count).filter_map(|index| {
@@ -202,9 +207,12 @@ fn step_chart(page: &mut String, steps: &[StepTaken]) -> Result<(), String> {
 /// A chart that cannot be drawn.
 pub(super) fn figure(page: &mut String, caption: &str, chart: &Chart, below: &str) -> Result<(), String> {
     let svg = chart.to_svg()?;
+    // Nothing in the data ends the element that holds it.
+    let data = chart.to_json().to_string().replace('<', "\\u003c");
     let _ = write!(
         page,
-        "<figure>\n<figcaption>{caption}</figcaption>\n{svg}\n{below}</figure>\n"
+        "<figure>\n<figcaption>{caption}</figcaption>\n{svg}\n\
+         <script type=\"application/json\" class=\"data\">{data}</script>\n{below}</figure>\n"
     );
     Ok(())
 }

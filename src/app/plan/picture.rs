@@ -66,7 +66,9 @@ fn over(model: &dyn AnyModel, plan: &Plan, table: &Table, group: &[usize], place
         let mut points: Vec<(f64, f64)> = points.collect();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
         if plan.varied.len() == 1 && plan.design == Design::Grid {
-            chart.lines.push(Line::new(points, color));
+            chart
+                .lines
+                .push(Line::new(points, color).named(table.heads[index].what));
         } else {
             chart.dots.extend(points.into_iter().map(|point| (point, color)));
         }
