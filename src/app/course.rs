@@ -4,6 +4,7 @@
 
 use super::cautions;
 use super::clock::{Clock, Seconds};
+use super::coarse::Coarseness;
 use super::history::SKETCHED;
 use super::pictures::Pictures;
 use super::recorder::Recorder;
@@ -53,6 +54,7 @@ struct Rows {
     state: State,
     values: Vec<f64>,
     warnings: Vec<Warning>,
+    coarseness: Coarseness,
 }
 
 impl Course {
@@ -84,6 +86,7 @@ impl Course {
                 state: integrator.state().clone(),
                 values: vec![0.0; columns],
                 warnings: Vec::new(),
+                coarseness: Coarseness::default(),
             },
             energy: EnergyDrift::default(),
             steps,
@@ -169,6 +172,7 @@ impl Course {
                     state: _,
                     values: _,
                     warnings,
+                    coarseness,
                 },
             energy,
             steps,
@@ -178,6 +182,7 @@ impl Course {
         } = self;
         next.keep(archive);
         warnings.keep(archive);
+        coarseness.keep(archive);
         energy.keep(archive);
         steps.keep(archive);
         gathered.keep(archive);
@@ -194,12 +199,13 @@ impl Course {
     }
 
     /// Fills the result with what is gathered; `moved` is what the start corrected.
-    pub fn fill(self, result: &mut RunResult, moved: Vec<String>) {
+    pub fn fill(self, scene: &dyn Scene, result: &mut RunResult, moved: Vec<String>) {
         result.steps = self.steps.taken();
         result.energy_error = self.energy.relative();
         let yielding = result.envelopes.warning();
+        let coarse = self.rows.coarseness.warning(scene);
         let told = cautions::texts(self.rows.warnings);
-        result.warnings = moved.into_iter().chain(told).chain(yielding).collect();
+        result.warnings = moved.into_iter().chain(told).chain(yielding).chain(coarse).collect();
         result.seconds = self.before.and(self.clock.seconds());
     }
 }
@@ -235,6 +241,7 @@ impl Rows {
         result.history.push(time, &self.values).map_err(Incomplete::Output)?;
         recorder.row(time, &self.values);
         result.envelopes.meet(integrator.system(), time, &self.state);
+        self.coarseness.meet(integrator.system(), &self.state, self.t_end);
         if let Some(pictures) = &mut result.pictures {
             pictures.take(self.next, integrator.system(), time, &self.state);
         }

@@ -16,6 +16,7 @@ mod chart;
 pub mod charts;
 mod checkpoint;
 mod clock;
+mod coarse;
 mod command;
 mod course;
 mod date;

@@ -3,6 +3,7 @@
 
 use super::cautions;
 use super::clock::{Clock, Seconds};
+use super::coarse;
 use super::run_error::RunError;
 use super::sweep::{self, SweepSettings};
 use crate::equilibrium::{Kind, Uniform, follow};
@@ -201,6 +202,10 @@ pub fn modes(model: &dyn AnyModel, settings: &SweepSettings) -> Result<Modes, Ru
         .iter()
         .map(|mode| scene.composition(&at, &state, &mode.shape))
         .collect();
+    let errors = modes::mesh_errors(scene, &at, &state, &shapes);
+    let mut warnings = cautions::cautioned(model.as_ref(), scene.warnings(&state));
+    warnings.extend(coarse::Coarseness::of_equilibrium(scene, &at, &state).warning(scene));
+    warnings.extend(coarse::of_modes(scene, &errors));
     Ok(Modes {
         settings: *settings,
         t,
@@ -213,7 +218,7 @@ pub fn modes(model: &dyn AnyModel, settings: &SweepSettings) -> Result<Modes, Ru
         unknowns: scene.unknowns(),
         constraints: scene.constraints(),
         newton_iterations: u64::from(found.iterations()),
-        warnings: cautions::cautioned(model.as_ref(), scene.warnings(&state)),
+        warnings,
         seconds: clock.seconds(),
     })
 }

@@ -293,7 +293,7 @@ fn integrate(
         incomplete = incomplete.or(Some(Incomplete::Files(error)));
     }
     moved.extend_from_slice(&integrator.statistics().jumps);
-    course.fill(result, moved);
+    course.fill(integrator.system(), result, moved);
     result.state.clone_from(integrator.state());
     result.statistics = integrator.statistics().clone();
     result.incomplete = incomplete;

@@ -243,7 +243,12 @@ fn a_stretch_that_no_material_bears_is_told() {
     };
     let notes = run(&torn, &RunSettings::default()).unwrap().warnings;
     assert!(
-        notes.len() == 1 && notes[0].starts_with("body `strip`: its axis is stretched to "),
+        notes[0].starts_with("body `strip`: its axis is stretched to "),
+        "{notes:?}"
+    );
+    // No mesh of four elements follows that.
+    assert!(
+        notes.len() == 2 && notes[1].contains("more than 50 % of `strip`"),
         "{notes:?}"
     );
 }

@@ -2,7 +2,8 @@
 
 use super::scene::{ModalScene, Told};
 use crate::model::{
-    Composition, Configuration, Curve, DescribedBody, FrameState, Scene, SectionBody, SectionState, Uniform, Warning,
+    Composition, Configuration, Curve, DescribedBody, FrameState, MeshError, Scene, SectionBody, SectionState, Uniform,
+    Warning,
 };
 use crate::system::{State, Tangent};
 
@@ -66,6 +67,22 @@ impl Scene for ModalScene {
     fn uniform_section_states(&mut self, at: &Uniform, state: &State, out: &mut Vec<SectionState>) {
         self.expand(state);
         self.in_elements(|scene, full| scene.uniform_section_states(at, full, out));
+    }
+
+    fn mesh_errors(&mut self, state: &State, out: &mut Vec<MeshError>) {
+        self.expand(state);
+        self.in_elements(|scene, full| scene.mesh_errors(full, out));
+    }
+
+    fn uniform_mesh_errors(&mut self, at: &Uniform, state: &State, out: &mut Vec<MeshError>) {
+        self.expand(state);
+        self.in_elements(|scene, full| scene.uniform_mesh_errors(at, full, out));
+    }
+
+    fn mode_mesh_errors(&mut self, at: &Uniform, state: &State, s: [f64; 2], shape: &[[f64; 2]]) -> Vec<f64> {
+        self.expand(state);
+        let shape = self.expanded_shape(shape);
+        self.in_elements(|scene, full| scene.mode_mesh_errors(at, full, s, &shape))
     }
 
     fn rest(&self, t: f64) -> State {

@@ -1,5 +1,6 @@
 //! The bodies of a scene as it tells them: how they are described, and what their sections carry.
 
+use crate::archive::{Archive, Keep};
 use crate::emitted::{Fidelity, SectionQuantity};
 
 /// A meshed body of the declaration, as it is described in a scene.
@@ -22,6 +23,8 @@ pub struct SectionBody {
     pub name: String,
     /// Length of the stress-free axis, m.
     pub length: f64,
+    /// Number of its elements.
+    pub elements: usize,
     /// Number of its section states.
     pub states: usize,
     /// Whether its elements have sections, which shear; a centre line tells neither shear forces nor a torque.
@@ -36,6 +39,23 @@ pub struct SectionBody {
     pub material: &'static str,
     /// Its yield stress, Pa.
     pub yield_stress: Option<f64>,
+}
+
+/// How far the mesh of a body is from it at a state: energies of what its sections carry, J.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct MeshError {
+    /// Of forces and moments that balance inertia and loads.
+    pub energy: f64,
+    /// Of their difference to those of the elements' strains: over `energy` by how much the mesh is too stiff.
+    pub error: f64,
+}
+
+impl Keep for MeshError {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        let Self { energy, error } = self;
+        energy.keep(archive);
+        error.keep(archive);
+    }
 }
 
 /// What a section carries at the loaded state, in its own axes x (along `r_y x r_z`, of a centre line its

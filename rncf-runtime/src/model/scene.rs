@@ -1,6 +1,6 @@
 //! A scene: a system with bodies in it.
 
-use super::bodies::{DescribedBody, SectionBody, SectionState};
+use super::bodies::{DescribedBody, MeshError, SectionBody, SectionState};
 use super::composition::Composition;
 use super::picture::{Configuration, Curve};
 use super::uniform::Uniform;
@@ -54,6 +54,23 @@ pub trait Scene: System + Send {
     /// The same in the uniform motion.
     fn uniform_section_states(&mut self, _at: &Uniform, _state: &State, out: &mut Vec<SectionState>) {
         out.clear();
+    }
+
+    /// How far the meshes of all [`Scene::section_bodies`] are from their bodies at a state; `out` is overwritten. Nothing
+    /// where that is not known.
+    fn mesh_errors(&mut self, _state: &State, out: &mut Vec<MeshError>) {
+        out.clear();
+    }
+
+    /// The same in the uniform motion.
+    fn uniform_mesh_errors(&mut self, _at: &Uniform, _state: &State, out: &mut Vec<MeshError>) {
+        out.clear();
+    }
+
+    /// Of small motions `Re(shape exp((s[0] + i s[1]) t))` of the unknowns about the uniform motion: for all [`Scene::section_bodies`]
+    /// the stiffness that their meshes have too much, `shape . dK shape`; nothing where it is not known.
+    fn mode_mesh_errors(&mut self, _at: &Uniform, _state: &State, _s: [f64; 2], _shape: &[[f64; 2]]) -> Vec<f64> {
+        Vec::new()
     }
 
     /// Undeformed and at rest in the bodies' frames at time `t`; accelerations and multipliers zero.

@@ -112,6 +112,45 @@ pub fn stability_margin(modes: &[Mode]) -> Option<f64> {
     modes.iter().map(|mode| mode.re).reduce(f64::max)
 }
 
+/// How far the frequencies of modes about a uniform motion are too high for the meshes of the bodies, as parts of them: for each
+/// mode one number for every body of [`Scene::section_bodies`]. To first order what the meshes have too much of stiffness
+/// changes s by `x . dK x / (x . (2 s M + C) x)`. Of motions that creep nothing is known.
+pub fn mesh_errors(scene: &mut dyn Scene, at: &Uniform, state: &State, modes: &[Mode]) -> Vec<Vec<f64>> {
+    let tangent = tangent(scene, at, state);
+    let of = |scene: &mut dyn Scene, mode: &Mode| -> Vec<f64> {
+        let size = mode.re.hypot(mode.im);
+        if mode.im <= CREEPING * size || size == 0.0 {
+            return Vec::new();
+        }
+        let [mass, damping] =
+            [&tangent.mass, &tangent.damping].map(|values| form(scene.pattern(), values, &mode.shape));
+        let by = [
+            2.0 * (mode.re * mass[0] - mode.im * mass[1]) + damping[0],
+            2.0 * (mode.re * mass[1] + mode.im * mass[0]) + damping[1],
+        ];
+        let changed = by[0].hypot(by[1]) * size;
+        let errors = scene.mode_mesh_errors(at, state, [mode.re, mode.im], &mode.shape);
+        errors.into_iter().map(|error| error / changed).collect()
+    };
+    modes.iter().map(|mode| of(scene, mode)).collect()
+}
+
+/// Part of |s| below which a frequency is that of a motion that creeps.
+const CREEPING: f64 = 0.3;
+
+/// `conj(x) . A x` of a matrix on a pattern.
+fn form(pattern: &Pattern, values: &[f64], x: &[[f64; 2]]) -> [f64; 2] {
+    let mut sum = [0.0; 2];
+    for column in 0..pattern.columns() {
+        for entry in pattern.starts()[column]..pattern.starts()[column + 1] {
+            let ([a, b], [c, d]) = (x[pattern.indices()[entry]], x[column]);
+            sum[0] += values[entry] * (a * c + b * d);
+            sum[1] += values[entry] * (a * d - b * c);
+        }
+    }
+    sum
+}
+
 fn pencil(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Pencil {
     let tangent = tangent(scene, at, state);
     with_constraints(scene, state, &tangent)

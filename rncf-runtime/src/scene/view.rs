@@ -3,7 +3,8 @@
 use super::mesh_scene::MeshScene;
 use crate::emitted::ObservedSpec;
 use crate::model::{
-    Composition, Configuration, Curve, DescribedBody, FrameState, Scene, SectionBody, SectionState, Uniform, Warning,
+    Composition, Configuration, Curve, DescribedBody, FrameState, MeshError, Scene, SectionBody, SectionState, Uniform,
+    Warning,
 };
 use crate::system::{State, Tangent};
 use crate::vector::norm;
@@ -60,6 +61,22 @@ impl Scene for MeshScene {
         self.load_uniform(at, state);
         self.evaluate_sections(at.t, at.load(), &state.lambda);
         self.sample_sections(out);
+    }
+
+    fn mesh_errors(&mut self, state: &State, out: &mut Vec<MeshError>) {
+        self.load_state(state);
+        self.evaluate_sections(state.t, 1.0, &state.lambda);
+        self.measure_meshes(out);
+    }
+
+    fn uniform_mesh_errors(&mut self, at: &Uniform, state: &State, out: &mut Vec<MeshError>) {
+        self.load_uniform(at, state);
+        self.evaluate_sections(at.t, at.load(), &state.lambda);
+        self.measure_meshes(out);
+    }
+
+    fn mode_mesh_errors(&mut self, at: &Uniform, state: &State, s: [f64; 2], shape: &[[f64; 2]]) -> Vec<f64> {
+        self.mode_errors(at, state, s, shape)
     }
 
     fn rest(&self, t: f64) -> State {

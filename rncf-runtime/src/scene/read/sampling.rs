@@ -20,6 +20,7 @@ impl MeshScene {
             SectionBody {
                 name: spec.label(),
                 length: spec.line.length(),
+                elements: spec.count,
                 states: PLACES.len() * spec.count,
                 has_section: spec.has_section(),
                 is_planar: spec.dimension() == 2,

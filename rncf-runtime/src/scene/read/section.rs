@@ -2,7 +2,7 @@
 //! the balance of the element with the forces on its nodes, and of its part up to the place with inertia and loads.
 
 use super::stress::largest_stress;
-use crate::emitted::{Fidelity, MAX_SIZE, SectionQuantity, SectionSpec};
+use crate::emitted::{Fidelity, Interpolant, MAX_SIZE, SectionQuantity, SectionSpec};
 use crate::error::ModelError;
 use crate::model::SectionState;
 use crate::scene::bodies::described::Kernels;
@@ -55,8 +55,9 @@ pub(crate) struct Reader<'a> {
     /// The local vector that is the position of the first node.
     first: usize,
     reaches: &'a mut Reaches,
-    /// The element that is read.
+    /// The element that is read, and its number.
     found: Element,
+    at: usize,
 }
 
 impl<'a> Reader<'a> {
@@ -75,7 +76,37 @@ impl<'a> Reader<'a> {
                 .unwrap_or(0),
             reaches,
             found: Element::default(),
+            at: 0,
         }
+    }
+
+    /// Force and moment on the section at a place in [0, 1] of the element begun last, frame axes.
+    pub fn carried(&mut self, xi: f64) -> [Vector; 2] {
+        let reach = self.reaches.to(described(self.scene, self.body), xi);
+        carried(self.scene, (self.body, self.at), self.first, reach, &self.found)
+    }
+
+    /// Inertia of a section's vectors r_y and r_z per length at a place in [0, 1] of the element begun last, N m/m, frame axes.
+    pub fn inertia_of_section(&mut self, xi: f64) -> [Vector; 2] {
+        let reach = self.reaches.to(described(self.scene, self.body), xi);
+        let body = &self.scene.bodies[self.body];
+        let (nodal, length) = (body.spec.nodal, body.spec.element_length(self.at));
+        let of = [Interpolant::Position, Interpolant::SectionY, Interpolant::SectionZ];
+        let weights = [&reach.position, &reach.axes[0], &reach.axes[1]];
+        let accelerations = weights.map(|weights| sum(weights, &self.found.accelerations));
+        // Shape functions add up to one: those of positions by themselves, with slopes beside them.
+        let counts = |place: usize, which: Interpolant| nodal[place].of == which && nodal[place].order == 0;
+        let masses = body.mass_of(self.at);
+        let density = |row: Interpolant, column: Interpolant| -> f64 {
+            let entries = masses.iter().enumerate();
+            let own =
+                entries.filter(|&(entry, _)| counts(entry / nodal.len(), row) && counts(entry % nodal.len(), column));
+            own.map(|(_, mass)| mass / length).sum()
+        };
+        [1, 2].map(|row| {
+            let parts = (0..3).map(|column| scale(density(of[row], of[column]), accelerations[column]));
+            parts.fold([0.0; 3], add)
+        })
     }
 
     /// What the sections at places in [0, 1] of an element carry.
@@ -123,7 +154,8 @@ impl<'a> Reader<'a> {
     /// What the section at the start of an element carries. The element is in equilibrium with what its nodes exert on
     /// it: its generalised forces (elastic ones and inertia less loads) on the vectors of its first node are what the
     /// part before exerts there. So sections, joints and loads balance as the discrete equations do, whatever the mesh.
-    fn begin(&mut self, element: usize) {
+    pub fn begin(&mut self, element: usize) {
+        self.at = element;
         self.reaches.begin(described(self.scene, self.body), element);
         let body = &self.scene.bodies[self.body];
         let (spec, buffers) = (&body.spec, &self.scene.buffers);

@@ -22,6 +22,18 @@ pub(crate) struct Corotation {
 }
 
 impl Corotation {
+    /// Adds what a co-rotating perturbation and its rate add to velocities and accelerations beside the rates themselves.
+    pub fn add_rates(&self, [place, rate]: [&[f64]; 2], [v, a]: [&mut [f64]; 2]) {
+        let (first, k) = (self.first, self.count);
+        for i in 0..k {
+            for j in 0..k {
+                let (entry, by) = (i * k + j, first + j);
+                v[first + i] += self.velocity[entry] * place[by];
+                a[first + i] += self.coriolis[entry] * rate[by] + self.acceleration[entry] * place[by];
+            }
+        }
+    }
+
     /// Turns derivatives by unknowns at constant velocities into those by co-rotating perturbations:
     /// `K += C velocity + M acceleration`, `C += M coriolis`.
     pub fn apply(&self, pattern: &Pattern, out: &mut Tangent) {

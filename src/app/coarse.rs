@@ -1,0 +1,145 @@
+//! Meshes that are too coarse for what their bodies do: the energy of the error of their elements, as the scene estimates it.
+
+use crate::archive::{Archive, Keep};
+use crate::equilibrium::Uniform;
+use crate::model::{MeshError, SectionBody};
+use crate::{Scene, State};
+
+/// Part of a body's energy from which on its error is told.
+const TOLD: f64 = 0.01;
+/// Part of the energy of all bodies below which a body does not count.
+const COUNTS: f64 = 0.01;
+/// Part of its largest energy above which the energy of a body at a moment is much.
+const MUCH: f64 = 0.1;
+/// Looks at a run.
+const LOOKS: f64 = 50.0;
+/// Most bodies in the sentence.
+const MOST: usize = 3;
+
+/// What was seen of all bodies of [`Scene::section_bodies`].
+#[derive(Clone, Debug, Default)]
+pub(super) struct Coarseness {
+    /// Look by look.
+    looks: Vec<Vec<MeshError>>,
+    /// When the next look is due, s.
+    due: f64,
+}
+
+impl Keep for Coarseness {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        let Self { looks, due } = self;
+        looks.keep(archive);
+        due.keep(archive);
+    }
+}
+
+impl Coarseness {
+    /// Looks at a row of a run of `t_end`, s, from time to time.
+    pub fn meet(&mut self, scene: &mut dyn Scene, state: &State, t_end: f64) {
+        if state.t >= self.due {
+            self.due = state.t + t_end / LOOKS * (1.0 - 1e-9);
+            let mut found = Vec::new();
+            scene.mesh_errors(state, &mut found);
+            self.looks.push(found);
+        }
+    }
+
+    /// Looks at an equilibrium.
+    pub fn of_equilibrium(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Self {
+        let mut found = Vec::new();
+        scene.uniform_mesh_errors(at, state, &mut found);
+        Self {
+            looks: vec![found],
+            due: 0.0,
+        }
+    }
+
+    /// Largest energy of a body, J, and the largest part of it that is error, of moments at which it has much energy.
+    fn worst(&self, body: usize) -> (f64, f64) {
+        let seen = || self.looks.iter().filter_map(|look| look.get(body));
+        let energy = seen().map(|of| of.energy).fold(0.0, f64::max);
+        let counts = seen().filter(|of| of.energy > MUCH * energy);
+        (energy, counts.map(|of| of.error / of.energy).fold(0.0, f64::max))
+    }
+
+    /// One sentence where meshes are too coarse.
+    pub fn warning(&self, scene: &dyn Scene) -> Option<String> {
+        let bodies = scene.section_bodies();
+        let worst: Vec<(f64, f64)> = (0..bodies.len()).map(|body| self.worst(body)).collect();
+        let all: f64 = worst.iter().map(|of| of.0).sum();
+        let mut told: Vec<(f64, &SectionBody)> = bodies
+            .iter()
+            .zip(&worst)
+            .filter(|&(_, &(energy, part))| part > TOLD && energy > COUNTS * all)
+            .map(|(body, &(_, part))| (part, body))
+            .collect();
+        told.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let names: Vec<String> = told
+            .iter()
+            .map(|(part, body)| format!("{} of {}", percent(*part), named(body)))
+            .collect();
+        Some(format!(
+            "The mesh is too coarse for how it deforms: {} is not deformation but error of the elements (parts of the strain energy). Deflections under given loads are too small by up to such a part and frequencies too high by half of it, forces of given deflections too large. {MORE}.",
+            listed(names, "more bodies")?
+        ))
+    }
+}
+
+/// One sentence where the meshes of bodies make frequencies too high, by these parts for every mode and body.
+pub(super) fn of_modes(scene: &dyn Scene, errors: &[Vec<f64>]) -> Option<String> {
+    let bodies = scene.section_bodies();
+    let told = errors.iter().enumerate().filter_map(|(mode, errors)| {
+        let all: f64 = errors.iter().sum();
+        let (body, _) = bodies.iter().zip(errors).max_by(|a, b| a.1.total_cmp(b.1))?;
+        (all > 0.5 * TOLD).then(|| (mode, all, body))
+    });
+    let told: Vec<(usize, f64, &SectionBody)> = told.collect();
+    let sentence = |&(mode, part, _): &(usize, f64, &SectionBody)| format!("of mode {} by {}", mode + 1, percent(part));
+    let frequencies = listed(told.iter().map(sentence).collect(), "more modes")?;
+    let mut names: Vec<String> = Vec::new();
+    for name in told.iter().map(|(_, _, body)| named(body)) {
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    Some(format!(
+        "The mesh is too coarse for these modes: the frequency {frequencies} is too high, for {}. {MORE}.",
+        listed(names, "more bodies")?
+    ))
+}
+
+/// What to do.
+const MORE: &str = "Take more elements in `mesh`: twice as many make it some ten times less";
+
+fn named(body: &SectionBody) -> String {
+    let elements = body.elements;
+    format!(
+        "`{}` ({elements} element{})",
+        body.name,
+        if elements == 1 { "" } else { "s" }
+    )
+}
+
+/// A part with two digits; beyond one half the first order says no number.
+fn percent(part: f64) -> String {
+    if part > 0.5 {
+        return "more than 50 %".into();
+    }
+    let digits = usize::from(part < 0.1);
+    format!("about {:.digits$} %", 100.0 * part)
+}
+
+/// The first of some parts of a sentence, and how many more there are; `None` without any.
+fn listed(mut parts: Vec<String>, more: &str) -> Option<String> {
+    let others = parts.len().saturating_sub(MOST);
+    if others > 1 {
+        parts.truncate(MOST);
+        parts.push(format!("{others} {more}"));
+    }
+    let last = parts.pop()?;
+    Some(if parts.is_empty() {
+        last
+    } else {
+        format!("{} and {last}", parts.join(", "))
+    })
+}

@@ -1,0 +1,206 @@
+//! What meshes are told of themselves: estimates of their errors beside the errors against closed forms.
+
+use rncf::app::{RunSettings, SweepSettings, modes, run, static_equilibria};
+use rncf::equilibrium::{Uniform, follow};
+use rncf::modes::{Mode, Wanted};
+use rncf::prelude::*;
+
+rncf::model! {
+    /// Half rings and cantilevers, each with a force at its end.
+    pub model Bent {
+        param n: count = 4;
+        param force = 0.1 N;
+        material m { density = 1000 kg/m^3; young = 1e10 Pa; poisson = 0.3; }
+        section strip { area = 1 cm^2; second_moment = 1e-8 m^4; shear_factor = 5/6; }
+        section taper { area = 1 [cm^2] * (1 - x / 2 [m])^2; second_moment = 1e-8 [m^4] * (1 - x / 2 [m])^4; }
+        body ring { planar xy; arc from [1, 0, 0] m direction [0, 1, 0] radius 1 m angle 180 deg; mesh n * cable(strip, m); }
+        body bow { planar xy; arc from [1, 0, 0] m direction [0, 1, 0] radius 1 m angle 180 deg; mesh n * beam(strip, m); }
+        body spike { planar xy; line from [0, 0, 0] m to [1, 0, 0] m; mesh n * cable(taper, m); }
+        joint root_of_ring = clamp(ring.start, inertial);
+        joint root_of_bow = clamp(bow.start, inertial);
+        joint root_of_spike = clamp(spike.start, inertial);
+        load on_ring = force(ring.end, [-force, 0 N, 0 N]);
+        load on_bow = force(bow.end, [-force, 0 N, 0 N]);
+        load on_spike = force(spike.end, [0 N, force, 0 N]);
+        output of_ring = -1 m - ring.end.x;
+        output of_bow = -1 m - bow.end.x;
+        output of_spike = spike.end.y;
+    }
+}
+
+rncf::model! {
+    /// A cantilever in bending and stretching.
+    pub model Reed {
+        param n: count = 4;
+        material m { density = 1000 kg/m^3; young = 1e10 Pa; }
+        section strip { area = 1 cm^2; second_moment = 1e-8 m^4; }
+        body reed { planar xy; line from [0, 0, 0] m to [1, 0, 0] m; mesh n * cable(strip, m); }
+        joint root = clamp(reed.start, inertial);
+        output tip = reed.end.y;
+    }
+}
+
+rncf::model! {
+    /// The rope of the guide: it swings down.
+    pub model Rope {
+        param n: count = 8;
+        material rubber { density = 1100 kg/m^3; young = 5 MPa; damping = 2 ms; }
+        section round { area = pi * (10 mm)^2 / 4; second_moment = pi * (10 mm)^4 / 64; }
+        body rope { planar xy; line from [0, 0, 0] m to [1, 0, 0] m; mesh n * cable(round, rubber); }
+        joint hook = pin(rope.start, inertial);
+        load weight = gravity([0, -9.81, 0] m/s^2);
+        output tip = rope.end;
+        run { t_end = 2 s; every = 0.01 s; }
+    }
+}
+
+rncf::model! {
+    /// A wire with a weight hangs from two hooks: its shape bends, its strains are small.
+    pub model Wire {
+        param n: count = 6;
+        material m { density = 8000 kg/m^3; young = 1e9 Pa; }
+        section round = circle(radius = 1 mm);
+        body line {
+            planar xy;
+            line from [0, 0, 0] m to [10, 0, 0] m;
+            mesh n * cable(round, m, axial = engineering, bending = exact);
+            initial position [0.9 * x, -1.2 m * sin(pi * x / 10 [m]), 0 m];
+        }
+        joint left = pin(line.start, inertial);
+        joint right = pin(line.end, inertial, at = [9, 0, 0] m);
+        fixture weight on line.at(5 m) { mass = 0.1 kg; }
+        load g = gravity([0, -9.81, 0] m/s^2);
+        output sag = -line.at(5 m).y;
+    }
+}
+
+/// Outputs at rest under the loads, and for every body the part of its energy that is error.
+fn at_rest(model: &impl Model) -> (Vec<f64>, Vec<f64>) {
+    let mut scene = model.build(Formulation::Rncf, Joints::Eliminated).unwrap();
+    let at = Uniform::at_rest(0.0);
+    let found = follow(scene.as_mut(), &at, 1.0, |_, _| ()).unwrap();
+    let state = found.state().unwrap();
+    let mut outputs = vec![0.0; scene.output_columns()];
+    scene.uniform_outputs(&at, state, &mut outputs);
+    let mut errors = Vec::new();
+    scene.uniform_mesh_errors(&at, state, &mut errors);
+    (outputs, errors.iter().map(|of| of.error / of.energy).collect())
+}
+
+/// Whether an estimate is between a third and three times of the error.
+#[track_caller]
+fn assert_true(estimate: f64, error: f64, what: &str) {
+    println!("{what}: {error:.2e}, estimated {estimate:.2e}");
+    let ratio = estimate / error;
+    assert!(
+        (1.0 / 3.0..3.0).contains(&ratio),
+        "{what}: {error:e}, estimated {estimate:e}"
+    );
+}
+
+/// What a mesh is too stiff by: F r^3 pi / (2 EI) of half a ring (with what shear and stretch add), 2/3 F L^3 / EI of a spike.
+#[test]
+fn the_energy_that_is_error_is_what_a_deflection_is_too_small_by() {
+    let flexible = 1e-2;
+    let stretch = 0.5 * std::f64::consts::PI / 1e6;
+    let ring = 0.5 * std::f64::consts::PI * flexible;
+    let shear = stretch * 2.6 * 1.2;
+    let exact = [ring + stretch, ring + stretch + shear, 2.0 / 3.0 * flexible];
+    for n in [2, 4, 8] {
+        let (deflections, estimates) = at_rest(&Bent { n, force: 1e-3 });
+        for (body, name) in ["ring", "bow", "spike"].iter().enumerate() {
+            let error = 1.0 - deflections[body] / (1e-3 * exact[body]);
+            assert_true(estimates[body], error, &format!("{name}, {n} elements"));
+        }
+    }
+    let told = |n: usize| {
+        static_equilibria(&Bent { n, force: 0.1 }, &SweepSettings::default())
+            .unwrap()
+            .warnings
+    };
+    let coarse = told(4);
+    assert!(coarse[0].contains("about 5.6 % of `ring` (4 elements)"), "{coarse:?}");
+    assert!(told(16).is_empty());
+}
+
+/// Catenaries are strings: what is taken up by tension counts. The sag of a very fine mesh is 2.0937 m (parabolas of equal arclength
+/// agree to a hundredth).
+#[test]
+fn a_hanging_wire_is_judged_by_its_tension() {
+    for n in [4, 10] {
+        let (sag, estimate) = at_rest(&Wire { n });
+        assert_true(estimate[0], 1.0 - sag[0] / 2.0937, &format!("wire, {n} elements"));
+    }
+}
+
+/// Frequencies of a cantilever: (beta L)^2 sqrt(EI / (rho A)) / L^2, and odd multiples of pi / 2 sqrt(E / rho) / L.
+#[test]
+fn the_error_of_a_frequency_is_estimated() {
+    let bending =
+        [1.875_104_068_711_961, 4.694_091_132_974_175, 7.854_757_438_237_613].map(|x: f64| x * x * 1e3_f64.sqrt());
+    let axial = 0.5 * std::f64::consts::PI * 1e7_f64.sqrt();
+    for n in [1, 2, 4, 8] {
+        let mut scene = Reed { n }.build(Formulation::Rncf, Joints::Eliminated).unwrap();
+        let (at, state) = (Uniform::at_rest(0.0), scene.rest(0.0));
+        let found = rncf::modes::modes(scene.as_mut(), &at, &state, Wanted { count: 8 }).unwrap();
+        let (lateral, along): (Vec<Mode>, Vec<Mode>) = found.into_iter().partition(|mode| is_bending(&mode.shape));
+        for (modes, exact) in [(lateral, &bending[..]), (along, &[axial])] {
+            let estimates = rncf::modes::mesh_errors(scene.as_mut(), &at, &state, &modes);
+            for ((mode, exact), estimate) in modes.iter().zip(exact).zip(estimates) {
+                let error = mode.im / exact - 1.0;
+                // Below, axial strain counts that the closed form leaves out.
+                if (2e-5..0.5).contains(&error) {
+                    assert_true(estimate[0], error, &format!("{exact:.0} rad/s, {n} elements"));
+                }
+            }
+        }
+    }
+    let told = modes(
+        &Reed { n: 4 },
+        &SweepSettings {
+            count: 4,
+            ..SweepSettings::default()
+        },
+    )
+    .unwrap()
+    .warnings;
+    assert!(
+        told.len() == 1 && told[0].contains("of mode 3 by about 0.8 % and of mode 4 by about 1.4 % is too high"),
+        "{told:?}"
+    );
+}
+
+/// Components of planar nodal vectors stand one after the other.
+fn is_bending(shape: &[[f64; 2]]) -> bool {
+    let sum = |first: usize| -> f64 {
+        shape
+            .iter()
+            .skip(first)
+            .step_by(2)
+            .map(|value| value[0] * value[0])
+            .sum()
+    };
+    sum(1) > sum(0)
+}
+
+/// At 2 s the tip of 8 elements is 2 cm from where it belongs, of 1 m; that of 16 elements is 1 mm off.
+#[test]
+fn a_run_tells_that_its_mesh_is_too_coarse() {
+    for (method, formulation) in [
+        (Method::Radau, Formulation::Rncf),
+        (Method::Radau, Formulation::Ancf),
+        (Method::Hht { alpha: -0.05 }, Formulation::Rncf),
+    ] {
+        let settings = RunSettings {
+            method,
+            formulation,
+            ..RunSettings::default()
+        };
+        let told = run(&Rope::default(), &settings).unwrap().warnings;
+        assert!(
+            told.len() == 1 && told[0].contains("about 3.5 % of `rope` (8 elements)"),
+            "{told:?}"
+        );
+        assert!(run(&Rope { n: 16 }, &settings).unwrap().warnings.is_empty());
+    }
+}
