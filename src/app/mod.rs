@@ -33,6 +33,7 @@ mod journal;
 mod line;
 mod located;
 mod map;
+mod mass_table;
 mod modes;
 mod nearest;
 mod parallel;

@@ -10,9 +10,9 @@ use super::diagrams::{critical_lines, marks};
 use super::history::History;
 use super::parameters::{digits, in_unit, short};
 use super::run::StepTaken;
-use super::section_table;
 use super::steady::Equilibria;
 use super::summary::{SETTINGS, STATISTICS, Summary};
+use super::{mass_table, section_table};
 use crate::modes::Critical;
 use crate::{AnyModel, Caution, Output};
 
@@ -31,6 +31,7 @@ pub(super) fn page(model: &dyn AnyModel, what: &str, summary: &Summary, results:
         escape(&title)
     );
     header(model, &mut page, &title, summary);
+    page += &mass_table::table(summary);
     page += "<h2>Results</h2>\n";
     page += results;
     page += &section_table::table(summary);

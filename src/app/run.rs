@@ -13,7 +13,7 @@ use super::recorder::{InMemory, Recorder};
 use super::run_error::{Incomplete, RunError};
 use super::steady;
 use super::unfollowed::{Followed, unfollowed};
-use crate::model::Fidelity;
+use crate::model::{Fidelity, MassProperties};
 use crate::{
     AnyModel, Caution, Formulation, Integrator, Joints, Method, Options, Scene, Start, State, Statistics, StepSize,
 };
@@ -101,6 +101,8 @@ pub struct RunResult {
     /// Largest deviation of the total energy from its initial value, relative to the largest kinetic energy; `None` where
     /// the model does not conserve it.
     pub energy_error: Option<f64>,
+    /// Masses of the bodies at the start, and of all.
+    pub masses: Vec<MassProperties>,
     /// What the model says a reader must know.
     pub cautions: Vec<Caution>,
     /// The same in sentences, what the start corrected of the declared positions and velocities, and what the
@@ -167,6 +169,7 @@ pub(super) fn run_recorded(
         unknowns: scene.unknowns(),
         constraints: scene.constraints(),
         energy_error: None,
+        masses: scene.masses(&start),
         cautions: model.cautions(t_end),
         warnings: Vec::new(),
         state: start.clone(),

@@ -10,9 +10,9 @@ use super::history::{Column, History};
 use super::modes::{Modes, SeenMode, growth};
 use super::parameters::in_unit;
 use super::run::{RunResult, RunSettings, times};
-use super::section_table;
 use super::steady::Equilibria;
 use super::sweep::SweepSettings;
+use super::{mass_table, section_table};
 use crate::equilibrium::Kind;
 use crate::model::Fidelity;
 use crate::modes::{Composition, Critical, Whirl};
@@ -100,6 +100,7 @@ pub(super) fn of_run(model: &dyn AnyModel, result: &RunResult) -> Summary {
         "velocity_correction",
         json!(result.statistics.velocity_correction),
     );
+    mass_table::put(&mut summary, &result.masses);
     section_table::put(&mut summary, &result.envelopes);
     tail(model, &mut summary, &result.history, &result.warnings);
     summary

@@ -1,7 +1,7 @@
 //! The compiled heavy top against BENCHMARKS 3: centre of mass and multipliers at each method's order.
 
 use rncf::{Formulation, Joints, Method, Model, Options};
-use rncf_models::HeavyTop;
+use rncf_models::{HeavyTop, SpinUp};
 
 use crate::runs::{adaptive, far, fixed, orders, short, states_at};
 
@@ -71,6 +71,40 @@ fn check(method: Method, stabilised: bool, h: f64, expected: [f64; 3]) {
             "{method:?}, stabilised {stabilised}, {name}: errors {}, orders {observed:.2?}",
             short(&errors)
         );
+    }
+}
+
+/// What is declared comes back; of a body of elements the closed form of a straight tube.
+#[test]
+fn masses_and_inertias_are_told() {
+    let mut top = HeavyTop::default()
+        .build(Formulation::Rncf, Joints::Eliminated)
+        .unwrap();
+    let start = top.rest(0.0);
+    let [ref told] = top.masses(&start)[..] else {
+        panic!("one body")
+    };
+    assert_eq!(
+        (told.name.as_str(), told.mass, told.centre),
+        ("top", 15.0, [0.0, 1.0, 0.0])
+    );
+    for (row, expected) in told
+        .inertia
+        .iter()
+        .zip([[0.234375, 0.0, 0.0], [0.0, 0.46875, 0.0], [0.0, 0.0, 0.234375]])
+    {
+        assert!(far(row, &expected) < 1e-15, "{told:?}");
+    }
+    let (mass, length) = (2766.67 * 0.7299e-4 * 8.0, 8.0_f64);
+    for formulation in [Formulation::Rncf, Formulation::Ancf] {
+        let mut tube = SpinUp::default().build(formulation, Joints::Eliminated).unwrap();
+        let start = tube.rest(3.0);
+        let [ref told] = tube.masses(&start)[..] else {
+            panic!("one body")
+        };
+        assert!((told.mass - mass).abs() < 1e-14 && (told.inertia[2][2] - mass * length.powi(2) / 12.0).abs() < 1e-13);
+        let along = told.inertia[0][0] + told.inertia[1][1];
+        assert!((along - told.inertia[2][2]).abs() < 1e-13, "{told:?}");
     }
 }
 

@@ -2,8 +2,8 @@
 
 use super::scene::{ModalScene, Told};
 use crate::model::{
-    Composition, Configuration, Curve, DescribedBody, FrameState, MeshError, Scene, SectionBody, SectionState, Uniform,
-    Warning,
+    Composition, Configuration, Curve, DescribedBody, FrameState, MassProperties, MeshError, Scene, SectionBody,
+    SectionState, Uniform, Warning,
 };
 use crate::system::{State, Tangent};
 
@@ -48,6 +48,11 @@ impl Scene for ModalScene {
 
     fn frame_names(&self) -> Vec<String> {
         self.scene.frame_names()
+    }
+
+    fn masses(&mut self, state: &State) -> Vec<MassProperties> {
+        self.expand(state);
+        self.in_elements(|scene, full| scene.masses(full))
     }
 
     fn configuration(&mut self, state: &State, out: &mut Configuration) {

@@ -16,6 +16,19 @@ pub struct DescribedBody {
     pub elements: usize,
 }
 
+/// Mass of a body, or of all, and how it is distributed at a state; inertial axes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MassProperties {
+    /// Name of the body, or of the frame that has the inertia; empty: all together.
+    pub name: String,
+    /// kg.
+    pub mass: f64,
+    /// Centre of mass, m.
+    pub centre: [f64; 3],
+    /// Inertia about the centre of mass, kg m^2.
+    pub inertia: [[f64; 3]; 3],
+}
+
 /// A flexible body of a scene, as far as its section states need it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SectionBody {

@@ -1,6 +1,6 @@
 //! A scene: a system with bodies in it.
 
-use super::bodies::{DescribedBody, MeshError, SectionBody, SectionState};
+use super::bodies::{DescribedBody, MassProperties, MeshError, SectionBody, SectionState};
 use super::composition::Composition;
 use super::picture::{Configuration, Curve};
 use super::uniform::Uniform;
@@ -27,6 +27,11 @@ pub trait Scene: System + Send {
 
     /// The meshed bodies of the declaration in its order, and how they are described here.
     fn bodies(&self) -> Vec<DescribedBody> {
+        Vec::new()
+    }
+
+    /// Masses of the bodies and of what else has inertia at a state, and the sum of all at the end where there are several.
+    fn masses(&mut self, _state: &State) -> Vec<MassProperties> {
         Vec::new()
     }
 

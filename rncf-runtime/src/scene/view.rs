@@ -3,8 +3,8 @@
 use super::mesh_scene::MeshScene;
 use crate::emitted::ObservedSpec;
 use crate::model::{
-    Composition, Configuration, Curve, DescribedBody, FrameState, MeshError, Scene, SectionBody, SectionState, Uniform,
-    Warning,
+    Composition, Configuration, Curve, DescribedBody, FrameState, MassProperties, MeshError, Scene, SectionBody,
+    SectionState, Uniform, Warning,
 };
 use crate::system::{State, Tangent};
 use crate::vector::norm;
@@ -40,6 +40,11 @@ impl Scene for MeshScene {
     fn frame_names(&self) -> Vec<String> {
         let frames = 0..self.parts.frame_count();
         frames.map(|frame| self.parts.frame_name(frame).to_string()).collect()
+    }
+
+    fn masses(&mut self, state: &State) -> Vec<MassProperties> {
+        self.load_state(state);
+        self.masses_loaded()
     }
 
     fn configuration(&mut self, state: &State, out: &mut Configuration) {

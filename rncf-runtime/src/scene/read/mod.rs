@@ -5,6 +5,7 @@ pub(crate) mod bodies;
 pub(crate) mod compression;
 pub(crate) mod configuration;
 pub(crate) mod followed;
+pub(crate) mod masses;
 pub(crate) mod mesh_error;
 pub(crate) mod outputs;
 pub(crate) mod overstretch;
