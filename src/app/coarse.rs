@@ -91,7 +91,7 @@ pub(super) fn of_modes(scene: &dyn Scene, errors: &[Vec<f64>]) -> Option<String>
     let told = errors.iter().enumerate().filter_map(|(mode, errors)| {
         let all: f64 = errors.iter().sum();
         let (body, _) = bodies.iter().zip(errors).max_by(|a, b| a.1.total_cmp(b.1))?;
-        (all > 0.5 * TOLD).then(|| (mode, all, body))
+        (all > 0.5 * TOLD).then_some((mode, all, body))
     });
     let told: Vec<(usize, f64, &SectionBody)> = told.collect();
     let sentence = |&(mode, part, _): &(usize, f64, &SectionBody)| format!("of mode {} by {}", mode + 1, percent(part));

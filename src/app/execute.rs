@@ -1,7 +1,6 @@
 //! What each command does: the work, its files, and the words at the end.
 
 use std::ops::ControlFlow;
-use std::path::Path;
 
 use super::arguments::Arguments;
 use super::campbell::campbell_watched;
@@ -18,7 +17,7 @@ use super::run::run_recorded;
 use super::run_error::{Incomplete, RunError};
 use super::steady::equilibria;
 use super::summary::{self, Summary};
-use super::{advise, chart, checkpoint, files, plan, report};
+use super::{advise, chart, checkpoint, files, plan, report, scenario};
 use crate::equilibrium::Kind;
 
 pub(super) const FAILURE: u8 = 1;
@@ -58,7 +57,7 @@ impl From<&RunError> for Failure {
 pub(super) fn execute(arguments: &Arguments, interrupted: impl Fn() -> bool) -> Result<String, Failure> {
     files::create_folder(&arguments.out).map_err(|text| Failure::new(FAILURE, text))?;
     if let Some(path) = &arguments.saved {
-        save_scenario(arguments, path)?;
+        scenario::keep(arguments, path)?;
     }
     if arguments.command == Command::Task {
         // Tasks of one plan work side by side: each writes a file of its own.
@@ -79,24 +78,6 @@ pub(super) fn execute(arguments: &Arguments, interrupted: impl Fn() -> bool) -> 
         Command::Task => plan::task(arguments, interrupted),
         Command::Collect => plan::collect(arguments),
     }
-}
-
-/// Keeps what the line says.
-fn save_scenario(arguments: &Arguments, path: &Path) -> Result<(), Failure> {
-    let text = arguments.scenario.to_text(arguments.model(), arguments.command, None);
-    let name = path.file_name().map(|name| name.to_string_lossy());
-    let Some(name) = name else {
-        return Err(Failure::new(
-            MISTAKE,
-            format!("`--save-scenario {}`: a file is needed", path.display()),
-        ));
-    };
-    let folder = match path.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
-    let written = files::create_folder(folder).and_then(|()| files::write(folder, &name, &text));
-    written.map_err(|text| Failure::new(FAILURE, text))
 }
 
 fn flow(is_interrupted: bool) -> ControlFlow<()> {

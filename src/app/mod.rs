@@ -10,6 +10,8 @@
 
 mod advise;
 mod arguments;
+#[cfg(test)]
+mod arguments_tests;
 mod campbell;
 mod cautions;
 mod chart;
@@ -26,6 +28,7 @@ mod envelopes;
 mod execute;
 mod figure;
 mod files;
+mod flags;
 mod hash;
 mod help;
 mod history;

@@ -19,7 +19,10 @@ use clap::ArgMatches;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use super::arguments::Arguments;
 use super::command::Command;
+use super::execute::{FAILURE, Failure, MISTAKE};
+use super::files;
 use super::hash::hash;
 use super::nearest::nearest;
 use super::parameters::in_unit;
@@ -129,6 +132,24 @@ impl Scenario {
         }
         text
     }
+}
+
+/// Keeps what the line of the arguments says.
+///
+/// # Errors
+/// With its exit code: no file is named, or it cannot be written.
+pub(super) fn keep(arguments: &Arguments, path: &Path) -> Result<(), Failure> {
+    let text = arguments.scenario.to_text(arguments.model(), arguments.command, None);
+    let Some(name) = path.file_name().map(|name| name.to_string_lossy()) else {
+        let text = format!("`--save-scenario {}`: a file is needed", path.display());
+        return Err(Failure::new(MISTAKE, text));
+    };
+    let folder = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    let written = files::create_folder(folder).and_then(|()| files::write(folder, &name, &text));
+    written.map_err(|text| Failure::new(FAILURE, text))
 }
 
 /// Names of the settings that a file may hold.
@@ -336,7 +357,7 @@ mod tests {
     use std::path::PathBuf;
 
     use super::*;
-    use crate::app::arguments::{Arguments, Program, Refusal, parse};
+    use crate::app::arguments::{Program, Refusal, parse};
     use crate::app::testing::{Rotor, temporary_folder};
 
     fn line(words: &[&str]) -> Result<Arguments, String> {

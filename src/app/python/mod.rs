@@ -17,9 +17,10 @@ use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use serde_json::{Value, json};
 
-use super::arguments::{Arguments, Program, Refusal, command_line, parse};
+use super::arguments::{Arguments, Program, Refusal, parse};
 use super::command::Command;
 use super::execute::{MISTAKE, execute};
+use super::flags::command_line;
 use super::history::History;
 use super::modes::modes;
 use super::run::run_watched;
