@@ -8,12 +8,12 @@ use clap::ArgMatches;
 use super::advise::{self, AdviseSettings};
 use super::chart::{self, ChartSettings};
 use super::command::{Command, Frequency};
+use super::continuation::{EquilibriumSettings, Range};
 use super::flags::command_line;
 use super::parameters::{List, Values, Varied, angular_velocity, assign, instant, time};
 use super::plan::{self, PlanSettings};
 use super::run::RunSettings;
 use super::scenario::{self, Scenario};
-use super::sweep::{Range, SweepSettings};
 use crate::equilibrium::Spin;
 use crate::model::Fidelity;
 use crate::{AnyModel, Formulation, Joints, Method, Options, Start, StepSize};
@@ -23,7 +23,7 @@ pub(super) struct Arguments {
     pub command: Command,
     model: Box<dyn AnyModel>,
     pub settings: RunSettings,
-    pub sweep: SweepSettings,
+    pub equilibrium: EquilibriumSettings,
     pub chart: ChartSettings,
     pub advise: AdviseSettings,
     pub plan: PlanSettings,
@@ -205,9 +205,9 @@ fn read(
     let mut arguments = Arguments {
         command,
         settings: settings(matches)?,
-        sweep: SweepSettings {
+        equilibrium: EquilibriumSettings {
             range,
-            ..sweep(matches)?
+            ..equilibrium(matches)?
         },
         chart: chart::settings(model.as_ref(), matches)?,
         advise: advise::settings(model.as_ref(), matches)?,
@@ -283,8 +283,8 @@ fn refuse(command: Command, of: Command, matches: &ArgMatches) -> Result<(), Str
 }
 
 /// Settings of equilibria and modes; the parameter that is continued is not read here.
-fn sweep(matches: &ArgMatches) -> Result<SweepSettings, String> {
-    let defaults = SweepSettings::default();
+fn equilibrium(matches: &ArgMatches) -> Result<EquilibriumSettings, String> {
+    let defaults = EquilibriumSettings::default();
     let whole = |name: &str, most: usize| {
         let read = |text: &str| match text.parse::<usize>() {
             Ok(count) if (1..=most).contains(&count) => Ok(count),
@@ -314,7 +314,7 @@ fn sweep(matches: &ArgMatches) -> Result<SweepSettings, String> {
             })
         }
     };
-    Ok(SweepSettings {
+    Ok(EquilibriumSettings {
         at,
         steps: whole("steps", 100_000)?.map_or(defaults.steps, |steps| steps as u32),
         count: whole("modes", 1000)?.unwrap_or(defaults.count),

@@ -95,10 +95,13 @@ fn all_flags_are_read() {
         (arguments.command, arguments.frequency),
         (Command::Campbell, Frequency::Hertz)
     );
-    let sweep = arguments.sweep;
-    assert_eq!((sweep.at, sweep.steps, sweep.count), (Some(1.0), 7, 5));
-    assert_eq!(sweep.spin.unwrap().velocity, [2.0, 0.0, 0.0]);
-    assert_eq!(sweep.range.map(|range| (range.param, range.from)), Some((0, 0.0)));
+    let equilibrium = arguments.equilibrium;
+    assert_eq!(
+        (equilibrium.at, equilibrium.steps, equilibrium.count),
+        (Some(1.0), 7, 5)
+    );
+    assert_eq!(equilibrium.spin.unwrap().velocity, [2.0, 0.0, 0.0]);
+    assert_eq!(equilibrium.range.map(|range| (range.param, range.from)), Some((0, 0.0)));
 }
 
 #[test]

@@ -5,10 +5,10 @@ use std::ops::ControlFlow;
 
 use super::cautions;
 use super::clock::{Clock, Seconds};
+use super::continuation::{EquilibriumProgress, EquilibriumSettings, Line};
 use super::history::Column;
 use super::modes::{Inertial, SeenMode};
 use super::run_error::{Incomplete, RunError};
-use super::sweep::{Line, SweepProgress, SweepSettings};
 use super::tracker::Tracker;
 use crate::AnyModel;
 use crate::equilibrium::Kind;
@@ -18,7 +18,7 @@ use crate::modes::{Composition, Critical, Whirl};
 #[derive(Clone, Debug)]
 pub struct Campbell {
     /// What was asked for.
-    pub settings: SweepSettings,
+    pub settings: EquilibriumSettings,
     /// Time whose motions and loads hold at the last equilibrium, s.
     pub t: f64,
     /// What is continued: a parameter in its declared unit, or `spin [rad/s]`.
@@ -118,7 +118,7 @@ impl Campbell {
 /// # Errors
 /// A model that cannot be built; [`RunError::Equilibrium`] where no equilibrium or no modes exist at the
 /// start; [`RunError::Campbell`] with the modes found where the way ends early.
-pub fn campbell(model: &dyn AnyModel, settings: &SweepSettings) -> Result<Campbell, RunError> {
+pub fn campbell(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Campbell, RunError> {
     campbell_watched(model, settings, |_| ControlFlow::Continue(()))
 }
 
@@ -128,8 +128,8 @@ pub fn campbell(model: &dyn AnyModel, settings: &SweepSettings) -> Result<Campbe
 /// As [`campbell`].
 pub fn campbell_watched(
     model: &dyn AnyModel,
-    settings: &SweepSettings,
-    mut watch: impl FnMut(&SweepProgress) -> ControlFlow<()>,
+    settings: &EquilibriumSettings,
+    mut watch: impl FnMut(&EquilibriumProgress) -> ControlFlow<()>,
 ) -> Result<Campbell, RunError> {
     let clock = Clock::start();
     let mut line = Line::start(model, Kind::Steady, settings)?;
@@ -188,7 +188,7 @@ pub fn campbell_watched(
 mod tests {
     use super::*;
     use crate::app::command::Frequency;
-    use crate::app::sweep::Range;
+    use crate::app::continuation::Range;
     use crate::app::testing::Rotor;
     use crate::modes::Whirl;
 
@@ -199,14 +199,14 @@ mod tests {
             length: 0.0,
             ..Rotor::default()
         };
-        let settings = SweepSettings {
+        let settings = EquilibriumSettings {
             range: Some(Range {
                 param: 0,
                 from: 0.0,
                 to: 12.0,
             }),
             steps: 25,
-            ..SweepSettings::default()
+            ..EquilibriumSettings::default()
         };
         let found = campbell(&rotor, &settings).unwrap();
         let w0 = 50f64.sqrt();
@@ -264,14 +264,14 @@ mod tests {
                 loss: 0.0,
                 ..Rotor::default()
             };
-            let settings = SweepSettings {
+            let settings = EquilibriumSettings {
                 range: Some(Range {
                     param: 0,
                     from: 0.5,
                     to: 12.0,
                 }),
                 steps,
-                ..SweepSettings::default()
+                ..EquilibriumSettings::default()
             };
             let found = campbell(&rotor, &settings).unwrap();
             let [critical] = found.critical[..] else {

@@ -158,8 +158,8 @@ fn execute_run(arguments: &Arguments, interrupted: impl Fn() -> bool) -> Result<
 
 fn execute_equilibria(arguments: &Arguments, kind: Kind, interrupted: impl Fn() -> bool) -> Result<String, Failure> {
     let mut bar = Bar::new(arguments.quiet);
-    let outcome = equilibria(arguments.model(), kind, &arguments.sweep, |progress| {
-        bar.show_sweep(progress);
+    let outcome = equilibria(arguments.model(), kind, &arguments.equilibrium, |progress| {
+        bar.show_equilibrium(progress);
         flow(interrupted())
     });
     bar.clear();
@@ -213,7 +213,7 @@ fn way(history: &History, seconds: Seconds) -> String {
 }
 
 fn execute_modes(arguments: &Arguments) -> Result<String, Failure> {
-    let result = modes(arguments.model(), &arguments.sweep).map_err(|error| Failure::from(&error))?;
+    let result = modes(arguments.model(), &arguments.equilibrium).map_err(|error| Failure::from(&error))?;
     let summary = summary::of_modes(arguments.model(), &result);
     let part = modes_part(&result, arguments.frequency);
     let files = write(
@@ -237,8 +237,8 @@ fn execute_modes(arguments: &Arguments) -> Result<String, Failure> {
 
 fn execute_campbell(arguments: &Arguments, interrupted: impl Fn() -> bool) -> Result<String, Failure> {
     let mut bar = Bar::new(arguments.quiet);
-    let outcome = campbell_watched(arguments.model(), &arguments.sweep, |progress| {
-        bar.show_sweep(progress);
+    let outcome = campbell_watched(arguments.model(), &arguments.equilibrium, |progress| {
+        bar.show_equilibrium(progress);
         flow(interrupted())
     });
     bar.clear();

@@ -1,7 +1,7 @@
 //! Critical values between two equilibria of a way: bracketed, and where no equilibrium comes near them, interpolated
 //! between those that do; nothing is printed or written here.
 
-use super::sweep::{Found, Line, Looked, Measure, Measured};
+use super::continuation::{Found, Line, Looked, Measure, Measured};
 use crate::modes::Critical;
 
 /// Width to which critical values are bracketed, part of the way.

@@ -4,8 +4,8 @@
 use super::cautions;
 use super::clock::{Clock, Seconds};
 use super::coarse;
+use super::continuation::{self, EquilibriumSettings};
 use super::run_error::RunError;
-use super::sweep::{self, SweepSettings};
 use crate::equilibrium::{Kind, Uniform, follow};
 use crate::modes::{self, Composition, Mode, Wanted, Whirl};
 use crate::{AnyModel, Formulation, Joints, Scene, State};
@@ -28,7 +28,7 @@ pub struct SeenMode {
 #[derive(Clone, Debug)]
 pub struct Modes {
     /// What was asked for.
-    pub settings: SweepSettings,
+    pub settings: EquilibriumSettings,
     /// Time whose motions and loads hold, s.
     pub t: f64,
     /// Spin of the equilibrium, rad/s.
@@ -175,10 +175,10 @@ pub(super) fn growth(modes: &[SeenMode]) -> Option<f64> {
 /// # Errors
 /// A model that cannot be built; [`RunError::Equilibrium`] where there is no equilibrium or its modes are
 /// not found.
-pub fn modes(model: &dyn AnyModel, settings: &SweepSettings) -> Result<Modes, RunError> {
+pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Modes, RunError> {
     let clock = Clock::start();
-    let model = sweep::at_the_end(model, settings);
-    let t = sweep::time(model.as_ref(), settings).map_err(RunError::Settings)?;
+    let model = continuation::at_the_end(model, settings);
+    let t = continuation::time(model.as_ref(), settings).map_err(RunError::Settings)?;
     let mut scene = model
         .build(Formulation::Rncf, Joints::Eliminated)
         .map_err(RunError::Model)?;
@@ -209,7 +209,7 @@ pub fn modes(model: &dyn AnyModel, settings: &SweepSettings) -> Result<Modes, Ru
     Ok(Modes {
         settings: *settings,
         t,
-        spin: sweep::spin(scene, &at),
+        spin: continuation::spin(scene, &at),
         is_round: is_round(&modes),
         margin: modes::stability_margin(&shapes),
         modes,
@@ -235,7 +235,7 @@ mod tests {
             omega: 10.0,
             ..Rotor::default()
         };
-        let found = modes(&rotor, &SweepSettings::default()).unwrap();
+        let found = modes(&rotor, &EquilibriumSettings::default()).unwrap();
         let (w0, spin, d) = (50f64.sqrt(), 10.0, 0.01 * 50f64.sqrt());
         // s = -i W - d +- sqrt((d + i W)^2 - (w0^2 - W^2)) = -i W - d +- (p + i q).
         let (re, im) = (d * d - w0 * w0, 2.0 * d * spin);

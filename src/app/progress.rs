@@ -5,9 +5,9 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
+use super::continuation::EquilibriumProgress;
 use super::parameters::digits;
 use super::run::Progress;
-use super::sweep::SweepProgress;
 
 /// A bar, or nothing where nobody looks at a terminal.
 pub(super) struct Bar {
@@ -47,8 +47,8 @@ impl Bar {
         self.bar.set_message(format!("t = {t:.3}/{t_end} s  h = {h:.2e} s"));
     }
 
-    /// Shows the step of a sweep by the value of its first column.
-    pub fn show_sweep(&mut self, progress: &SweepProgress) {
+    /// Shows the step of a continuation by the value of its first column.
+    pub fn show_equilibrium(&mut self, progress: &EquilibriumProgress) {
         if self.bar.is_hidden() || self.drawn.elapsed() < PAUSE {
             return;
         }

@@ -332,7 +332,7 @@ pub(super) fn times(settings: &RunSettings) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::sweep::SweepSettings;
+    use crate::app::continuation::EquilibriumSettings;
     use crate::app::testing::Rotor;
 
     const METHODS: [Method; 3] = [
@@ -371,7 +371,7 @@ mod tests {
         assert_eq!(result.warnings, ["the spring is soft at 6 rad/s"]);
         let summary = crate::app::summary::of_run(&rotor, &result);
         assert_eq!(summary["notes"][1], "the spring is soft at 6 rad/s");
-        let steady = steady(&rotor, &SweepSettings::default()).unwrap();
+        let steady = steady(&rotor, &EquilibriumSettings::default()).unwrap();
         assert_eq!(steady.warnings, result.warnings);
     }
 

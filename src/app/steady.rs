@@ -6,10 +6,10 @@ use std::ops::ControlFlow;
 use super::cautions;
 use super::clock::{Clock, Seconds};
 use super::coarse::Coarseness;
+use super::continuation::{EquilibriumProgress, EquilibriumSettings, Line, Measured};
 use super::envelopes::Envelopes;
 use super::history::History;
 use super::run_error::{Incomplete, RunError};
-use super::sweep::{Line, Measured, SweepProgress, SweepSettings};
 use crate::equilibrium::{self, Kind};
 use crate::model::FrameState;
 use crate::modes::Critical;
@@ -21,7 +21,7 @@ pub struct Equilibria {
     /// Rotation or rest.
     pub kind: Kind,
     /// What was asked for.
-    pub settings: SweepSettings,
+    pub settings: EquilibriumSettings,
     /// Time whose motions and loads hold at the last equilibrium, s.
     pub t: f64,
     /// Spin of the last equilibrium, rad/s.
@@ -55,7 +55,7 @@ pub struct Equilibria {
 /// # Errors
 /// A model that cannot be built; [`RunError::Equilibrium`] where none exists, with the frame or load that
 /// stands against it; [`RunError::Equilibria`] with the rows found where the way ends early.
-pub fn steady(model: &dyn AnyModel, settings: &SweepSettings) -> Result<Equilibria, RunError> {
+pub fn steady(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Equilibria, RunError> {
     equilibria(model, Kind::Steady, settings, |_| ControlFlow::Continue(()))
 }
 
@@ -63,7 +63,7 @@ pub fn steady(model: &dyn AnyModel, settings: &SweepSettings) -> Result<Equilibr
 ///
 /// # Errors
 /// As [`steady`].
-pub fn static_equilibria(model: &dyn AnyModel, settings: &SweepSettings) -> Result<Equilibria, RunError> {
+pub fn static_equilibria(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Equilibria, RunError> {
     equilibria(model, Kind::Static, settings, |_| ControlFlow::Continue(()))
 }
 
@@ -75,8 +75,8 @@ pub fn static_equilibria(model: &dyn AnyModel, settings: &SweepSettings) -> Resu
 pub fn equilibria(
     model: &dyn AnyModel,
     kind: Kind,
-    settings: &SweepSettings,
-    mut watch: impl FnMut(&SweepProgress) -> ControlFlow<()>,
+    settings: &EquilibriumSettings,
+    mut watch: impl FnMut(&EquilibriumProgress) -> ControlFlow<()>,
 ) -> Result<Equilibria, RunError> {
     let clock = Clock::start();
     let mut line = Line::start(model, kind, settings)?;
@@ -101,7 +101,7 @@ pub fn equilibria(
     let newton_iterations = line.iterations;
     let leaps = line.warnings();
     let station = line.station();
-    let cautions = super::sweep::at_the_end(model, settings).cautions(0.0);
+    let cautions = super::continuation::at_the_end(model, settings).cautions(0.0);
     let mut warnings = cautions::sentences(model, &cautions);
     warnings.extend(cautions::texts(station.scene.warnings(station.state)));
     warnings.extend(envelopes.warning());
@@ -171,15 +171,15 @@ pub(super) fn frame_state(model: &dyn AnyModel, t: f64) -> Result<FrameState, Ru
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::app::continuation::Range;
     use crate::app::run::{RunSettings, run};
-    use crate::app::sweep::Range;
     use crate::app::testing::Rotor;
     use crate::{Options, Start};
 
     #[test]
     fn the_spring_stretches_by_the_centrifugal_force() {
         let rotor = Rotor::default();
-        let result = steady(&rotor, &SweepSettings::default()).unwrap();
+        let result = steady(&rotor, &EquilibriumSettings::default()).unwrap();
         assert_eq!((result.spin, result.unknowns), (3.0, 2));
         assert_eq!(result.history.keys.first(), Some(&0.0));
         assert_eq!(result.history.keys.last(), Some(&3.0));
@@ -198,10 +198,10 @@ mod tests {
             from: 100.0,
             to: 10.0,
         };
-        let settings = SweepSettings {
+        let settings = EquilibriumSettings {
             range: Some(range),
             steps: 7,
-            ..SweepSettings::default()
+            ..EquilibriumSettings::default()
         };
         let result = steady(&Rotor::default(), &settings).unwrap();
         assert_eq!(result.history.key.head(), "stiffness [N/m]");
@@ -214,13 +214,13 @@ mod tests {
 
     #[test]
     fn where_the_way_ends_the_reason_names_the_value() {
-        let settings = SweepSettings {
+        let settings = EquilibriumSettings {
             range: Some(Range {
                 param: 2,
                 from: 100.0,
                 to: -10.0,
             }),
-            ..SweepSettings::default()
+            ..EquilibriumSettings::default()
         };
         let ended = |rotor: &Rotor| {
             let Err(RunError::Equilibria(result)) = steady(rotor, &settings) else {
@@ -247,13 +247,18 @@ mod tests {
 
     #[test]
     fn a_watcher_ends_the_way_in_good_order() {
-        let outcome = equilibria(&Rotor::default(), Kind::Static, &SweepSettings::default(), |progress| {
-            if progress.share >= 0.25 {
-                ControlFlow::Break(())
-            } else {
-                ControlFlow::Continue(())
-            }
-        });
+        let outcome = equilibria(
+            &Rotor::default(),
+            Kind::Static,
+            &EquilibriumSettings::default(),
+            |progress| {
+                if progress.share >= 0.25 {
+                    ControlFlow::Break(())
+                } else {
+                    ControlFlow::Continue(())
+                }
+            },
+        );
         let Err(RunError::Equilibria(result)) = outcome else {
             panic!("not interrupted")
         };

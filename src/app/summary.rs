@@ -4,6 +4,7 @@ use serde_json::{Map, Value, json};
 
 use super::campbell::Campbell;
 use super::clock::Seconds;
+use super::continuation::EquilibriumSettings;
 use super::date;
 use super::hash::hash;
 use super::history::{Column, History};
@@ -11,7 +12,6 @@ use super::modes::{Modes, SeenMode, growth};
 use super::parameters::in_unit;
 use super::run::{RunResult, RunSettings, times};
 use super::steady::Equilibria;
-use super::sweep::SweepSettings;
 use super::{mass_table, section_table};
 use crate::equilibrium::Kind;
 use crate::model::Fidelity;
@@ -140,7 +140,7 @@ pub(super) fn of_modes(model: &dyn AnyModel, result: &Modes) -> Summary {
     equilibrium(
         model,
         &mut summary,
-        &SweepSettings {
+        &EquilibriumSettings {
             range: None,
             ..result.settings
         },
@@ -282,7 +282,7 @@ fn criticals(key: &Column, critical: &[Critical]) -> Value {
 }
 
 /// What was asked of equilibria.
-fn equilibrium(model: &dyn AnyModel, summary: &mut Summary, settings: &SweepSettings, t: f64) {
+fn equilibrium(model: &dyn AnyModel, summary: &mut Summary, settings: &EquilibriumSettings, t: f64) {
     put(summary, "formulation", json!("rncf"));
     put(summary, "joints", json!(joints(Joints::Eliminated)));
     put(summary, "at", json!(t));

@@ -1,6 +1,6 @@
 //! Small machines of many kinds against their closed forms: what somebody tries on the first day.
 
-use rncf::app::{RunSettings, SweepSettings, modes, run};
+use rncf::app::{EquilibriumSettings, RunSettings, modes, run};
 use rncf::linalg::c64;
 use rncf::prelude::*;
 
@@ -145,9 +145,9 @@ pub(super) fn last<M: Model + Clone + 'static>(model: &M, rtol: f64) -> Result<V
 
 /// Growth rates and angular frequencies.
 pub(super) fn exponents<M: Model + Clone + 'static>(model: &M, count: usize) -> Vec<(f64, f64)> {
-    let settings = SweepSettings {
+    let settings = EquilibriumSettings {
         count,
-        ..SweepSettings::default()
+        ..EquilibriumSettings::default()
     };
     let found = modes(model, &settings).unwrap().modes;
     found.iter().map(|mode| (mode.re, mode.im)).collect()

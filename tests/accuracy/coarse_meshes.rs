@@ -1,6 +1,6 @@
 //! What meshes are told of themselves: estimates of their errors beside the errors against closed forms.
 
-use rncf::app::{RunSettings, SweepSettings, modes, run, static_equilibria};
+use rncf::app::{EquilibriumSettings, RunSettings, modes, run, static_equilibria};
 use rncf::equilibrium::{Uniform, follow};
 use rncf::modes::{Mode, Wanted};
 use rncf::prelude::*;
@@ -114,7 +114,7 @@ fn the_energy_that_is_error_is_what_a_deflection_is_too_small_by() {
         }
     }
     let told = |n: usize| {
-        static_equilibria(&Bent { n, force: 0.1 }, &SweepSettings::default())
+        static_equilibria(&Bent { n, force: 0.1 }, &EquilibriumSettings::default())
             .unwrap()
             .warnings
     };
@@ -157,9 +157,9 @@ fn the_error_of_a_frequency_is_estimated() {
     }
     let told = modes(
         &Reed { n: 4 },
-        &SweepSettings {
+        &EquilibriumSettings {
             count: 4,
-            ..SweepSettings::default()
+            ..EquilibriumSettings::default()
         },
     )
     .unwrap()

@@ -1,6 +1,6 @@
 //! Machines of the field against their closed forms: mechanisms, columns under following forces, ropes, a truss that snaps, impacts.
 
-use rncf::app::{RunError, RunSettings, SweepSettings, modes, run, static_equilibria, steady};
+use rncf::app::{EquilibriumSettings, RunError, RunSettings, modes, run, static_equilibria, steady};
 use rncf::prelude::*;
 
 use super::closed_forms::{assert_near, exponents, last};
@@ -194,14 +194,14 @@ fn a_rope_that_hangs_swings_as_bessel_says() {
     }
     let found = exponents(&Hanging { n: 20 }, 4);
     assert_near(found[2].1, swing(5.520078110286311), 1e-2);
-    assert!(steady(&Hanging { n: 3 }, &SweepSettings::default()).is_ok());
-    assert!(static_equilibria(&Hanging { n: 3 }, &SweepSettings::default()).is_ok());
+    assert!(steady(&Hanging { n: 3 }, &EquilibriumSettings::default()).is_ok());
+    assert!(static_equilibria(&Hanging { n: 3 }, &EquilibriumSettings::default()).is_ok());
 }
 
 /// Elastic catenary, integrated from one end by Simpson's rule.
 #[test]
 fn a_slack_rope_settles_to_a_catenary() {
-    let found = static_equilibria(&Slack::default(), &SweepSettings::default()).unwrap();
+    let found = static_equilibria(&Slack::default(), &EquilibriumSettings::default()).unwrap();
     let pull = [0, 1].map(|column| found.history.column(column).last().unwrap());
     let (stiff, weight, lump) = (
         1e9 * std::f64::consts::PI * 1e-6,
@@ -232,18 +232,18 @@ fn a_flat_truss_is_not_led_over_its_limit() {
     let truss = |load: f64| Truss { load };
     let (stiff, long) = (1e9 * 78.5e-6, 0.02_f64.hypot(1.0));
     let force = |y: f64| 2.0 * stiff * (1.0 - y.hypot(1.0) / long) * y / y.hypot(1.0);
-    let found = static_equilibria(&truss(0.2), &SweepSettings::default()).unwrap();
+    let found = static_equilibria(&truss(0.2), &EquilibriumSettings::default()).unwrap();
     let y = found.history.column(0).last().unwrap();
     assert_near(force(y), 0.2, 1e-6);
     let limit = (1..2000).map(|part| force(1e-5 * f64::from(part))).fold(0.0, f64::max);
     for load in [0.25, 1.0, 4.0, 30.0, 128.0, 400.0] {
-        let ended = static_equilibria(&truss(load), &SweepSettings::default());
+        let ended = static_equilibria(&truss(load), &EquilibriumSettings::default());
         let Err(RunError::Equilibria(ended)) = ended else {
             panic!("{load} N: {:?}", ended.map(|found| found.history.column(0).last()))
         };
         let reached = load * ended.history.keys.last().unwrap();
         assert!(reached < limit, "{load}: {reached}");
-        assert!(modes(&truss(load), &SweepSettings::default()).is_err(), "{load}");
+        assert!(modes(&truss(load), &EquilibriumSettings::default()).is_err(), "{load}");
     }
 }
 

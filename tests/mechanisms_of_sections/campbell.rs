@@ -2,7 +2,7 @@
 //! hinged blades in closed form.
 
 use rncf::Model;
-use rncf::app::{Campbell, Inertial, Range, SeenMode, SweepSettings, campbell, modes, steady};
+use rncf::app::{Campbell, EquilibriumSettings, Inertial, Range, SeenMode, campbell, modes, steady};
 use rncf::modes::{Motion, Whirl};
 
 rncf::model! {
@@ -94,11 +94,11 @@ rncf::model! {
 /// Over the first param, which is the speed.
 fn over_speed<M: Model>(model: &M, [from, to]: [f64; 2], steps: u32, count: usize) -> Campbell {
     let range = Some(Range { param: 0, from, to });
-    let settings = SweepSettings {
+    let settings = EquilibriumSettings {
         range,
         steps,
         count,
-        ..SweepSettings::default()
+        ..EquilibriumSettings::default()
     };
     campbell(model, &settings).unwrap()
 }
@@ -171,7 +171,7 @@ fn a_round_shaft_is_round_though_it_twists() {
         (309.5558, Whirl::Forward),
         (826.703, Whirl::Forward),
     ];
-    let found = modes(&Shaft::default(), &SweepSettings::default()).unwrap();
+    let found = modes(&Shaft::default(), &EquilibriumSettings::default()).unwrap();
     assert!(found.is_round);
     for (frequency, whirl) in exact {
         let near = |mode: &&SeenMode| (mode.inertial_frequencies(400.0)[0] / frequency - 1.0).abs() < 5e-4;
@@ -192,7 +192,7 @@ fn a_round_shaft_is_round_though_it_twists() {
 /// By its unbalance of 50 mm the motor's shaft is bent, and a shaft all the same.
 #[test]
 fn a_bent_shaft_has_no_flap() {
-    let found = modes(&rncf_models::Motor::default(), &SweepSettings::default()).unwrap();
+    let found = modes(&rncf_models::Motor::default(), &EquilibriumSettings::default()).unwrap();
     for composition in &found.compositions {
         let own = |motion: &Motion| matches!(motion, Motion::Lateral | Motion::Torsion | Motion::Axial);
         assert!(
@@ -227,7 +227,7 @@ fn decrements_are_those_of_the_inertial_frame() {
         diametral: 0.42358058,
         ..Shaft::default()
     };
-    let found = modes(&shaft, &SweepSettings::default()).unwrap();
+    let found = modes(&shaft, &EquilibriumSettings::default()).unwrap();
     for (frequency, re, decrement) in exact {
         let near = |mode: &&SeenMode| (mode.inertial_frequencies(speed)[0] / frequency - 1.0).abs() < 2e-3;
         let mode = found.modes.iter().find(near).unwrap();
@@ -292,14 +292,14 @@ fn a_hinged_blade_starts_at_the_speed_asked_for() {
     // The droop of a string, which a slender blade nearly is: T z' = m g (R - x), T = m w^2 (R^2 - x^2) / 2.
     let result = steady(
         &blade,
-        &SweepSettings {
+        &EquilibriumSettings {
             range: Some(Range {
                 param: 0,
                 from: 30.0,
                 to: 40.0,
             }),
             steps: 2,
-            ..SweepSettings::default()
+            ..EquilibriumSettings::default()
         },
     )
     .unwrap();
@@ -309,9 +309,9 @@ fn a_hinged_blade_starts_at_the_speed_asked_for() {
     // Without a range, too, and from rest on where it must be.
     let whole = steady(
         &blade,
-        &SweepSettings {
+        &EquilibriumSettings {
             steps: 4,
-            ..SweepSettings::default()
+            ..EquilibriumSettings::default()
         },
     )
     .unwrap();
@@ -324,7 +324,7 @@ fn a_hinged_blade_starts_at_the_speed_asked_for() {
     let from_rest = over_speed(&blade, [0.0, 40.0], 4, 8);
     assert_eq!(from_rest.keys.last(), Some(&40.0));
     assert!(from_rest.critical.is_empty(), "{:?}", from_rest.critical);
-    assert!(modes(&blade, &SweepSettings::default()).is_ok());
+    assert!(modes(&blade, &EquilibriumSettings::default()).is_ok());
 }
 
 #[test]

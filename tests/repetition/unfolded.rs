@@ -1,7 +1,7 @@
 //! Loops whose number is known, and parts: chains and rotors against closed forms and against single ones.
 
 use rncf::Output;
-use rncf::app::{SweepSettings, modes};
+use rncf::app::{EquilibriumSettings, modes};
 use rncf::prelude::*;
 
 use super::scene;
@@ -62,9 +62,9 @@ mod taken {
 
 /// Angular frequencies, ascending.
 fn frequencies<M: Model + Clone + 'static>(model: &M, count: usize) -> Vec<f64> {
-    let settings = SweepSettings {
+    let settings = EquilibriumSettings {
         count,
-        ..SweepSettings::default()
+        ..EquilibriumSettings::default()
     };
     let found = modes(model, &settings).unwrap();
     found.modes.iter().map(|mode| mode.im).collect()

@@ -1,7 +1,7 @@
 //! Envelopes of whole runs.
 
 use rncf::Model;
-use rncf::app::{Range, RunSettings, SweepSettings, run, static_equilibria, steady};
+use rncf::app::{EquilibriumSettings, Range, RunSettings, run, static_equilibria, steady};
 use rncf_models::SpinUp;
 
 use crate::models::{Blades, DENSITY, LENGTH, RADII, area, second_moment};
@@ -73,7 +73,7 @@ fn equilibria_name_the_value_at_which_the_material_yields() {
         omega: 200.0,
         ..Blades::default()
     };
-    let result = steady(&model, &SweepSettings::default()).unwrap();
+    let result = steady(&model, &EquilibriumSettings::default()).unwrap();
     let [warning] = &result.warnings[..] else {
         panic!("{:?}", result.warnings)
     };
@@ -86,14 +86,14 @@ fn equilibria_name_the_value_at_which_the_material_yields() {
 
     // Along a parameter, in its declared unit.
     let param = Blades::params().iter().position(|param| param.name == "omega").unwrap();
-    let settings = SweepSettings {
+    let settings = EquilibriumSettings {
         range: Some(Range {
             param,
             from: 100.0,
             to: 150.0,
         }),
         steps: 10,
-        ..SweepSettings::default()
+        ..EquilibriumSettings::default()
     };
     let result = steady(&model, &settings).unwrap();
     assert!(
@@ -109,7 +109,7 @@ fn static_loads_have_their_envelope_too() {
         pull_y: 2000.0,
         ..Blades::default()
     };
-    let result = static_equilibria(&model, &SweepSettings::default()).unwrap();
+    let result = static_equilibria(&model, &EquilibriumSettings::default()).unwrap();
     let blade = &result.envelopes.bodies[0];
     let moment = blade.bending_moment.unwrap();
     assert_eq!((moment.x, moment.at), (0.0, 1.0));

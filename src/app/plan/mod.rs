@@ -192,7 +192,7 @@ fn work_of(arguments: &Arguments) -> Work<'_> {
     Work {
         of: arguments.plan.of,
         run: &arguments.settings,
-        equilibrium: &arguments.sweep,
+        equilibrium: &arguments.equilibrium,
         limit: arguments.plan.limit,
     }
 }

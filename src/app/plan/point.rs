@@ -8,6 +8,7 @@ use serde_json::{Map, Value, json};
 use super::Plan;
 use crate::AnyModel;
 use crate::app::command::Command;
+use crate::app::continuation::EquilibriumSettings;
 use crate::app::files;
 use crate::app::history::History;
 use crate::app::modes::modes;
@@ -17,7 +18,6 @@ use crate::app::run::{RunSettings, run_recorded};
 use crate::app::run_error::RunError;
 use crate::app::steady::equilibria;
 use crate::app::summary::{self, Summary};
-use crate::app::sweep::SweepSettings;
 use crate::equilibrium::Kind;
 
 /// What a point computes, apart from the values of its parameters.
@@ -25,7 +25,7 @@ use crate::equilibrium::Kind;
 pub(super) struct Work<'w> {
     pub of: Command,
     pub run: &'w RunSettings,
-    pub equilibrium: &'w SweepSettings,
+    pub equilibrium: &'w EquilibriumSettings,
     /// Processor seconds after which it is ended.
     pub limit: f64,
 }

@@ -253,7 +253,7 @@ impl Core {
         };
         let mut watch = Watch::new(progress);
         let outcome = py.detach(|| {
-            equilibria(arguments.model(), kind, &arguments.sweep, |progress| {
+            equilibria(arguments.model(), kind, &arguments.equilibrium, |progress| {
                 watch.look(progress.share, progress.key)
             })
         });
@@ -273,7 +273,7 @@ impl Core {
     fn modes(&self, py: Python<'_>, words: Vec<String>) -> PyResult<String> {
         let arguments = self.arguments(words)?;
         let result = py
-            .detach(|| modes(arguments.model(), &arguments.sweep))
+            .detach(|| modes(arguments.model(), &arguments.equilibrium))
             .map_err(|error| failed(&error))?;
         Ok(summary::to_text(&summary::of_modes(arguments.model(), &result)))
     }

@@ -21,7 +21,7 @@ pub struct Range {
 
 /// Which equilibria are looked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SweepSettings {
+pub struct EquilibriumSettings {
     /// Time whose motions, loads and constraints hold, s; `None`: the model's end time.
     pub at: Option<f64>,
     /// Parameter that is continued; `None`: the spin or the load grows from nothing.
@@ -34,7 +34,7 @@ pub struct SweepSettings {
     pub count: usize,
 }
 
-impl Default for SweepSettings {
+impl Default for EquilibriumSettings {
     /// 32 steps of the spin or load at the model's end time; eight modes.
     fn default() -> Self {
         Self {
@@ -47,9 +47,9 @@ impl Default for SweepSettings {
     }
 }
 
-/// How far a sweep is.
+/// How far a continuation is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SweepProgress {
+pub struct EquilibriumProgress {
     /// Part of the way, 0 to 1.
     pub share: f64,
     /// Value of the first column.
@@ -69,7 +69,7 @@ const MOST_STEPS: u32 = 1_000_000;
 pub(super) struct Line<'m> {
     model: &'m dyn AnyModel,
     kind: Kind,
-    settings: SweepSettings,
+    settings: EquilibriumSettings,
     /// Spin at the end of the way, rad/s, where it grows.
     full_spin: f64,
     place: u64,
@@ -134,7 +134,7 @@ impl<'m> Line<'m> {
     ///
     /// # Errors
     /// Settings out of range, a model that cannot be built, and the reason why there is no equilibrium.
-    pub fn start(model: &'m dyn AnyModel, kind: Kind, settings: &SweepSettings) -> Result<Self, RunError> {
+    pub fn start(model: &'m dyn AnyModel, kind: Kind, settings: &EquilibriumSettings) -> Result<Self, RunError> {
         check(model, settings)?;
         let (mut scene, mut at) = placed(model, kind, settings, 0.0).map_err(|failure| match failure {
             Unplaced::Model(error) => RunError::Model(error),
@@ -250,8 +250,8 @@ impl<'m> Line<'m> {
     }
 
     /// How far it is.
-    pub fn progress(&self) -> SweepProgress {
-        SweepProgress {
+    pub fn progress(&self) -> EquilibriumProgress {
+        EquilibriumProgress {
             share: self.last.share,
             key: self.key(self.last.share),
         }
@@ -504,7 +504,7 @@ impl std::fmt::Display for Unplaced {
 fn placed(
     model: &dyn AnyModel,
     kind: Kind,
-    settings: &SweepSettings,
+    settings: &EquilibriumSettings,
     share: f64,
 ) -> Result<(Box<dyn Scene>, Uniform), Unplaced> {
     let mut model = model.boxed();
@@ -527,7 +527,7 @@ fn placed(
 }
 
 /// The time whose motions and loads hold, s.
-pub(super) fn time(model: &dyn AnyModel, settings: &SweepSettings) -> Result<f64, String> {
+pub(super) fn time(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<f64, String> {
     let t = settings.at.unwrap_or_else(|| model.run().t_end);
     if t >= 0.0 && t.is_finite() {
         Ok(t)
@@ -537,7 +537,7 @@ pub(super) fn time(model: &dyn AnyModel, settings: &SweepSettings) -> Result<f64
 }
 
 /// The model with the last value of the parameter that is continued.
-pub(super) fn at_the_end(model: &dyn AnyModel, settings: &SweepSettings) -> Box<dyn AnyModel> {
+pub(super) fn at_the_end(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Box<dyn AnyModel> {
     let mut model = model.boxed();
     if let Some(range) = settings.range {
         model.set(range.param, range.to);
@@ -579,7 +579,7 @@ pub(super) fn reason(error: &SolveError, whole: bool) -> String {
     text
 }
 
-fn check(model: &dyn AnyModel, settings: &SweepSettings) -> Result<(), RunError> {
+fn check(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<(), RunError> {
     if !(1..=MOST_STEPS).contains(&settings.steps) {
         let text = format!("{} steps: the number lies between 1 and {MOST_STEPS}", settings.steps);
         return Err(RunError::Settings(text));
