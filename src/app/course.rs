@@ -2,6 +2,7 @@
 //! time, with what the integrator knew at its last renewal, and taken up later: the steps since then are repeated, which
 //! gives the same bits, and are not gathered twice.
 
+use super::accumulated::Marks;
 use super::cautions;
 use super::clock::{Clock, Seconds};
 use super::coarse::Coarseness;
@@ -55,6 +56,7 @@ struct Rows {
     values: Vec<f64>,
     warnings: Vec<Warning>,
     coarseness: Coarseness,
+    marks: Marks,
 }
 
 impl Course {
@@ -87,6 +89,7 @@ impl Course {
                 values: vec![0.0; columns],
                 warnings: Vec::new(),
                 coarseness: Coarseness::default(),
+                marks: Marks::default(),
             },
             energy: EnergyDrift::default(),
             steps,
@@ -169,10 +172,11 @@ impl Course {
                     t_end: _,
                     next,
                     count: _,
-                    state: _,
+                    state,
                     values: _,
                     warnings,
                     coarseness,
+                    marks,
                 },
             energy,
             steps,
@@ -182,7 +186,8 @@ impl Course {
         } = self;
         next.keep(archive);
         warnings.keep(archive);
-        coarseness.keep(archive);
+        coarseness.keep(state, archive);
+        marks.keep(archive);
         energy.keep(archive);
         steps.keep(archive);
         gathered.keep(archive);
@@ -199,11 +204,13 @@ impl Course {
     }
 
     /// Fills the result with what is gathered; `moved` is what the start corrected.
-    pub fn fill(self, scene: &dyn Scene, result: &mut RunResult, moved: Vec<String>) {
+    pub fn fill(self, integrator: &mut Running<'_>, result: &mut RunResult, moved: Vec<String>) {
         result.steps = self.steps.taken();
         result.energy_error = self.energy.relative();
         let yielding = result.envelopes.warning();
-        let coarse = self.rows.coarseness.warning(scene);
+        let iterations = integrator.statistics().newton_iterations;
+        let coarse = self.rows.coarseness.warning(integrator.system(), iterations);
+        result.marks = self.rows.marks;
         let told = cautions::texts(self.rows.warnings);
         result.warnings = moved.into_iter().chain(told).chain(yielding).chain(coarse).collect();
         result.seconds = self.before.and(self.clock.seconds());
@@ -241,6 +248,7 @@ impl Rows {
         result.history.push(time, &self.values).map_err(Incomplete::Output)?;
         recorder.row(time, &self.values);
         result.envelopes.meet(integrator.system(), time, &self.state);
+        self.marks.meet(t, self.t_end, &self.values);
         self.coarseness.meet(integrator.system(), &self.state, self.t_end);
         if let Some(pictures) = &mut result.pictures {
             pictures.take(self.next, integrator.system(), time, &self.state);

@@ -8,6 +8,7 @@
 //! and the report (HTML). [`run`], [`steady`], [`modes`], [`campbell`], [`static_equilibria`] and [`advise()`] do the
 //! same work in memory and print nothing.
 
+mod accumulated;
 mod advise;
 mod arguments;
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use std::ops::ControlFlow;
 
+use super::accumulated::{Ended, Marks, accumulated};
 use super::cautions;
 use super::clock::{Clock, Seconds};
 use super::course::Course;
@@ -108,6 +109,8 @@ pub struct RunResult {
     /// The same in sentences, what the start corrected of the declared positions and velocities, and what the
     /// scene warns of, each with the numbers of the row where it is worst.
     pub warnings: Vec<String>,
+    /// Some rows, for a look at what the errors of steps add up to.
+    pub(super) marks: Marks,
     /// Last good state.
     pub state: State,
     /// Time that the run took.
@@ -172,6 +175,7 @@ pub(super) fn run_recorded(
         masses: scene.masses(&start),
         cautions: model.cautions(t_end),
         warnings: Vec::new(),
+        marks: Marks::default(),
         state: start.clone(),
         seconds: Seconds::default(),
         incomplete: None,
@@ -185,8 +189,18 @@ pub(super) fn run_recorded(
             statistics: &result.statistics,
             end: &result.state,
         };
-        let missed = unfollowed(scene.as_mut(), start, run, model.outputs());
+        let missed = unfollowed(scene.as_mut(), start.clone(), run, model.outputs());
         result.warnings.extend(missed);
+        let run = Ended {
+            t_end,
+            method: result.settings.method,
+            options: result.settings.options,
+            steps: result.statistics.steps,
+            iterations: result.statistics.newton_iterations,
+            marks: &result.marks,
+        };
+        let added_up = accumulated(scene.as_mut(), start, run, model.outputs());
+        result.warnings.extend(added_up);
     }
     let told = cautions::sentences(model, &result.cautions);
     let told = told.into_iter().chain(doubts(model, result.settings.options.rtol));
@@ -296,7 +310,7 @@ fn integrate(
         incomplete = incomplete.or(Some(Incomplete::Files(error)));
     }
     moved.extend_from_slice(&integrator.statistics().jumps);
-    course.fill(integrator.system(), result, moved);
+    course.fill(&mut integrator, result, moved);
     result.state.clone_from(integrator.state());
     result.statistics = integrator.statistics().clone();
     result.incomplete = incomplete;

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 use super::cautions;
 use super::clock::{Clock, Seconds};
-use super::coarse::Coarseness;
+use super::coarse;
 use super::continuation::{EquilibriumProgress, EquilibriumSettings, Line, Measured};
 use super::envelopes::Envelopes;
 use super::history::History;
@@ -105,7 +105,7 @@ pub fn equilibria(
     let mut warnings = cautions::sentences(model, &cautions);
     warnings.extend(cautions::texts(station.scene.warnings(station.state)));
     warnings.extend(envelopes.warning());
-    warnings.extend(Coarseness::of_equilibrium(station.scene, &station.at, station.state).warning(station.scene));
+    warnings.extend(coarse::of_equilibrium(station.scene, &station.at, station.state));
     warnings.extend(leaps);
     let result = Equilibria {
         kind,

@@ -74,6 +74,11 @@ impl Scene for ModalScene {
         self.in_elements(|scene, full| scene.uniform_section_states(at, full, out));
     }
 
+    fn elastic_energy(&mut self, state: &State) -> f64 {
+        self.expand(state);
+        self.in_elements(|scene, full| scene.elastic_energy(full))
+    }
+
     fn mesh_errors(&mut self, state: &State, out: &mut Vec<MeshError>) {
         self.expand(state);
         self.in_elements(|scene, full| scene.mesh_errors(full, out));

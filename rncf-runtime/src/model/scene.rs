@@ -61,6 +61,11 @@ pub trait Scene: System + Send {
         out.clear();
     }
 
+    /// Strain energy of all bodies with a mesh whose nodal vectors are unknown, J.
+    fn elastic_energy(&mut self, _state: &State) -> f64 {
+        0.0
+    }
+
     /// How far the meshes of all [`Scene::section_bodies`] are from their bodies at a state; `out` is overwritten. Nothing
     /// where that is not known.
     fn mesh_errors(&mut self, _state: &State, out: &mut Vec<MeshError>) {

@@ -68,6 +68,11 @@ impl Scene for MeshScene {
         self.sample_sections(out);
     }
 
+    fn elastic_energy(&mut self, state: &State) -> f64 {
+        self.load_state(state);
+        self.energy_of_meshes()
+    }
+
     fn mesh_errors(&mut self, state: &State, out: &mut Vec<MeshError>) {
         self.load_state(state);
         self.evaluate_sections(state.t, 1.0, &state.lambda);

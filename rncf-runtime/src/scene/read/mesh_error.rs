@@ -59,6 +59,7 @@ impl Strained<'_> {
         let varies = self.scene.parts.varies(self.body);
         // Of every place where they differ along the body, else one for all.
         let mut flexibilities: Vec<Flexibility> = Vec::new();
+        let mut shapes: Vec<Vec<f64>> = Vec::new();
         for element in 0..spec.count {
             reader.begin(element);
             let size = spec.element_size();
@@ -70,10 +71,12 @@ impl Strained<'_> {
             let length = spec.element_length(element);
             let mut found: Vec<([Vector; 3], [Components; 2])> = Vec::with_capacity(places.len());
             let mut slope = [0.0; 3];
-            for &(xi, weight) in places {
-                let weights = self.weights(element, xi);
+            if varies || shapes.is_empty() {
+                shapes = places.iter().map(|&(xi, _)| self.weights(element, xi)).collect();
+            }
+            for (&(xi, weight), weights) in places.iter().zip(&shapes) {
                 let [free, present, rates] =
-                    [&undeformed[..], &q[..size], &v[..size]].map(|local| self.fields_at(&weights, local));
+                    [&undeformed[..], &q[..size], &v[..size]].map(|local| self.fields_at(weights, local));
                 let x = spec.arclength(element, xi);
                 if varies || flexibilities.is_empty() {
                     flexibilities.truncate(found.len());
@@ -191,6 +194,22 @@ impl Strained<'_> {
 }
 
 impl MeshScene {
+    /// Strain energy at the loaded state of all bodies whose meshes are judged, J.
+    pub(crate) fn energy_of_meshes(&self) -> f64 {
+        let mut energy = 0.0;
+        for (index, body) in self.bodies.iter().enumerate() {
+            if body.spec.fidelity == Fidelity::Full {
+                let mut q = [0.0; MAX_SIZE];
+                let size = body.spec.element_size();
+                for element in 0..body.spec.count {
+                    body.connectivity.gather(element, &self.buffers.q, &mut q[..size]);
+                    energy += self.parts.energy(index, element, &q[..size]);
+                }
+            }
+        }
+        energy
+    }
+
     /// Energies of the bodies of [`MeshScene::sectioned`] at the loaded state, whose sections are set; without numbers of those that
     /// have no mesh, or elements with other fields than an axis and a section.
     pub(crate) fn measure_meshes(&mut self, out: &mut Vec<MeshError>) {
