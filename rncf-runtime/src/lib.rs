@@ -9,6 +9,7 @@ pub mod archive;
 pub mod emitted;
 pub mod equilibrium;
 pub mod error;
+mod import;
 pub mod integrate;
 pub mod linalg;
 mod modal;

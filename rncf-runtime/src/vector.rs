@@ -81,6 +81,26 @@ pub fn inverse(a: &Matrix) -> Matrix {
     std::array::from_fn(|i| std::array::from_fn(|j| columns[j][i] / determinant))
 }
 
+/// `sum_a u_a x v_a`
+pub(crate) fn crossed(u: &[Vector], v: &[Vector]) -> Vector {
+    u.iter().zip(v).fold([0.0; 3], |sum, (&u, &v)| add(sum, cross(u, v)))
+}
+
+/// `sum_a [u_a]^T [v_a]`, `[u]^T [v] = (u . v) 1 - v u^T`
+pub(crate) fn second_moment(u: &[Vector], v: &[Vector]) -> Matrix {
+    let mut sum = [[0.0; 3]; 3];
+    for (&u, &v) in u.iter().zip(v) {
+        let trace = dot(u, v);
+        for i in 0..3 {
+            sum[i][i] += trace;
+            for j in 0..3 {
+                sum[i][j] -= v[i] * u[j];
+            }
+        }
+    }
+    sum
+}
+
 /// A unit vector normal to the unit vector `t`.
 pub fn perpendicular(t: Vector) -> Vector {
     let smallest = (0..3).min_by(|&i, &j| t[i].abs().total_cmp(&t[j].abs())).unwrap_or(0);

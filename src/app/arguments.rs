@@ -44,6 +44,8 @@ pub(super) struct Arguments {
     pub animate: bool,
     /// Whether files for ParaView are written.
     pub vtu: bool,
+    /// Whether bodies in modes are written as arrays.
+    pub export: bool,
 }
 
 impl Arguments {
@@ -223,6 +225,7 @@ fn read(
         resume: false,
         animate: matches.get_flag("animate"),
         vtu: matches.get_flag("vtu"),
+        export: matches.get_flag("export"),
     };
     outer(&mut arguments, program, matches);
     Ok(arguments)

@@ -133,6 +133,7 @@ impl Command {
             "steps" => matches!(self, Command::Steady | Command::Campbell | Command::Static),
             "at" => !self.runs() && !self.sweeps(),
             "spin" | "axis" => matches!(self, Command::Steady | Command::Modes | Command::Campbell),
+            "export" => self == Command::Modes,
             "modes" | "frequency" => matches!(self, Command::Modes | Command::Campbell),
             _ => true,
         }
@@ -165,6 +166,7 @@ impl Command {
             (Command::Chart, "formulation" | "integrator" | "rtol" | "alpha" | "rho-inf") => {
                 "give lists, `--formulations`, `--integrators` or `--rtols`"
             }
+            (_, "export") => "it looks for no modes",
             (Command::Chart, "resume") => "the same command goes on by itself where it was ended",
             (_, "resume") => "only a run leaves a checkpoint",
             (Command::Chart | Command::Advise, "step" | "proportional" | "animate" | "vtu" | "fidelity") => {

@@ -17,7 +17,7 @@ use super::run::run_recorded;
 use super::run_error::{Incomplete, RunError};
 use super::steady::equilibria;
 use super::summary::{self, Summary};
-use super::{advise, chart, checkpoint, files, plan, report, scenario};
+use super::{advise, chart, checkpoint, export, files, plan, report, scenario};
 use crate::equilibrium::Kind;
 
 pub(super) const FAILURE: u8 = 1;
@@ -216,13 +216,16 @@ fn execute_modes(arguments: &Arguments) -> Result<String, Failure> {
     let result = modes(arguments.model(), &arguments.equilibrium).map_err(|error| Failure::from(&error))?;
     let summary = summary::of_modes(arguments.model(), &result);
     let part = modes_part(&result, arguments.frequency);
-    let files = write(
+    let mut files = write(
         arguments,
         "modes",
         ("modes.csv", modes_csv(&result)),
         &summary,
         Ok(part),
     )?;
+    if arguments.export {
+        files += &export::execute(arguments)?;
+    }
     let head = format!(
         "{}: {} modes at t = {} s, spin {}, {} s\n{}",
         arguments.model().name(),

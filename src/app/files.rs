@@ -9,9 +9,17 @@ use std::path::Path;
 /// # Errors
 /// The path and the system's reason.
 pub(super) fn write(folder: &Path, name: &str, text: &str) -> Result<(), String> {
+    write_bytes(folder, name, text.as_bytes())
+}
+
+/// The same of bytes.
+///
+/// # Errors
+/// As [`write`].
+pub(super) fn write_bytes(folder: &Path, name: &str, bytes: &[u8]) -> Result<(), String> {
     let path = folder.join(name);
     let partial = folder.join(format!(".{name}.{}.partial", std::process::id()));
-    let written = fs::write(&partial, text).and_then(|()| fs::rename(&partial, &path));
+    let written = fs::write(&partial, bytes).and_then(|()| fs::rename(&partial, &path));
     written.map_err(|error| {
         // The partial file is of no use; that it cannot be removed either adds nothing.
         let _ = fs::remove_file(&partial);

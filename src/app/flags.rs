@@ -160,6 +160,10 @@ pub(super) fn command_line(model: &dyn AnyModel, program: &Program<'_>) -> clap:
             "Write animation.html: the bodies over time, in any browser",
         ))
         .arg(flag("vtu", "Write paraview.pvd: the bodies over time, for ParaView"))
+        .arg(flag(
+            "export",
+            "Write BODY.npz for each body in modes: nodes, modes and invariants, which `import` reads",
+        ))
         .args(chart::flags())
         .args(advise::flags())
         .args(plan::flags())

@@ -28,6 +28,7 @@ mod diagrams;
 mod doubts;
 mod envelopes;
 mod execute;
+mod export;
 mod figure;
 mod files;
 mod flags;

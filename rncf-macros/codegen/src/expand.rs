@@ -96,15 +96,7 @@ fn name_taken(name: &str) -> String {
 /// Statements that let cargo expand the model anew when the file of a table changes.
 fn dependences(model: &Model) -> String {
     let files = model.tables.iter().filter_map(|table| table.file.as_ref());
-    let statement = |file: &String| {
-        if Path::new(file).is_absolute() {
-            return format!("const _: &[u8] = ::core::include_bytes!({file:?});\n");
-        }
-        let path = format!("/{file}");
-        format!(
-            "const _: &[u8] = ::core::include_bytes!(::core::concat!(::core::env!(\"CARGO_MANIFEST_DIR\"), {path:?}));\n"
-        )
-    };
+    let statement = |file: &String| format!("const _: &[u8] = {};\n", emit::included(file));
     files.map(statement).collect()
 }
 

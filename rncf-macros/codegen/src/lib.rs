@@ -19,6 +19,7 @@ pub mod emit;
 pub mod errors;
 pub mod expand;
 pub mod generate;
+pub mod import;
 pub mod joints;
 mod library;
 pub mod lower;

@@ -3,18 +3,25 @@
 use std::sync::LazyLock;
 
 use crate::check;
-use crate::elements::{Element, Library, full_beam};
+use crate::elements::{BETWEEN_INTERFACES, Element, Library, full_beam};
 use crate::errors::Errors;
 use crate::parse;
 
 /// Declarations of elements.
 const TEXTS: [&str; 2] = [include_str!("library/cable.rncf"), include_str!("library/beam.rncf")];
+/// What stands between the interfaces of a body from elsewhere, and is not evaluated: no word of the language.
+const INTERFACES: &str = include_str!("library/interfaces.rncf");
 
 static STANDARD: LazyLock<Library> = LazyLock::new(|| {
     let mut library = Library::default();
     for text in TEXTS {
         library.elements.extend(declared(text));
     }
+    let between = declared(INTERFACES).into_iter().map(|element| Element {
+        names: vec![BETWEEN_INTERFACES],
+        ..element
+    });
+    library.elements.extend(between);
     let beam = library.find("beam").map(|at| library.elements[at].clone());
     library.elements.extend(beam.iter().flat_map(full_beam));
     library

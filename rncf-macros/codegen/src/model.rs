@@ -369,11 +369,30 @@ pub enum Line {
         /// Subtended angle, rad; positive turns counter-clockwise about the normal.
         angle: Expr,
     },
+    /// The interfaces of a body from elsewhere.
+    Imported(Imported),
     /// A smooth curve through points.
     Curve {
         /// Points, m, frame axes.
         points: Vec<[Expr; 3]>,
     },
+}
+
+/// A body from files of a finite-element program.
+#[derive(Clone, Debug)]
+pub struct Imported {
+    /// Paths of the files, relative to the crate's manifest.
+    pub files: Vec<String>,
+    /// Their units of length, mass and time in SI.
+    pub units: [f64; 3],
+    /// Names of the interfaces, and the numbers of their nodes.
+    pub interfaces: Vec<(String, Vec<u64>)>,
+    /// Where the interfaces are, m, body axes.
+    pub places: Vec<[f64; 3]>,
+    /// Whether all motions of the interfaces are kept beside the modes.
+    pub keeps_interfaces: bool,
+    /// Part of critical damping in every mode, and damping proportional to stiffness, s.
+    pub damping: [Expr; 2],
 }
 
 /// Integration rule of the strain energy.

@@ -4,6 +4,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::curve::Spline;
+use super::nodes::{Held, Nodes};
 use crate::vector::{add, cross, dot, norm, subtract};
 
 /// Stress-free twist of a section: angle about the tangent (rad) as a function of the fraction of the axis in [0, 1].
@@ -59,6 +60,8 @@ pub enum Line {
     },
     /// A smooth curve through points.
     Curve(Arc<Spline>),
+    /// The interfaces of a body from elsewhere: no line, places of nodes alone.
+    Nodes(Nodes),
 }
 
 impl Line {
@@ -68,6 +71,7 @@ impl Line {
             Line::Straight { from, to } => norm(subtract(to, from)),
             Line::Arc { radius, angle, .. } => radius * angle.abs(),
             Line::Curve(ref spline) => spline.length(),
+            Line::Nodes(ref nodes) => nodes.body().map_or(f64::NAN, |body| body.extent()),
         }
     }
 
@@ -104,6 +108,15 @@ impl Line {
                 (add(from, add(along, across)), here)
             }
             Line::Curve(ref spline) => spline.at(u),
+            Line::Nodes(ref nodes) => {
+                let node = (u * (nodes.count() - 1) as f64).round() as usize;
+                let interface = match nodes.at(node) {
+                    Held::Interface(interface) => interface,
+                    Held::Coordinates(_) => 0,
+                };
+                let place = nodes.body().map_or([f64::NAN; 3], |body| body.place(interface));
+                (place, [1.0, 0.0, 0.0])
+            }
         }
     }
 
@@ -111,7 +124,7 @@ impl Line {
     /// sections are oriented at every place by themselves.
     pub fn turned(&self, u: f64) -> Option<[f64; 3]> {
         Some(match *self {
-            Line::Straight { .. } => [0.0; 3],
+            Line::Straight { .. } | Line::Nodes(_) => [0.0; 3],
             Line::Curve(_) => return None,
             Line::Arc {
                 direction,
@@ -125,7 +138,7 @@ impl Line {
     /// Whether an arc's direction and normal span a plane; straight lines need a length alone.
     pub fn has_plane(&self) -> bool {
         match *self {
-            Line::Straight { .. } | Line::Curve(_) => true,
+            Line::Straight { .. } | Line::Curve(_) | Line::Nodes(_) => true,
             Line::Arc { direction, normal, .. } => {
                 let size = norm(direction) * norm(normal);
                 size.is_finite() && norm(cross(direction, normal)) > PARALLEL * size

@@ -11,6 +11,10 @@ use super::scalar::c64;
 
 /// Eigenvalues that differ relatively by less than this belong to one subspace of modes.
 const EQUAL: f64 = 1e-6;
+/// Part of the largest mass by which a mass may be negative, as that of files is by round-off.
+const NEGATIVE: f64 = 1e-7;
+/// Part of the largest mass below which there is none.
+const MASSLESS: f64 = 1e-14;
 /// A pivot below this part of its diagonal entry is round-off.
 const PIVOT: f64 = 1e-14;
 
@@ -210,6 +214,24 @@ pub struct NaturalModes {
 /// # Errors
 /// K or M is not positive definite.
 pub fn natural_modes(size: usize, stiffness: &[f64], mass: &[f64], count: usize) -> Result<NaturalModes, Indefinite> {
+    modes_with_mass(size, stiffness, mass, count, true)
+}
+
+/// The same where M is only semidefinite: what has no mass has no frequency, and is not among the lowest.
+///
+/// # Errors
+/// K is not positive definite, or M is indefinite.
+pub fn lowest_modes(size: usize, stiffness: &[f64], mass: &[f64], count: usize) -> Result<NaturalModes, Indefinite> {
+    modes_with_mass(size, stiffness, mass, count, false)
+}
+
+fn modes_with_mass(
+    size: usize,
+    stiffness: &[f64],
+    mass: &[f64],
+    count: usize,
+    is_definite: bool,
+) -> Result<NaturalModes, Indefinite> {
     let factor = Cholesky::new(size, stiffness)?;
     // L^-1 M L^-T
     let mut flexibility = mass.to_vec();
@@ -221,15 +243,30 @@ pub fn natural_modes(size: usize, stiffness: &[f64], mass: &[f64], count: usize)
     }
     let (values, mut vectors) = symmetric_eigen(size, &flexibility)?;
     vectors.reverse();
+    let inverse: Vec<f64> = values.into_iter().rev().collect();
+    let same = |first: usize| {
+        let is_same = |&other: &usize| inverse[other] > inverse[first] * (1.0 - EQUAL);
+        (first..size).take_while(is_same).last().unwrap_or(first)
+    };
+    if let (Some(least), Some(most)) = (inverse.last(), inverse.first())
+        && *least < -NEGATIVE * most
+    {
+        return Err(Indefinite);
+    }
+    let massive = inverse.iter().take_while(|own| **own > MASSLESS * inverse[0]).count();
+    let (count, needed) = match (is_definite, count.min(massive)) {
+        (true, _) => (count, size),
+        (false, 0) => (0, 0),
+        (false, some) => (some, (same(some - 1) + 1).min(massive)),
+    };
+    vectors.truncate(needed);
     for vector in &mut vectors {
         factor.backward(vector);
     }
-    let inverse: Vec<f64> = values.into_iter().rev().collect();
     orthonormalise(size, mass, &mut vectors)?;
     let mut first = 0;
     while first < count.min(size) {
-        let same = |&other: &usize| inverse[other] > inverse[first] * (1.0 - EQUAL);
-        let last = (first..size).take_while(same).last().unwrap_or(first);
+        let last = same(first).min(needed - 1);
         align(&mut vectors[first..=last]);
         first = last + 1;
     }

@@ -23,8 +23,8 @@ pub(crate) use block_kernels::{Vectorised, dispatch};
 pub use column::Column;
 pub use dense::Dense;
 pub use eigen::{
-    Cholesky, Indefinite, NaturalModes, general_eigen, natural_modes, negative_eigenvalues, product, solve_full,
-    symmetric_eigen, times,
+    Cholesky, Indefinite, NaturalModes, general_eigen, lowest_modes, natural_modes, negative_eigenvalues, product,
+    solve_full, symmetric_eigen, times,
 };
 pub use lu::Lu;
 pub use pattern::Pattern;

@@ -1,5 +1,6 @@
 //! A body with modal coordinates: its modes, and the forces that they make.
 
+use super::elsewhere::Elsewhere;
 use super::expansion::Elastic;
 use super::invariants::{Action, Invariants, Motion};
 
@@ -51,8 +52,10 @@ pub struct ModalBody {
     /// With the fixtures.
     pub(super) loaded: Invariants,
     pub(super) elastic: Elastic,
-    /// Factor of E^T K E at the undeformed shape; none for a rigid body with loose freedoms.
+    /// Factor of E^T K E at the undeformed shape; none for a rigid body with loose freedoms, and for a body from elsewhere.
     pub(super) stiffness: Option<Cholesky>,
+    /// Of a body from elsewhere, which has no elements.
+    pub(super) elsewhere: Option<Elsewhere>,
 }
 
 impl ModalBody {
@@ -106,6 +109,7 @@ impl ModalBody {
             loaded,
             elastic: Elastic::Elements,
             stiffness: factor,
+            elsewhere: None,
         };
         body.elastic = body.prepare_elastic(elements);
         Ok(body)

@@ -6,7 +6,7 @@
 use super::body::{ModalBody, Nodal};
 use crate::emitted::Fidelity;
 use crate::linalg::Cholesky;
-use crate::scene::bodies::described::{Described, Elements};
+use crate::scene::bodies::described::{Described, Elements, Inertial};
 use crate::vector::{Vector, cross, norm, scale, subtract};
 
 /// Most iterations in which an elastic structure in the deformed place is solved with the factors of the undeformed
@@ -206,7 +206,18 @@ impl Described for ModalBody {
         self.stiffness.is_none()
     }
 
+    fn inertial(&self, spin: Vector, at: [&[f64]; 2]) -> Option<Inertial> {
+        self.inertial(spin, at)
+    }
+
+    fn strain_energy(&self, q: &[f64]) -> Option<f64> {
+        self.strain_of(q)
+    }
+
     fn add_linear_forces(&self, elements: &dyn Elements, [q, v]: [&[f64]; 2], force: &mut [f64]) {
+        if self.elsewhere.is_some() {
+            return;
+        }
         for element in 0..self.nodal.connectivity.count() {
             let components = self.nodal.connectivity.element(element);
             for (&component, value) in components.iter().zip(self.linear_force(elements, element, [q, v])) {
@@ -217,7 +228,7 @@ impl Described for ModalBody {
 
     fn linear_force(&self, elements: &dyn Elements, element: usize, [q, v]: [&[f64]; 2]) -> Vec<f64> {
         let size = self.nodal.connectivity.size;
-        if self.modes() == 0 {
+        if self.modes() == 0 || self.elsewhere.is_some() {
             return vec![0.0; size];
         }
         let (shape, moved) = (self.gathered(element, &self.nodal.shape), self.gathered(element, q));

@@ -1,8 +1,11 @@
 //! Inertia of a modal body from constants, THEORY 3.2, Eqs. (15)-(17).
 
 use super::action::{CarriedTangent, FrameAction};
+use crate::import::Inertia;
+use crate::scene::bodies::described::Inertial;
 use crate::vector::{
-    Matrix, Vector, add, apply, apply_transposed, cross, dot, identity, multiply, scale, skew, subtract, transpose,
+    Matrix, Vector, add, apply, apply_transposed, cross, crossed, dot, identity, multiply, scale, second_moment, skew,
+    subtract, transpose,
 };
 
 /// What the frame does, in three components; planar bodies lie in the first two.
@@ -68,25 +71,6 @@ const CENTRED: f64 = 1e-12;
 
 fn plus(a: &Matrix, factor: f64, b: &Matrix) -> Matrix {
     std::array::from_fn(|i| std::array::from_fn(|j| a[i][j] + factor * b[i][j]))
-}
-
-/// `sum_a [u_a]^T [v_a]`, `[u]^T [v] = (u . v) 1 - v u^T`
-fn second_moment(u: &[Vector], v: &[Vector]) -> Matrix {
-    let mut sum = [[0.0; 3]; 3];
-    for (&u, &v) in u.iter().zip(v) {
-        let trace = dot(u, v);
-        for i in 0..3 {
-            sum[i][i] += trace;
-            for j in 0..3 {
-                sum[i][j] -= v[i] * u[j];
-            }
-        }
-    }
-    sum
-}
-
-fn crossed(u: &[Vector], v: &[Vector]) -> Vector {
-    u.iter().zip(v).fold([0.0; 3], |sum, (&u, &v)| add(sum, cross(u, v)))
 }
 
 /// `d/dw (w x (w x u))`, THEORY 2.1
@@ -159,6 +143,37 @@ impl Invariants {
         }
     }
 
+    /// Those of a body from elsewhere.
+    pub fn given(inertia: Inertia) -> Self {
+        Self {
+            modes: inertia.phibar.len(),
+            mass: inertia.mass,
+            moment: inertia.moment,
+            inertia: inertia.inertia,
+            phibar: inertia.phibar,
+            gamma: inertia.gamma,
+            eta: inertia.eta,
+            first: inertia.first,
+            second: inertia.second,
+            inner: inertia.inner,
+        }
+    }
+
+    /// All of them.
+    pub fn all(&self) -> Inertia {
+        Inertia {
+            mass: self.mass,
+            moment: self.moment,
+            inertia: self.inertia,
+            phibar: self.phibar.clone(),
+            gamma: self.gamma.clone(),
+            eta: self.eta.clone(),
+            first: self.first.clone(),
+            second: self.second.clone(),
+            inner: self.inner.clone(),
+        }
+    }
+
     /// The same body without modes, all of whose mass is at its centre of mass: J0 = m [c]^T [c]. A centre nearer
     /// to the origin than round-off of `extent` (m) is at the origin, so that a motion without inertia has none at all.
     pub fn at_centre(&self, extent: f64) -> Self {
@@ -211,6 +226,29 @@ impl Invariants {
             inertia,
             gamma,
             rate,
+        }
+    }
+
+    /// Mass, first moment, momentum, angular momentum and kinetic energy about an origin at rest.
+    pub fn carried(&self, spin: Vector, p: &[f64], v: &[f64]) -> Inertial {
+        let none = vec![0.0; p.len()];
+        let body = self.displaced(Motion { p, v, a: &none });
+        let (mut rate, mut turned) = ([0.0; 3], apply(&body.inertia, spin));
+        let mut kinetic = 0.5 * dot(spin, turned);
+        for i in 0..self.modes {
+            rate = add(rate, scale(v[i], self.phibar[i]));
+            turned = add(turned, scale(v[i], body.gamma[i]));
+            kinetic += v[i] * dot(spin, body.gamma[i]);
+            for j in 0..self.modes {
+                kinetic += 0.5 * v[i] * v[j] * self.inner[i * self.modes + j];
+            }
+        }
+        Inertial {
+            mass: self.mass,
+            moment: body.moment,
+            momentum: add(cross(spin, body.moment), rate),
+            spin: turned,
+            kinetic,
         }
     }
 

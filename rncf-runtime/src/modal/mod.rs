@@ -7,9 +7,12 @@ mod arm;
 mod body;
 mod carried;
 mod elastic;
+mod elsewhere;
 mod expansion;
+mod export;
 mod hanging;
 mod held;
+mod imported;
 mod invariants;
 mod locking;
 mod reduction;
@@ -23,3 +26,15 @@ mod tests;
 mod view;
 
 pub use scene::build_as;
+
+/// Momentum and kinetic energy about an origin at rest.
+#[cfg(test)]
+pub(crate) fn kinetic_of(
+    inertia: &crate::import::Inertia,
+    spin: crate::vector::Vector,
+    p: &[f64],
+    v: &[f64],
+) -> (crate::vector::Vector, f64) {
+    let sums = invariants::Invariants::given(inertia.clone()).carried(spin, p, v);
+    (sums.momentum, sums.kinetic)
+}

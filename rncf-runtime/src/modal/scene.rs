@@ -93,7 +93,15 @@ impl ModalScene {
                 parts: &*scene.parts,
                 body: index,
             };
-            let modes = Arc::new(ModalBody::new(nodal, fidelity, &elements)?);
+            let modes = match scene.elsewhere(index)? {
+                Some(body) => {
+                    let held = scene.held_interfaces(index, &body)?;
+                    ModalBody::imported(nodal, &scene.bodies[index].spec, &body, &held)?
+                }
+                None => ModalBody::new(nodal, fidelity, &elements)?,
+            };
+            scene.remarks.extend(modes.remarks());
+            let modes = Arc::new(modes);
             blocks.push(Block::new(&modes, first));
             bodies.push(index);
             scene.bodies[index].modes = Some(modes.clone());
@@ -489,8 +497,9 @@ impl System for ModalScene {
     }
 
     fn energy(&mut self, state: &State) -> Option<f64> {
-        // Eqs. (18)-(20) do not conserve it.
-        if self.is_small() || !self.scene.parts.conservative() {
+        // Eqs. (18)-(20) do not conserve it, and bodies from elsewhere have no elements.
+        let is_elsewhere = self.modes.iter().any(|modes| modes.elsewhere.is_some());
+        if self.is_small() || is_elsewhere || !self.scene.parts.conservative() {
             return None;
         }
         self.expand(state);

@@ -121,6 +121,23 @@ impl ModalBody {
         stiffness
     }
 
+    /// The least that centrifugal effects leave of the stiffness of a body from elsewhere, over that at rest.
+    pub(super) fn least_stiffness(&self, action: &Action) -> Option<f64> {
+        let k = self.modes();
+        if k == 0 {
+            return None;
+        }
+        let (mut scaled, mut gyroscopic) = (vec![0.0; k * k], vec![0.0; k * k]);
+        self.loaded.modal_tangent(action, &mut scaled, &mut gyroscopic);
+        for (place, entry) in scaled.iter_mut().enumerate() {
+            let (row, column) = (place / k, place % k);
+            *entry /= self.frequencies[row] * self.frequencies[column];
+            *entry += f64::from(u8::from(row == column));
+        }
+        let (values, _) = symmetric_eigen(k, &scaled).ok()?;
+        values.first().copied()
+    }
+
     fn softest(&self, elements: &dyn Elements, action: &Action, p: &[f64]) -> Option<Softest> {
         let k = self.modes();
         let mut scaled = self.stiffness_in_spin(elements, action, p);

@@ -1,7 +1,7 @@
 //! What modal bodies are made of, from the scene with all nodal vectors.
 
 use super::body::Nodal;
-use crate::emitted::{FrameTie, ObservedSpec};
+use crate::emitted::{FrameTie, Line, ObservedSpec};
 use crate::error::ModelError;
 use crate::scene::MeshScene;
 use crate::scene::numbering::assembly::Connectivity;
@@ -114,6 +114,12 @@ impl MeshScene {
         };
         if !loose || !self.observed.iter().any(reads) {
             return Ok(());
+        }
+        if matches!(body.spec.line, Line::Nodes(_)) {
+            return Err(ModelError::new(format!(
+                "an output reads what body `{}` carries or what a joint to its own frame exerts on it, but it comes from a file, and no elements carry its loads there: give it a free frame of its own, and tie it by a joint between moving parts, whose reaction is known",
+                body.spec.label()
+            )));
         }
         Err(ModelError::new(format!(
             "an output reads what body `{}` carries or what a joint exerts on it, but `{}` alone keeps it in its frame where its joints leave it free, so that nothing says where its loads go: clamp it in its frame",

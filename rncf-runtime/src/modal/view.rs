@@ -2,8 +2,8 @@
 
 use super::scene::{ModalScene, Told};
 use crate::model::{
-    Composition, Configuration, Curve, DescribedBody, FrameState, MassProperties, MeshError, Scene, SectionBody,
-    SectionState, Uniform, Warning,
+    Composition, Configuration, Curve, DescribedBody, ExportedBody, FrameState, MassProperties, MeshError, Scene,
+    SectionBody, SectionState, Uniform, Warning,
 };
 use crate::system::{State, Tangent};
 
@@ -44,6 +44,10 @@ impl Scene for ModalScene {
 
     fn bodies(&self) -> Vec<DescribedBody> {
         self.scene.described_bodies()
+    }
+
+    fn exported(&self) -> Vec<ExportedBody> {
+        self.exported_bodies()
     }
 
     fn frame_names(&self) -> Vec<String> {
@@ -192,6 +196,10 @@ impl Scene for ModalScene {
         self.each_body([0.0; 3], |block, body, modes, elements, action| {
             let own = |of: &[f64]| of[block.coordinate..][..block.count].to_vec();
             let [p, v, a] = [&state.x, &state.v, &state.a].map(|of| own(of));
+            if modes.elsewhere.is_some() {
+                warnings.extend(modes.told(action, &p));
+                return;
+            }
             let loss = modes.loss_of_stiffness(elements, action, &p);
             warnings.extend(loss.map(|loss| Warning {
                 text: loss.to_string(),

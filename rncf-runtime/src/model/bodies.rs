@@ -116,3 +116,12 @@ impl SectionState {
         self.moments[1].hypot(self.moments[2])
     }
 }
+
+/// A body that modes describe, as arrays of a file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ExportedBody {
+    /// Name of the body.
+    pub name: String,
+    /// Name, sizes and values of every array, the last index fastest; SI, frame axes.
+    pub arrays: Vec<(&'static str, Vec<usize>, Vec<f64>)>,
+}

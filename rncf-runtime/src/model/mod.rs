@@ -7,7 +7,7 @@ mod scene;
 mod uniform;
 
 pub use crate::emitted::Fidelity;
-pub use bodies::{DescribedBody, MassProperties, MeshError, SectionBody, SectionState};
+pub use bodies::{DescribedBody, ExportedBody, MassProperties, MeshError, SectionBody, SectionState};
 pub use composition::{Composition, Motion};
 pub use picture::{Configuration, Curve};
 pub use scene::{FrameState, Pose, Scene, Warning};

@@ -1,6 +1,6 @@
 //! A scene: a system with bodies in it.
 
-use super::bodies::{DescribedBody, MassProperties, MeshError, SectionBody, SectionState};
+use super::bodies::{DescribedBody, ExportedBody, MassProperties, MeshError, SectionBody, SectionState};
 use super::composition::Composition;
 use super::picture::{Configuration, Curve};
 use super::uniform::Uniform;
@@ -32,6 +32,11 @@ pub trait Scene: System + Send {
 
     /// Masses of the bodies and of what else has inertia at a state, and the sum of all at the end where there are several.
     fn masses(&mut self, _state: &State) -> Vec<MassProperties> {
+        Vec::new()
+    }
+
+    /// The bodies that modes describe, for files that a body can be imported from.
+    fn exported(&self) -> Vec<ExportedBody> {
         Vec::new()
     }
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::mesh_scene::MeshScene;
 use super::sound::{check_absolute, check_body, check_instances, check_joint};
-use crate::emitted::{BodySpec, ConstraintSpec, Fidelity, FrameMotion, FrameTie, LoadKind, Parts, When};
+use crate::emitted::{BodySpec, ConstraintSpec, Fidelity, FrameMotion, FrameTie, Line, LoadKind, Parts, When};
 use crate::error::ModelError;
 use crate::linalg::Pattern;
 use crate::model::{Formulation, Joints};
@@ -28,6 +28,9 @@ use crate::scene::pieces::push::{Law, Push};
 use crate::scene::terms::linked::markers;
 use crate::scene::terms::moments::turned_by_moments;
 use crate::vector::{Vector, add, apply};
+
+/// Part of its length that an element has which stands for nothing.
+const NOTHING: f64 = 1e-9;
 
 impl MeshScene {
     /// Builds the scene: geometry, numbering, patterns; with bodies, by their names, described otherwise than they are
@@ -471,6 +474,14 @@ fn prepare(parts: &mut dyn Parts, specs: &[BodySpec]) -> Result<Vec<usize>, Mode
     for (index, spec) in specs.iter().enumerate() {
         let nodes: Vec<f64> = (0..=spec.count)
             .map(|node| spec.arclength(node.min(spec.count - 1), f64::from(u8::from(node == spec.count))))
+            // Between nodes of a body from elsewhere there is nothing: pictures draw straight lines.
+            .map(|x| {
+                if matches!(spec.line, Line::Nodes(_)) {
+                    NOTHING * x
+                } else {
+                    x
+                }
+            })
             .collect();
         parts.prepare(index, &nodes, &element_shapes(spec))?;
         firsts.push(next);

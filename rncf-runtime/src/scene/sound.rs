@@ -46,6 +46,9 @@ pub(crate) fn check_body(spec: &BodySpec) -> Result<(), ModelError> {
     {
         return Err(ModelError::new(format!("body `{}`: its curve {mistake}", spec.label())));
     }
+    if let Line::Nodes(nodes) = &spec.line {
+        return nodes.body().map(|_| ()).map_err(ModelError::new);
+    }
     let length = spec.line.length();
     if !(length.is_finite() && length > 0.0) {
         return Err(ModelError::new(format!(
@@ -68,7 +71,7 @@ pub(crate) fn check_body(spec: &BodySpec) -> Result<(), ModelError> {
     }
     let angle: f64 = match spec.line {
         Line::Arc { angle, .. } => angle,
-        Line::Straight { .. } => 0.0,
+        Line::Straight { .. } | Line::Nodes(_) => 0.0,
         Line::Curve(_) => {
             let bent = |element: usize| {
                 let [start, end] = [element, element + 1].map(|node| spec.line.at(spec.fraction(node, 0)).1);

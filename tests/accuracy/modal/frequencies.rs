@@ -31,6 +31,11 @@ fn dense(pattern: &Pattern, values: &[f64]) -> Vec<f64> {
     full
 }
 
+/// Frequencies at rest.
+pub(super) fn natural(scene: &mut dyn Scene, count: usize) -> Option<Vec<f64>> {
+    lowest(scene, count)
+}
+
 /// Lowest frequencies about the relative equilibrium, or `None` where a motion has no stiffness. The Coriolis terms are
 /// left out: they couple lag and stretch alone, by (2 eta mu)^2 / (stretching frequency)^2 < 1e-5.
 fn lowest(scene: &mut dyn Scene, count: usize) -> Option<Vec<f64>> {

@@ -3,6 +3,7 @@
 
 mod flight;
 mod frequencies;
+mod imported;
 mod models;
 mod spin_up;
 mod timing;

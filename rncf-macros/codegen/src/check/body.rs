@@ -1,5 +1,6 @@
 //! Bodies: what their statements make of them.
 
+use super::import::is_imported;
 use super::plane::{PLANES, normal};
 use super::{Check, say};
 use crate::errors::Area;
@@ -47,13 +48,20 @@ impl<'a> Check<'a> {
             return;
         };
         known.frame = frame.as_ref().map_or(Some(INERTIAL), |frame| self.frame(frame));
-        known.space = self.space(item, statements, *complete);
+        known.space = match is_imported(statements) {
+            true => Some(Space::Spatial),
+            false => self.space(item, statements, *complete),
+        };
         if let Some(frame_id) = known.frame
             && self.has_axes(frame_id, frame.as_ref())
             && let Some(normal) = known.space.and_then(normal)
         {
             let area = frame.as_ref().map_or(item.name.span, |frame| frame.span);
             self.keeps_plane(frame_id, normal, area);
+        }
+        if is_imported(statements) {
+            self.imported(item, statements, known);
+            return;
         }
         let line = self.line(item, statements, *complete, &mut known);
         let mesh = self.mesh(item, statements, *complete, known.space);

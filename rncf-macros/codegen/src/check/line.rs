@@ -290,6 +290,7 @@ impl<'a> Check<'a> {
                 std::array::from_fn(|axis| algebra::subtract(to[axis].clone(), from[axis].clone()))
             }
             Line::Arc { direction, .. } => direction.clone(),
+            Line::Imported(_) => [1.0, 0.0, 0.0].map(Value::Number),
             Line::Curve { points } => {
                 std::array::from_fn(|axis| algebra::subtract(points[1][axis].clone(), points[0][axis].clone()))
             }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::material::{Stuff, Used};
 use super::{Check, say};
-use crate::elements::Element;
+use crate::elements::{BETWEEN_INTERFACES, Element};
 use crate::joints::algebra::multiply;
 use crate::model::{ElementId, Evaluation, Expr as Value, Law, Quadrature, SectionShape, Space, Stations, TableId};
 use crate::parse::tree::{Argument, Call, Expr, ExprKind, Item, Name, Statement};
@@ -65,7 +65,8 @@ impl<'a> Check<'a> {
                 .elements
                 .iter()
                 .filter(|element| !element.of_stiffness)
-                .flat_map(|element| element.names.iter().copied());
+                .flat_map(|element| element.names.iter().copied())
+                .filter(|name| *name != BETWEEN_INTERFACES);
             self.errors.at(call.name.span, suggest::unknown("element", word, known));
             return None;
         };

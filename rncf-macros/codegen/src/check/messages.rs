@@ -6,6 +6,8 @@ pub use crate::messages::{
     not_repeated, runs_out,
 };
 
+pub const IMPORT_REPEATED: &str = "a body from a file is not repeated yet: declare it once for each place";
+pub const NEGATIVE_DAMPING: &str = "damping is not negative";
 pub const LONG_CHAIN: &str = "too many names are defined by each other: shorten the chain";
 pub const NO_TIME: &str = "`t` has no meaning here: only motions, frames, loads and outputs change with time";
 pub const LONE_T: &str = "`t` is time: a product is written `2*t`; tonnes stand in brackets, `2 [t]`";
@@ -221,6 +223,13 @@ messages! {
     positive(what) = "{what} must be greater than zero";
     not_negative(what) = "{what} must not be negative";
     missing_statement(body, what) = "body `{body}` lacks {what}";
+    not_imported(word, body) = "`{word}` says how a body of elements lies, and body `{body}` comes from a file: leave it out";
+    import_without_modes(body) = "body `{body}` comes from a file and has no elements: say how many modes describe it, `modal(6);` or `small(6);`, or `rigid;`";
+    import_damping(got) = "damping of a body from a file is a part of critical damping (`damping 0.01;`) or a time that is multiplied by its stiffness (`damping 1 ms;`), not {got}";
+    import_wrong(what) = "{what}";
+    node_twice(id) = "node {id} is an interface already";
+    no_node(id, file, count, near) = "`{file}` has no node {id}: of its {count} nodes {near} is nearest";
+    unit_of_file(unit, what) = "`{unit}` is no unit of {what}: `units` are those of length, mass and time, `units(mm, t, s)`";
     choices(option, values) = "`{option}` is {values}";
     too_few_points(points, least) = "{points} Gauss point(s) leave deformations without energy (a spurious zero mode): use at least `gauss({least})`";
     missing_of_section(name, list, element, them) = "section `{name}` lacks {list}, which `{element}` needs: add {them}, or let a shape give everything, e.g. `section {name} = circle(radius = 5 mm);` (or `tube`, `rectangle`)";

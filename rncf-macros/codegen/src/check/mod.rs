@@ -20,6 +20,7 @@ mod fidelity;
 mod fixture;
 mod frame;
 mod free;
+mod import;
 pub mod influence;
 mod initial;
 mod joint;

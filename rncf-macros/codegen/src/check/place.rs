@@ -235,6 +235,18 @@ impl<'a> Check<'a> {
             return None;
         }
         let (body, instance) = self.named_body(base)?;
+        if arguments.is_none()
+            && let Some(found) = self.interface_of(body.id, field)
+        {
+            let at = place_of(instance, found?);
+            let has_section = self.has_section(body.id);
+            return Some(Place {
+                body,
+                at,
+                has_section: has_section == Some(true),
+                is_line: has_section == Some(false),
+            });
+        }
         let at = match (field.text.as_str(), arguments) {
             ("start", None) => Location::Start,
             ("end", None) => Location::End,

@@ -68,7 +68,11 @@ fn of_element<'a>(kind: &'a ElementKind, found: &mut Vec<&'a str>) {
 
 fn of_statement<'a>(statement: &'a Statement, found: &mut Vec<&'a str>) {
     match statement {
-        Statement::Space { .. } | Statement::FrameTie { .. } => {}
+        Statement::Space { .. }
+        | Statement::FrameTie { .. }
+        | Statement::Import { .. }
+        | Statement::Interface { .. }
+        | Statement::InterfaceModes { .. } => {}
         Statement::Curve { table, .. } => found.push(&table.text),
         Statement::Line { from, to, .. } => [from, to].into_iter().for_each(|expr| names(expr, found)),
         Statement::Arc {
@@ -83,7 +87,10 @@ fn of_statement<'a>(statement: &'a Statement, found: &mut Vec<&'a str>) {
             let others = [direction, radius, angle].into_iter().chain(normal);
             others.for_each(|expr| names(expr, found));
         }
-        Statement::SectionY { value, .. } | Statement::Twist { value, .. } | Statement::Initial { value, .. } => {
+        Statement::SectionY { value, .. }
+        | Statement::Twist { value, .. }
+        | Statement::Initial { value, .. }
+        | Statement::Damping { value, .. } => {
             names(value, found);
         }
         Statement::Fidelity { count, .. } => count.iter().for_each(|count| names(count, found)),

@@ -195,6 +195,7 @@ impl<'m> Start<'m> {
                 )
             }
             Line::Curve { points } => self.curve(points).at(x),
+            Line::Imported(imported) => (imported.places[x as usize], [1.0, 0.0, 0.0]),
         }
     }
 
@@ -245,7 +246,7 @@ impl<'m> Start<'m> {
         let first = across(wanted, start).unwrap_or_else(|| normals(start)[0]);
         let part = self.arclength(id, at) / self.length(id);
         let turned = match &body.line {
-            Line::Straight { .. } | Line::Curve { .. } => first,
+            Line::Straight { .. } | Line::Curve { .. } | Line::Imported(_) => first,
             Line::Arc {
                 direction,
                 normal,
@@ -302,6 +303,8 @@ impl<'m> Start<'m> {
             Line::Straight { from, to } => norm(subtract(self.vector(to), self.vector(from))),
             Line::Arc { radius, angle, .. } => (self.value(radius) * self.value(angle)).abs(),
             Line::Curve { points } => self.curve(points).length(),
+            // Places on it are numbers of its interfaces.
+            Line::Imported(imported) => (imported.places.len() - 1) as f64,
         }
     }
 

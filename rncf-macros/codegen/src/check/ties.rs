@@ -12,8 +12,8 @@ use super::{Check, say};
 use crate::elements::Library;
 use crate::errors::Area;
 use crate::model::{
-    BodyId, Constraint, Expr, Fidelity, FrameId, FrameTie, Free, Held, Joint, JointKind, Location, Marker, MarkerId,
-    Model, Motions, Observable, Space,
+    BodyId, Constraint, Expr, Fidelity, FrameId, FrameTie, Free, Held, Joint, JointKind, Line, Location, Marker,
+    MarkerId, Model, Motions, Observable, Space,
 };
 use crate::parse::tree::{ItemKind, Statement};
 use crate::symbolic::Time;
@@ -72,7 +72,7 @@ pub fn check(model: &Model, library: &Library, frame: FrameId) -> Result<(), Unt
     if frame.bodies().next().is_none() && free.parts.is_empty() {
         return Err(Untied::Empty);
     }
-    if frame.is_tied_in_loops() {
+    if frame.is_tied_in_loops() || frame.moves_with_an_import() {
         return Ok(());
     }
     let (mass, scales) = frame.mass();
@@ -188,6 +188,14 @@ impl<'m> Frame<'m> {
         joints
             .iter()
             .any(|joint| joint.frame == self.id && joint.repeat.is_some())
+    }
+
+    /// Whether a body from a file has its inertia in the frame: it does not deform, or no joint holds it there.
+    fn moves_with_an_import(&self) -> bool {
+        let mut joints = self.start.model.joints.iter();
+        let mut is_held = |id: BodyId| joints.any(|joint| joint.body == id && joint.frame == self.id);
+        let mut imported = self.bodies().filter(|(body, _)| matches!(body.line, Line::Imported(_)));
+        imported.any(|(body, id)| !body.fidelity.deforms() || !is_held(id))
     }
 
     /// Whether a body has sections, so that it can be held, and has inertia, against turning about its axis.

@@ -18,6 +18,9 @@ pub use rank::{Coefficients, Rules, STRETCHES, points_for};
 pub use word::word;
 pub use written::{Definition, When, Written, WrittenTerm};
 
+/// Name of what stands between the interfaces of a body from a file, which no text can name.
+pub const BETWEEN_INTERFACES: &str = "(interfaces)";
+
 /// Where a nodal vector of an element sits: xi in [0, 1] of the unit element. Those at 0 and 1 are shared with the
 /// elements before and after.
 pub type Place = Rational;

@@ -1,7 +1,9 @@
 //! The specifications of bodies.
 
+use std::path::Path;
+
 use super::parts::Parts;
-use crate::model::{Body, Expr, Fidelity, Line};
+use crate::model::{Body, Expr, Fidelity, Imported, Line};
 
 impl Parts<'_> {
     pub(super) fn line(&self, body: &Body) -> String {
@@ -29,6 +31,7 @@ impl Parts<'_> {
                     self.expr(angle)
                 )
             }
+            Line::Imported(imported) => self.imported(body, imported),
             Line::Curve { points } => {
                 let points: Vec<String> = points.iter().map(|point| self.vector(point)).collect();
                 format!(
@@ -37,6 +40,25 @@ impl Parts<'_> {
                 )
             }
         }
+    }
+
+    fn imported(&self, body: &Body, imported: &Imported) -> String {
+        let files = imported.files.iter().map(|file| {
+            let bytes = included(file);
+            format!("({file:?}, {bytes} as &[u8])")
+        });
+        let interfaces = imported.interfaces.iter().map(|(name, nodes)| {
+            let nodes: Vec<String> = nodes.iter().map(|node| format!("{node}_u64")).collect();
+            format!("({name:?}, &[{}] as &[u64])", nodes.join(", "))
+        });
+        let [files, interfaces] = [files.collect::<Vec<_>>(), interfaces.collect()].map(|list| list.join(", "));
+        format!(
+            "::rncf::emitted::Line::Nodes(::rncf::emitted::Nodes::of(&::rncf::emitted::ImportedSpec {{ body: {:?}, files: &[{files}], units: {:?}, interfaces: &[{interfaces}], keeps_interfaces: {}, damping: {} }}))",
+            body.name,
+            imported.units,
+            imported.keeps_interfaces,
+            self.array(&imported.damping)
+        )
     }
 
     pub(super) fn bodies(&self) -> String {
@@ -100,4 +122,13 @@ impl Parts<'_> {
             Fidelity::Point => "Point".to_string(),
         }
     }
+}
+
+/// The bytes of a file beside the crate's manifest, so that cargo expands the model anew when it changes.
+pub fn included(file: &str) -> String {
+    if Path::new(file).is_absolute() {
+        return format!("::core::include_bytes!({file:?})");
+    }
+    let path = format!("/{file}");
+    format!("::core::include_bytes!(::core::concat!(::core::env!(\"CARGO_MANIFEST_DIR\"), {path:?}))")
 }

@@ -20,6 +20,8 @@ mod repeated;
 mod section;
 mod start;
 
+pub use bodies::included;
+
 use crate::elements::Library;
 use crate::model::Model;
 

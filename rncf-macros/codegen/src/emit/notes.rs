@@ -6,13 +6,23 @@ use crate::lower::constraints::members;
 use crate::lower::joints::JointKernels;
 use crate::lower::markers::list;
 use crate::lower::motions;
-use crate::model::{Body, Fidelity, FrameTie, INERTIAL, Joint, Model, Motions, Space};
+use crate::model::{Body, Fidelity, FrameTie, INERTIAL, Joint, Line, Model, Motions, Space};
 
 /// What was chosen and left out, and why.
 pub fn notes(model: &Model, library: &Library, equations: &Equations) -> Vec<String> {
     let mut notes = Vec::new();
     for (body, &variant) in model.bodies.iter().zip(&equations.variant_of) {
         let variant = &equations.variants[variant];
+        if let Line::Imported(imported) = &body.line {
+            notes.push(format!(
+                "Body `{}` comes from `{}`: its modes are found when the scene is built.",
+                body.name,
+                imported.files.join("`, `")
+            ));
+            notes.push(placed(model, body));
+            notes.extend(described(body));
+            continue;
+        }
         notes.push(format!(
             "Body `{}` uses `{}`. {}",
             body.name, variant.name, variant.elastic.choice

@@ -44,7 +44,7 @@ impl Variant {
             quadrature: body.quadrature,
             evaluation: body.evaluation,
             damped: damping.is_some_and(|value| *value != Expr::Number(0.0)),
-            curved: !matches!(body.line, Line::Straight { .. }) || body.twist != Expr::Number(0.0),
+            curved: !matches!(body.line, Line::Straight { .. } | Line::Imported(_)) || body.twist != Expr::Number(0.0),
             varying: body.varies(),
             material: Material::of(model, body),
         }

@@ -5,7 +5,7 @@ use proc_macro2::{Delimiter, TokenTree};
 use super::cursor::{Cursor, Parsed};
 use super::messages as say;
 use super::tree::{Caution, Field, Fields, Item, ItemKind, Keyword, Name, Statement, Tree};
-use super::{ascii, element, expr, table, unit};
+use super::{ascii, element, expr, import, table, unit};
 use crate::errors::{Area, Errors, Mistake};
 
 /// All items of a model, or of a loop.
@@ -357,6 +357,10 @@ const STATEMENTS: &[&str] = &[
     "section_y",
     "twist",
     "mesh",
+    "import",
+    "interface",
+    "interface_modes",
+    "damping",
     "initial",
     "mean_axes",
     "chord",
@@ -448,6 +452,16 @@ fn statement(cursor: &mut Cursor) -> Parsed<Statement> {
         "section_y" | "twist" if cursor.is_punct('=') => {
             return Err(Mistake::new(cursor.here(), say::no_equals(&word.text)));
         }
+        "import" => import::files(cursor, area)?,
+        "interface" => import::interface(cursor)?,
+        "interface_modes" => Statement::InterfaceModes { word },
+        "damping" if cursor.is_punct('=') => {
+            return Err(Mistake::new(cursor.here(), say::no_equals(&word.text)));
+        }
+        "damping" => Statement::Damping {
+            area,
+            value: expr::expression(cursor)?,
+        },
         "section_y" => Statement::SectionY {
             area,
             value: expr::expression(cursor)?,

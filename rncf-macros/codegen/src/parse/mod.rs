@@ -89,6 +89,7 @@ pub(crate) mod component;
 pub(crate) mod cursor;
 mod element;
 mod expr;
+mod import;
 mod item;
 pub mod library;
 mod messages;

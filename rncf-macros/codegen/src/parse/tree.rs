@@ -587,6 +587,34 @@ pub enum Statement {
         /// The word.
         word: Name,
     },
+    /// `import "panel.npz" units(mm, t, s);`
+    Import {
+        /// The word `import`.
+        area: Area,
+        /// Paths of the files, and where they stand.
+        files: Vec<(String, Area)>,
+        /// Names of the units of length, mass and time, where they are not SI.
+        units: Option<(Vec<Name>, Area)>,
+    },
+    /// `interface root = node 1;` or `interface tip = nodes [57, 58, 59];`
+    Interface {
+        /// Its name.
+        name: Name,
+        /// Numbers of its nodes.
+        nodes: Vec<(u64, Area)>,
+    },
+    /// `interface_modes;`
+    InterfaceModes {
+        /// The word.
+        word: Name,
+    },
+    /// `damping 0.01;` or `damping 1 ms;`
+    Damping {
+        /// The word.
+        area: Area,
+        /// Part of critical damping, or a time.
+        value: Expr,
+    },
     /// `mesh count * element(..);`
     Mesh {
         /// The word `mesh`.

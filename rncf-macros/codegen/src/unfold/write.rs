@@ -298,7 +298,15 @@ impl<'t> Unfold<'t, '_> {
     fn statement(&mut self, at: &Place, statement: &'t Statement) -> Statement {
         let mut boxed = |expr: &'t Expr| Box::new(self.expr(at, expr));
         match statement {
-            Statement::Space { .. } | Statement::FrameTie { .. } => statement.clone(),
+            Statement::Space { .. }
+            | Statement::FrameTie { .. }
+            | Statement::Import { .. }
+            | Statement::Interface { .. }
+            | Statement::InterfaceModes { .. } => statement.clone(),
+            Statement::Damping { area, value } => Statement::Damping {
+                area: *area,
+                value: self.expr(at, value),
+            },
             Statement::Line { area, from, to } => Statement::Line {
                 area: *area,
                 from: self.expr(at, from),

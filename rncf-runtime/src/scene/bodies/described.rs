@@ -1,6 +1,7 @@
 //! Bodies that are described by modes, as the scene with all nodal vectors sees them.
 
 use crate::emitted::Parts;
+use crate::vector::Vector;
 
 /// Elastic and damping forces of the elements of one body, without inertia.
 pub trait Elements: Sync {
@@ -28,6 +29,21 @@ impl Elements for Kernels<'_> {
     }
 }
 
+/// Sums over the mass of a body, relative to the origin of its frame, frame axes.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Inertial {
+    /// kg
+    pub mass: f64,
+    /// First moment, kg m.
+    pub moment: Vector,
+    /// As seen from an origin at rest, kg m/s.
+    pub momentum: Vector,
+    /// About the origin, kg m^2/s.
+    pub spin: Vector,
+    /// J, with the origin at rest.
+    pub kinetic: f64,
+}
+
 /// A body that modes describe, or that is rigid: what the scene reads of it.
 pub trait Described: Send + Sync {
     /// Whether its elastic forces are linear, those of the undeformed mesh, or there are none.
@@ -36,6 +52,11 @@ pub trait Described: Send + Sync {
     fn shape(&self) -> &[f64];
     /// Whether its joints alone let it move in its frame, so that nothing says where its loads are carried to.
     fn is_loose(&self) -> bool;
+    /// Sums over the mass of a body that has none in its nodal vectors, from these and their rates in its frame, which has a
+    /// spin (rad/s, frame axes).
+    fn inertial(&self, spin: Vector, at: [&[f64]; 2]) -> Option<Inertial>;
+    /// Strain energy of a body that has no elements, J.
+    fn strain_energy(&self, q: &[f64]) -> Option<f64>;
     /// Adds the linear elastic and damping forces of all elements on nodal vectors.
     fn add_linear_forces(&self, elements: &dyn Elements, at: [&[f64]; 2], force: &mut [f64]);
     /// Linear elastic and damping forces of one element on its nodal vectors; `q` and `v` are those of the body.

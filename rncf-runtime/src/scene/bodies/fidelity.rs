@@ -1,6 +1,6 @@
 //! Bodies described otherwise than they are declared: the same model as a ladder of models, chosen at run time.
 
-use crate::emitted::{BodySpec, Fidelity, FrameTie};
+use crate::emitted::{BodySpec, Fidelity, FrameTie, Line};
 use crate::error::ModelError;
 
 /// Describes bodies, by their names, otherwise than they are declared.
@@ -36,6 +36,27 @@ pub(crate) fn describe(specs: &mut [BodySpec], wanted: &[(String, Fidelity)]) ->
         }
         specs[first].fidelity = *fidelity;
     }
+    specs.iter_mut().try_for_each(hold_coordinates)
+}
+
+/// Nodes that hold the modal coordinates of bodies from elsewhere.
+fn hold_coordinates(spec: &mut BodySpec) -> Result<(), ModelError> {
+    let label = spec.label();
+    let Line::Nodes(nodes) = &mut spec.line else {
+        return Ok(());
+    };
+    let body = nodes.body().map_err(ModelError::new)?;
+    let coordinates = match spec.fidelity {
+        Fidelity::Full => {
+            return Err(ModelError::new(format!(
+                "body `{label}` comes from a file and has modes alone: describe it as modal(4), small(4) with a number of modes, rigid or point"
+            )));
+        }
+        Fidelity::Modal(count) | Fidelity::Small(count) => body.most_modes(count),
+        Fidelity::Rigid | Fidelity::Point => 0,
+    };
+    nodes.hold(coordinates);
+    spec.count = nodes.count() - 1;
     Ok(())
 }
 

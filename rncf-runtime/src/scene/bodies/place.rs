@@ -1,6 +1,6 @@
 //! Vectors at places of bodies.
 
-use crate::emitted::{BodySpec, Interpolant, Parts, Place, PointQuantity};
+use crate::emitted::{BodySpec, Interpolant, Line, Parts, Place, PointQuantity};
 use crate::error::ModelError;
 
 /// A vector at a place of a body.
@@ -102,6 +102,12 @@ pub(crate) fn place_on(
 /// A place beyond the ends, by the name of its user.
 pub(crate) fn element_at(spec: &BodySpec, at: Place, user: &str) -> Result<(usize, f64), ModelError> {
     let length = spec.line.length();
+    if let (Line::Nodes(nodes), Place::At(x)) = (&spec.line, at) {
+        // Places are numbers of interfaces.
+        let node = nodes.node(x as usize).min(spec.count);
+        let element = node.min(spec.count - 1);
+        return Ok((element, (node - element) as f64));
+    }
     Ok(match at {
         Place::Start => (0, 0.0),
         Place::End => (spec.count - 1, 1.0),

@@ -1,6 +1,6 @@
 //! Stress-free shapes: axes of sections and nodal vectors of undeformed bodies.
 
-use crate::emitted::{BodySpec, Interpolant, PARALLEL};
+use crate::emitted::{BodySpec, Interpolant, Line, PARALLEL};
 use crate::error::ModelError;
 use crate::rotation::Rotation;
 use crate::vector::{Vector, add, apply, cross, dot, norm, perpendicular, scale, subtract};
@@ -12,6 +12,9 @@ impl BodySpec {
     /// both turn about the tangent by the stress-free twist. In a plane y is
     /// normal x tangent and z the plane's normal.
     pub fn section(&self, u: f64) -> [Vector; 2] {
+        if let Line::Nodes(_) = self.line {
+            return [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        }
         let (_, tangent) = self.line.at(u);
         if let Some(normal) = self.plane_normal() {
             return [cross(normal, tangent), normal];

@@ -156,6 +156,17 @@ impl MeshScene {
             own.spin = add(own.spin, cross(*at, momentum));
             own.kinetic += 0.5 * dot(*rate, momentum);
         }
+        let components = first..first + body.spec.vectors() * body.spec.dimension();
+        let at = [&self.buffers.q, &self.buffers.v].map(|full| &full[components.clone()]);
+        if let Some(sums) = body.modes.as_ref().and_then(|modes| modes.inertial(frame.spin, at)) {
+            own = own.plus(Balance {
+                mass: sums.mass,
+                moment: frame.direction_to_inertial(sums.moment),
+                momentum: frame.direction_to_inertial(sums.momentum),
+                spin: frame.direction_to_inertial(sums.spin),
+                kinetic: sums.kinetic,
+            });
+        }
         own.carried(subtract(frame.position, reference), frame.velocity)
     }
 
@@ -165,6 +176,16 @@ impl MeshScene {
         for index in self.bodies_of(of) {
             let body = &self.bodies[index];
             if !body.spec.fidelity.deforms() {
+                continue;
+            }
+            let first = self.layout.offset(body.first_vector);
+            let components = first..first + body.spec.vectors() * body.spec.dimension();
+            let own = body
+                .modes
+                .as_ref()
+                .and_then(|modes| modes.strain_energy(&self.buffers.q[components]));
+            if let Some(own) = own {
+                energy += own;
                 continue;
             }
             let size = body.spec.element_size();

@@ -1,14 +1,18 @@
 //! The bodies of a scene as they are described.
 
+use crate::emitted::Line;
 use crate::model::DescribedBody;
 use crate::scene::MeshScene;
 
 impl MeshScene {
-    /// The bodies of the declaration in its order.
+    /// The meshed bodies of the declaration in its order; those from files have no mesh, and are as they are.
     pub(crate) fn described_bodies(&self) -> Vec<DescribedBody> {
         let mut all: Vec<DescribedBody> = Vec::new();
         for body in &self.bodies {
             let spec = &body.spec;
+            if matches!(spec.line, Line::Nodes(_)) {
+                continue;
+            }
             match all
                 .last_mut()
                 .filter(|last| spec.instance.is_some() && last.name == spec.name)

@@ -4,7 +4,7 @@
 
 use std::fmt;
 
-use crate::emitted::{Fidelity, Interpolant, MAX_SIZE};
+use crate::emitted::{Fidelity, Interpolant, Line, MAX_SIZE};
 use crate::model::Warning;
 use crate::scene::MeshScene;
 use crate::scene::bodies::place::weighted;
@@ -50,7 +50,10 @@ impl MeshScene {
     /// Bodies whose axes give way at the loaded state. Strains of small deformations are not those of the elements,
     /// and rigid bodies have none.
     pub(crate) fn giving_way(&self) -> Vec<Warning> {
-        let told = |&body: &usize| matches!(self.bodies[body].spec.fidelity, Fidelity::Full | Fidelity::Modal(_));
+        let told = |&body: &usize| {
+            let spec = &self.bodies[body].spec;
+            matches!(spec.fidelity, Fidelity::Full | Fidelity::Modal(_)) && !matches!(spec.line, Line::Nodes(_))
+        };
         let bodies = (0..self.bodies.len()).filter(told);
         let found = bodies.filter_map(|body| self.most_compressed(body));
         let warning = |found: GivesWay| Warning {

@@ -1,7 +1,7 @@
 //! Axes that are stretched as no material is: a load is far too large, or a stiffness far too small. The law of the
 //! material goes on, and a run alone does not tell.
 
-use crate::emitted::{Fidelity, Interpolant};
+use crate::emitted::{Fidelity, Interpolant, Line};
 use crate::model::Warning;
 use crate::scene::MeshScene;
 use crate::scene::bodies::place::weighted;
@@ -15,7 +15,10 @@ const PLACES: [f64; 3] = [0.0, 0.5, 1.0];
 impl MeshScene {
     /// Bodies whose axes are stretched too far at the loaded state.
     pub(crate) fn overstretched(&self) -> Vec<Warning> {
-        let told = |&body: &usize| matches!(self.bodies[body].spec.fidelity, Fidelity::Full | Fidelity::Modal(_));
+        let told = |&body: &usize| {
+            let spec = &self.bodies[body].spec;
+            matches!(spec.fidelity, Fidelity::Full | Fidelity::Modal(_)) && !matches!(spec.line, Line::Nodes(_))
+        };
         let bodies = (0..self.bodies.len()).filter(told);
         let found = bodies.filter_map(|body| {
             let (stretch, x) = self.most_stretched(body);

@@ -4,7 +4,7 @@
 //! around them in its section, of fixtures and of rigid bodies. So its gradient turns all of them, force and moment have the
 //! potential of these masses, and momenta balance.
 
-use crate::emitted::{Fidelity, Interpolant, LoadKind, Motions, legendre};
+use crate::emitted::{Fidelity, Interpolant, Line, LoadKind, Motions, legendre};
 use crate::error::ModelError;
 use crate::scene::bodies::place::{MeshPoint, PlaceVector, point_of};
 use crate::scene::mesh_scene::MeshScene;
@@ -104,6 +104,12 @@ impl MeshScene {
     /// Refuses loads along a body whose mass is at one place.
     fn refuse_points(&self, load: &str, body: usize) -> Result<(), ModelError> {
         let spec = &self.bodies[body].spec;
+        if matches!(spec.line, Line::Nodes(_)) {
+            return Err(ModelError::new(format!(
+                "load `{load}` acts on every particle of body `{}`, which comes from a file and has no particles: let forces act on its interfaces, and `gravity([0, 0, -9.81] m/s^2)` on its mass",
+                spec.label()
+            )));
+        }
         if spec.fidelity != Fidelity::Point {
             return Ok(());
         }

@@ -8,7 +8,7 @@
 //! `n . r_y = c`, `n . r_z = c`: the slope shears. So the inertia of the fixture is constant on r, n, r_y, r_z. In a plane there
 //! is no r_z. The rows are inner products: they exert nothing on the frame, and no moment between two states.
 
-use crate::emitted::JointKind;
+use crate::emitted::{JointKind, Line};
 use crate::scene::bodies::place::{MeshPoint, PlaceVector, point_of};
 use crate::scene::mesh_scene::MeshScene;
 use crate::scene::pieces::fixture::Fixture;
@@ -50,7 +50,14 @@ impl MeshScene {
         let mut found: Vec<RigidSection> = Vec::new();
         // Unknowns and factors of the axes that are kept already: bodies with a common end have one section there.
         let mut kept: Vec<Vec<(usize, usize, usize, f64)>> = Vec::new();
-        for fixture in self.fixtures.iter().filter(|fixture| fixture.is_rigid) {
+        // The axes of an interface of a body from elsewhere turn with it as one.
+        let has_section = |fixture: &&Fixture| !matches!(self.bodies[fixture.point.body].spec.line, Line::Nodes(_));
+        for fixture in self
+            .fixtures
+            .iter()
+            .filter(|fixture| fixture.is_rigid)
+            .filter(has_section)
+        {
             let at = |point: &MeshPoint| (point.body, point.element, point.xi);
             let position = found
                 .iter()

@@ -1,0 +1,15 @@
+//! Bodies from finite-element programs: what files say, in SI; reduced to modes; with their inertia.
+
+mod body;
+mod craig_bampton;
+mod files;
+mod freedoms;
+mod inertia;
+mod lowest;
+mod reduce;
+#[cfg(test)]
+mod tests;
+
+pub use body::{Imported, ImportedSpec};
+pub use inertia::Inertia;
+pub use reduce::Wanted;

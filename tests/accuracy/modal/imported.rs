@@ -1,0 +1,230 @@
+//! Bodies from finite-element programs against closed forms, conservation, rigid bodies and our own beams. The files are written by
+//! `tests/reference/data/finite_elements.py`.
+
+// One declaration serves several models: not all of them need all of its params.
+#![allow(deprecated)]
+
+use rncf::{Formulation, Joints, Method, Model, Scene};
+
+use super::frequencies::natural;
+use crate::runs::{WAYS, adaptive, apart, far, grid, history};
+
+/// Beam of `beam.npz`: 2 m, 40 mm along y, 20 mm along z.
+const LENGTH: f64 = 2.0;
+const MASS: f64 = 2700.0 * 8e-4;
+const BENDING: [f64; 2] = [70e9 * 0.02 * 64e-6 / 12.0, 70e9 * 0.04 * 8e-6 / 12.0];
+/// Roots of `cos x cosh x = -1`.
+const CLAMPED: [f64; 3] = [1.875_104_068_711_961, 4.694_091_132_974_175, 7.854_757_438_237_613];
+
+fn bending(root: f64, stiffness: f64) -> f64 {
+    (root / LENGTH).powi(2) * (stiffness / MASS).sqrt()
+}
+
+/// An arm that is clamped in a hub, swung to and fro in the plane.
+macro_rules! arm {
+    ($name:ident, { $($body:tt)* }, $root:ident, $tip:ident) => {
+        rncf::model! {
+            pub model $name {
+                param modes: count = 8;
+                param swing = 0.2 rad;
+                param rate = 4 rad/s;
+                param push = 0 N;
+                material aluminium { density = 2700 kg/m^3; young = 70 GPa; }
+                section bar { area = 8 cm^2; second_moment = 10.66666666666666666667 cm^4; }
+                frame hub = rotating(axis = z, angle = swing * (1 - cos(rate * t)));
+                body arm in hub { $($body)* }
+                joint grip = clamp(arm.$root, hub);
+                load tug = force(arm.$tip, [0 N, push, 0 N], in = hub);
+                output x = arm.$tip.x;
+                output y = arm.$tip.y;
+            }
+        }
+    };
+}
+arm!(ImportedArm, {
+    import "reference/data/beam.npz";
+    interface root = node 10;
+    interface tip = node 90;
+    small(modes);
+}, root, tip);
+arm!(OwnArm, {
+    planar xy;
+    line from [0, 0, 0] m to [2, 0, 0] m;
+    mesh 8 * cable(bar, aluminium);
+    small(modes);
+}, start, end);
+
+/// The beam in a free frame, spun, and the block in mm; a rigid one hangs beside a rigid body.
+macro_rules! flying {
+    ($name:ident, $($word:tt)*) => {
+        rncf::model! {
+            pub model $name {
+                param modes: count = 8;
+                param wx = 0.3 rad/s;
+                param wy = 0.2 rad/s;
+                param wz = 3 rad/s;
+                param pull = 0 N;
+                frame craft = free(velocity = [1, 2, 3] m/s, angular_velocity = [wx, wy, wz]);
+                body arm in craft {
+                    import "reference/data/beam_mm.npz" units(mm, t, s);
+                    interface root = node 10;
+                    interface middle = node 50;
+                    interface tip = node 90;
+                    $($word)*
+                }
+                load tug = force(arm.tip, [0 N, 0 N, if t < 100 ms { pull * sin(pi * t / 100 ms)^2 } else { 0 N }]);
+                output mass = arm.mass;
+                output momentum = arm.momentum;
+                output spin = total.angular_momentum(about = total.center_of_mass);
+                output energy = arm.kinetic_energy + arm.strain_energy;
+                output centre = arm.center_of_mass;
+                output tip = arm.tip;
+                output middle = arm.middle.velocity;
+            }
+        }
+    };
+}
+flying!(Flying, modal(modes););
+
+rncf::model! {
+    /// The beam, rigid, on a ball joint beside a rigid body of its mass and inertia.
+    pub model Hanging {
+        frame carrier = free(angular_velocity = [2, 0.1, 0] rad/s);
+        body arm in carrier {
+            import "reference/data/beam.npz";
+            interface root = node 10;
+            interface tip = node 90;
+            rigid;
+        }
+        rigid twin {
+            mass = 4.32 kg;
+            center = [1, 0, 0] m;
+            inertia = [7.2e-4, 1.44, 1.44] kg*m^2;
+            angular_velocity = [2, 0.1, 0] rad/s;
+        }
+        joint hook = spherical(arm.root, inertial);
+        joint other = spherical(twin, inertial);
+        load weight = gravity([0, 0, -9.81] m/s^2);
+        output tip = arm.tip.in(inertial) - twin.at([2, 0, 0] m);
+        output energy = arm.kinetic_energy - twin.kinetic_energy;
+    }
+}
+
+rncf::model! {
+    /// The beam with the motions of its interfaces, held by a joint with multipliers.
+    pub model Fixed {
+        param modes: count = 4;
+        frame craft = free();
+        body arm in craft {
+            import "reference/data/beam.npz";
+            interface root = node 10;
+            interface tip = node 90;
+            modal(modes);
+            interface_modes;
+        }
+        joint grip = clamp(arm.root, inertial);
+        load tug = force(arm.tip, [0 N, 3 N, 0 N]);
+        output tip = arm.tip.in(inertial).y;
+        output moment = grip.moment.z;
+    }
+}
+
+fn build(model: &impl Model) -> Box<dyn Scene> {
+    model.build(Formulation::Rncf, Joints::Eliminated).unwrap()
+}
+
+#[test]
+fn a_clamped_beam_of_finite_elements_has_the_frequencies_of_a_cantilever() {
+    let at_rest = ImportedArm {
+        swing: 0.0,
+        ..ImportedArm::default()
+    };
+    let found = natural(&mut *build(&at_rest), 8).unwrap();
+    for (root, mode) in CLAMPED.iter().zip([[1, 0], [3, 2], [6, 4]]) {
+        for (stiffness, at) in BENDING.iter().zip(mode) {
+            let error = found[at] / bending(*root, *stiffness) - 1.0;
+            println!("{:.6} rad/s: {error:.1e}", found[at]);
+            assert!(error.abs() < 2e-3);
+        }
+    }
+}
+
+#[test]
+fn under_a_force_at_its_tip_it_bends_as_a_cantilever() {
+    let model = ImportedArm {
+        push: 3.0,
+        swing: 0.0,
+        modes: 48,
+        ..ImportedArm::default()
+    };
+    let mut scene = build(&model);
+    let state = rncf::steady(&mut *scene, 0.0).unwrap().state().unwrap().clone();
+    let mut row = vec![0.0; scene.output_columns()];
+    scene.outputs(&state, &mut row);
+    let expected = 3.0 * LENGTH.powi(3) / (3.0 * BENDING[0]);
+    let error = row[1] / expected - 1.0;
+    println!("{:e} m: {error:.1e}", row[1]);
+    assert!(error.abs() < 1e-9);
+}
+
+#[test]
+fn it_swings_as_our_own_beam() {
+    let times = grid(0.05, 1.0);
+    let own = OwnArm {
+        modes: 8,
+        ..OwnArm::default()
+    };
+    let imported = ImportedArm {
+        modes: 24,
+        ..ImportedArm::default()
+    };
+    let run = |model: &dyn Fn() -> Vec<Vec<f64>>| model();
+    let own = run(&|| history(&own, WAYS[0], Method::Radau, adaptive(1e-9), &times).0);
+    let imported = run(&|| history(&imported, WAYS[0], Method::Radau, adaptive(1e-9), &times).0);
+    let most = own.iter().map(|row| row[1].abs()).fold(0.0, f64::max);
+    let error = apart(&own, &imported);
+    println!("bends by {most:.3} m, apart {error:.1e} m");
+    assert!(error < 1e-4 * most);
+}
+
+#[test]
+fn a_free_body_has_its_mass_and_keeps_momentum_and_energy() {
+    let model = Flying {
+        pull: 50.0,
+        ..Flying::default()
+    };
+    let times = grid(0.05, 1.0);
+    let rows = history(&model, WAYS[0], Method::Radau, adaptive(1e-10), &times).0;
+    let after = &rows[2..];
+    let drift = |from: usize, to: usize| {
+        after
+            .iter()
+            .map(|row| far(&row[from..to], &after[0][from..to]))
+            .fold(0.0, f64::max)
+    };
+    println!("{:.1e} {:.1e} {:.1e}", drift(1, 4), drift(4, 7), drift(7, 8));
+    assert!((rows[0][0] - MASS * LENGTH).abs() < 1e-9);
+    assert!(drift(1, 4) < 1e-9);
+    assert!(drift(4, 7) < 1e-7);
+    assert!(drift(7, 8) < 1e-6);
+}
+
+#[test]
+fn a_rigid_one_hangs_as_a_rigid_body() {
+    let rows = history(&Hanging {}, WAYS[0], Method::Radau, adaptive(1e-10), &grid(0.1, 1.0)).0;
+    let most = rows.iter().flatten().map(|value| value.abs()).fold(0.0, f64::max);
+    println!("apart {most:.1e}");
+    assert!(most < 1e-7);
+}
+
+#[test]
+fn motions_of_the_interfaces_bend_it_exactly_under_a_force_there() {
+    let mut scene = build(&Fixed::default());
+    let state = rncf::steady(&mut *scene, 0.0).unwrap().state().unwrap().clone();
+    let mut row = vec![0.0; scene.output_columns()];
+    scene.outputs(&state, &mut row);
+    let expected = 3.0 * LENGTH.powi(3) / (3.0 * BENDING[0]);
+    println!("{:e} m: {:.1e}; {:e} N m", row[0], row[0] / expected - 1.0, row[1]);
+    assert!((row[0] / expected - 1.0).abs() < 1e-6);
+    assert!((row[1].abs() / 6.0 - 1.0).abs() < 1e-6);
+}
