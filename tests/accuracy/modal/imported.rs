@@ -129,6 +129,39 @@ rncf::model! {
     }
 }
 
+/// Our own beam with sections, and what `modes --export` wrote of it.
+macro_rules! strip {
+    ($name:ident, { $($body:tt)* }, $root:ident, $tip:ident) => {
+        rncf::model! {
+            pub model $name {
+                param modes: count = 6;
+                material alloy { density = 2700 kg/m^3; young = 70 GPa; poisson = 0.3; damping = 0.2 ms; }
+                section bar = rectangle(y = 40 mm, z = 20 mm);
+                frame hub = rotating(axis = [0, 1, 2], angle = 0.3 rad * (1 - cos(4 [rad/s] * t)));
+                body arm in hub { $($body)* }
+                joint grip = clamp(arm.$root, hub);
+                load tug = force(arm.$tip, [0 N, 5 N * sin(9 [rad/s] * t), 2 N], in = hub);
+                load turn = moment(arm.$tip, [0.3, 0, 0] N*m, in = hub);
+                output tip = arm.$tip;
+                output axis = arm.$tip.ey;
+                output mass = arm.mass;
+            }
+        }
+    };
+}
+strip!(OwnStrip, {
+    spatial;
+    line from [0, 0, 0] m to [2, 0.3, 0.1] m;
+    mesh 4 * beam(bar, alloy);
+    small(modes);
+}, start, end);
+strip!(ImportedStrip, {
+    import "reference/data/own_strip.npz";
+    interface root = node 1;
+    interface tip = node 5;
+    small(modes);
+}, root, tip);
+
 fn build(model: &impl Model) -> Box<dyn Scene> {
     model.build(Formulation::Rncf, Joints::Eliminated).unwrap()
 }
@@ -227,4 +260,69 @@ fn motions_of_the_interfaces_bend_it_exactly_under_a_force_there() {
     println!("{:e} m: {:.1e}; {:e} N m", row[0], row[0] / expected - 1.0, row[1]);
     assert!((row[0] / expected - 1.0).abs() < 1e-6);
     assert!((row[1].abs() / 6.0 - 1.0).abs() < 1e-6);
+}
+
+/// What the program wrote of our own beam is what it is made of, and runs as it does.
+#[test]
+fn a_body_that_was_exported_runs_as_before() {
+    let times = grid(0.05, 1.0);
+    let own = history(&OwnStrip::default(), WAYS[0], Method::Radau, adaptive(1e-9), &times).0;
+    let imported = history(
+        &ImportedStrip::default(),
+        WAYS[0],
+        Method::Radau,
+        adaptive(1e-9),
+        &times,
+    )
+    .0;
+    let error = apart(&own, &imported);
+    println!("apart {error:.1e}");
+    assert!(error < 1e-10);
+
+    let scene = build(&OwnStrip::default());
+    let exported = scene.exported();
+    let find = |name: &str| {
+        let found = exported[0].arrays.iter().find(|array| array.0 == name);
+        found.map_or(&[][..], |array| &array.2)
+    };
+    let bytes = include_bytes!("../../reference/data/own_strip.npz");
+    let file = rncf_codegen::import::File {
+        path: "own_strip.npz",
+        bytes,
+    };
+    let read = rncf_codegen::import::FiniteElements::read(&[file]).unwrap();
+    assert!(far(&read.nodes.concat(), find("nodes")) < 1e-14);
+    let modes = read.modes.unwrap();
+    let size = modes.values.iter().map(|value| value.abs()).fold(0.0, f64::max);
+    assert!(far(&modes.values, find("modes")) < 1e-7 * size);
+}
+
+#[test]
+fn what_its_file_does_not_know_is_told() {
+    let told = |wy: f64| {
+        let model = Flying {
+            wy,
+            ..Flying::default()
+        };
+        let mut scene = build(&model);
+        let start = scene.rest(0.0);
+        let warnings = scene.warnings(&start);
+        warnings
+            .into_iter()
+            .map(|warning| warning.text)
+            .collect::<Vec<_>>()
+            .join("\n")
+    };
+    let (slow, fast) = (told(1.0), told(150.0));
+    assert!(
+        slow.contains("lumped at its 9 nodes") && !slow.contains("tightens"),
+        "{slow}"
+    );
+    assert!(fast.contains("what tightens it is not in its file"), "{fast}");
+
+    let in_absolute = Flying::default().build(Formulation::Ancf, Joints::Eliminated);
+    assert!(in_absolute.is_err_and(|error| error.to_string().contains("use the referenced formulation")));
+    let full = [("arm".to_string(), rncf::model::Fidelity::Full)];
+    let whole = Flying::default().build_as(Formulation::Rncf, Joints::Eliminated, &full);
+    assert!(whole.is_err_and(|error| error.to_string().contains("has modes alone")));
 }
