@@ -5,7 +5,7 @@ use super::expansion::Elastic;
 use super::scene::ModalScene;
 use crate::emitted::{BodySpec, Interpolant};
 use crate::model::ExportedBody;
-use crate::vector::{Matrix, Vector, add, cross, scale};
+use crate::vector::{Matrix, Vector, add, cross, dot, scale};
 
 /// Of every node its position, its displacement and the rates of its axes, of the undeformed body and of each mode.
 struct NodeVectors {
@@ -36,16 +36,24 @@ fn nodes(spec: &BodySpec, vectors: &[Vector]) -> Vec<NodeVectors> {
     (0..count).map(node).collect()
 }
 
-/// The rotation that turns axes with these rates, in the mean of those that are known.
+/// The rotation of a node: of a section the polar one of its axes, which the slope does not turn, for it shears; of a centre line
+/// that of its slope.
 fn rotation(axes: &[Option<Vector>; 3], rates: &[Option<Vector>; 3]) -> Vector {
-    let pairs = || {
-        axes.iter()
-            .zip(rates)
-            .filter_map(|(axis, rate)| Some(((*axis)?, (*rate)?)))
+    let pairs = axes.iter().zip(rates).map(|(axis, rate)| Some(((*axis)?, (*rate)?)));
+    let [slope, section @ ..] = &pairs.collect::<Vec<_>>()[..] else {
+        return [0.0; 3];
     };
-    // Of several axes each turning is seen twice; of one axis the turning about it is not seen.
-    let factor = if pairs().count() > 1 { 0.5 } else { 1.0 };
-    pairs().fold([0.0; 3], |sum, (axis, rate)| add(sum, scale(factor, cross(axis, rate))))
+    let section: Vec<(Vector, Vector)> = section.iter().flatten().copied().collect();
+    let turning = |pairs: &[(Vector, Vector)]| pairs.iter().fold([0.0; 3], |sum, pair| add(sum, cross(pair.0, pair.1)));
+    match section[..] {
+        [] => turning(&slope.iter().copied().collect::<Vec<_>>()),
+        [(y, _), (z, _)] => {
+            // Both axes see the turning about their normal.
+            let (sum, normal) = (turning(&section), cross(y, z));
+            add(sum, scale(-0.5 * dot(normal, sum), normal))
+        }
+        _ => turning(&section),
+    }
 }
 
 impl ModalScene {
@@ -97,9 +105,9 @@ fn exported(spec: &BodySpec, body: &ModalBody) -> ExportedBody {
                     .filter_map(|(at, rate)| Some((at.as_ref()?, rate.as_ref()?)));
                 let known: Vec<(&Vector, &Vector)> = known.collect();
                 let rate = match known.len() {
-                    3 => known.iter().fold([0.0; 3], |sum, (at, rate)| {
-                        add(sum, scale(crate::vector::dot(**at, unit), **rate))
-                    }),
+                    3 => known
+                        .iter()
+                        .fold([0.0; 3], |sum, (at, rate)| add(sum, scale(dot(**at, unit), **rate))),
                     _ => cross(turn, unit),
                 };
                 axes[(node * k + mode) * 9 + 3 * axis..][..3].copy_from_slice(&rate);

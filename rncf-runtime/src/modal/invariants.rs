@@ -246,6 +246,7 @@ impl Invariants {
         Inertial {
             mass: self.mass,
             moment: body.moment,
+            inertia: body.inertia,
             momentum: add(cross(spin, body.moment), rate),
             spin: turned,
             kinetic,

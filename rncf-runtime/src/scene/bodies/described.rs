@@ -1,7 +1,7 @@
 //! Bodies that are described by modes, as the scene with all nodal vectors sees them.
 
 use crate::emitted::Parts;
-use crate::vector::Vector;
+use crate::vector::{Matrix, Vector};
 
 /// Elastic and damping forces of the elements of one body, without inertia.
 pub trait Elements: Sync {
@@ -36,6 +36,8 @@ pub struct Inertial {
     pub mass: f64,
     /// First moment, kg m.
     pub moment: Vector,
+    /// Moments of inertia about the origin, kg m^2.
+    pub inertia: Matrix,
     /// As seen from an origin at rest, kg m/s.
     pub momentum: Vector,
     /// About the origin, kg m^2/s.

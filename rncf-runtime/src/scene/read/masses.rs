@@ -4,7 +4,7 @@
 use crate::model::MassProperties;
 use crate::scene::MeshScene;
 use crate::scene::bodies::nodal_mass::{Padded, spread};
-use crate::vector::{Matrix, Vector, add, apply, multiply, scale, subtract, transpose};
+use crate::vector::{Matrix, Vector, add, apply, identity, multiply, scale, subtract, transpose};
 
 /// Sums over particles, places from a reference point, inertial axes.
 #[derive(Clone, Copy, Default)]
@@ -134,6 +134,17 @@ impl MeshScene {
             }
             own.first = add(own.first, scale(mass.first(vector), *at));
             own.second = sum(own.second, outer(*at, [x, y, z]));
+        }
+        let components = first..first + body.spec.vectors() * body.spec.dimension();
+        let at = [&self.buffers.q, &self.buffers.v].map(|full| &full[components.clone()]);
+        if let Some(sums) = body.modes.as_ref().and_then(|modes| modes.inertial(frame.spin, at)) {
+            let axes: Matrix = transpose(&identity().map(|unit| frame.direction_to_inertial(unit)));
+            let second = turned(sums.inertia, 0.5);
+            own = own.plus(Moments {
+                mass: sums.mass,
+                first: apply(&axes, sums.moment),
+                second: multiply(&multiply(&axes, &second), &transpose(&axes)),
+            });
         }
         own.carried(subtract(frame.position, reference))
     }
