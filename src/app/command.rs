@@ -142,7 +142,7 @@ impl Command {
     /// Why the flag means nothing for this command; `None` where it does. `of` is what the points of a sweep compute,
     /// and the command itself otherwise.
     pub(super) fn refusal(self, of: Command, flag: &str) -> Option<String> {
-        let is_of_many = matches!(flag, "animate" | "vtu" | "resume" | "frequency");
+        let is_of_many = matches!(flag, "animate" | "vtu" | "resume" | "frequency" | "export");
         if self.takes(flag) || self.sweeps() && of.takes(flag) && !is_of_many {
             return None;
         }
@@ -155,7 +155,7 @@ impl Command {
             (Command::Task | Command::Collect, _) => "what is computed stands in the plan",
             (_, "of" | "samples" | "design" | "seed") => "it computes one point",
             (_, "plan" | "index") => "its params and settings stand on its line, or in a file named by `--scenario`",
-            (_, "animate" | "vtu" | "resume" | "frequency") if self.sweeps() => "it computes many points",
+            (_, "animate" | "vtu" | "resume" | "frequency" | "export") if self.sweeps() => "it computes many points",
             (_, _) if self.sweeps() && of.runs() => "its points are runs in time (`--of`)",
             (_, _) if self.sweeps() => "its points do not advance in time (`--of`)",
             (

@@ -1,6 +1,6 @@
 //! Members of zip archives, stored or deflated.
 
-use super::inflate::inflate;
+use miniz_oxide::inflate::decompress_to_vec_with_limit as inflate;
 
 /// Signatures of the end of an archive, of an entry of its directory, and of a member.
 const END: [u8; 4] = *b"PK\x05\x06";
@@ -94,7 +94,9 @@ impl Member<'_> {
     pub fn unpacked(&self) -> Result<Vec<u8>, String> {
         let bytes = match self.method {
             0 => (self.bytes.len() == self.size).then(|| self.bytes.to_vec()),
-            8 => inflate(self.bytes, self.size),
+            8 => inflate(self.bytes, self.size)
+                .ok()
+                .filter(|data| data.len() == self.size),
             other => {
                 return Err(format!(
                     "is packed by method {other}, and stored and deflated members alone are read"

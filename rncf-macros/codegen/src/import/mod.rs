@@ -4,7 +4,6 @@
 mod archive;
 mod array;
 mod fem;
-mod inflate;
 mod market;
 mod npz;
 mod sparse;
