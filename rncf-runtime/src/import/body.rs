@@ -96,7 +96,7 @@ impl Imported {
                 )));
             }
         }
-        if !(body.extent() > 0.0) {
+        if body.extent().is_nan() || body.extent() <= 0.0 {
             return Err(wrong("all its nodes are at one place".into()));
         }
         Ok(body)

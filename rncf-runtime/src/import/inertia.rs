@@ -293,7 +293,7 @@ impl Inertia {
         };
         // The modes have unit modal mass.
         own.inner = (0..k * k).map(|at| f64::from(u8::from(at / k == at % k))).collect();
-        if !(own.mass > 0.0) {
+        if own.mass.is_nan() || own.mass <= 0.0 {
             return Err(format!("its mass is {:e} kg", own.mass));
         }
         Ok(own)

@@ -39,7 +39,7 @@ pub(super) fn orthonormal(mass: &Sparse, mut vectors: Vec<Vec<f64>>) -> Option<V
                 add_scaled(&mut rest[0], -part, other);
             }
             let square = dot(&rest[0], &mass.times(&rest[0]));
-            if !(square > 0.0) {
+            if square.is_nan() || square <= 0.0 {
                 return None;
             }
             rest[0].iter_mut().for_each(|x| *x /= square.sqrt());
