@@ -63,10 +63,10 @@ def test_modes_are_those_of_a_hanging_chain():
 
 
 def test_sweeps_and_tables():
-    model = swing.Swing(elements=4)
+    model = swing.Swing(elements=16)
     sweep = model.sweep(length=[1.0, 2.0], g="5..10 m/s^2 in 3", settings={"t_end": 0.2})
     assert len(sweep) == 6 and list(sweep["length [m]"]) == [1, 1, 1, 2, 2, 2]
-    one = swing.Swing(elements=4, length=2.0, g=10.0).run(t_end=0.2)
+    one = swing.Swing(elements=16, length=2.0, g=10.0).run(t_end=0.2)
     assert sweep["tip.y last [m]"][-1] == one["tip.y"][-1]
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "run.npz")
@@ -82,6 +82,13 @@ def test_sweeps_and_tables():
     assert one.to_pandas()["tip.y [m]"].iloc[-1] == one["tip.y"][-1]
     assert one.to_xarray()["tip.y"].attrs["units"] == "m"
     assert isinstance(sweep.to_pandas(), pandas.DataFrame) and xarray is not None
+
+
+def test_notes_are_warnings():
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        run = swing.Swing(elements=2).run(t_end=1.0)
+    assert any("mesh is too coarse" in str(one.message) for one in told), run.notes
 
 
 def test_ctrl_c_ends_a_run_and_other_threads_go_on():
