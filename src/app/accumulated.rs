@@ -5,6 +5,7 @@
 //! the run is the error of the run. Where that takes too long, the run is repeated with a hundred times the tolerance, in a fifth of the steps: its
 //! distance, over what the order of the method promises, is the least error of the run.
 
+use super::cautions::listed;
 use crate::archive::{Archive, Keep};
 use crate::{Integrator, Method, Options, Output, Scene, State, StepSize, Stop};
 
@@ -103,12 +104,7 @@ pub(super) fn accumulated(scene: &mut dyn Scene, start: State, run: Ended<'_>, o
 /// The outputs with their errors.
 fn told(outputs: &[Output], found: &[(usize, f64)]) -> Option<String> {
     let name = |&(output, part): &(usize, f64)| format!("`{}` by about {:.1} %", outputs[output].name, 100.0 * part);
-    let names: Vec<String> = found.iter().take(MOST).map(name).collect();
-    let others = match found.len().saturating_sub(MOST) {
-        0 => String::new(),
-        more => format!(", and {more} more"),
-    };
-    (!names.is_empty()).then(|| names.join(", ") + &others)
+    listed(&found.iter().map(name).collect::<Vec<_>>(), MOST)
 }
 
 /// Rows at the times of the marks of a run with other options; `None` where it fails, or takes more iterations than these.

@@ -40,6 +40,16 @@ pub(super) fn meet(warnings: &mut Vec<Warning>, warning: Warning) {
     }
 }
 
+/// The first `most` of some parts of a sentence, and how many more there are; `None` without any.
+pub(super) fn listed(parts: &[String], most: usize) -> Option<String> {
+    let shown = parts[..parts.len().min(most)].join(", ");
+    match parts.len().saturating_sub(most) {
+        _ if parts.is_empty() => None,
+        0 => Some(shown),
+        more => Some(format!("{shown}, and {more} more")),
+    }
+}
+
 /// What stays of a warning from row to row.
 fn without_numbers(text: &str) -> String {
     text.chars()

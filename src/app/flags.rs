@@ -10,15 +10,17 @@ use super::help::{about, after_help};
 use super::{advise, chart, plan};
 use crate::AnyModel;
 
+/// A flag with a value, which may begin with a minus.
+pub(super) fn value(name: &'static str, placeholder: &'static str, help: &'static str) -> Arg {
+    Arg::new(name)
+        .long(name)
+        .value_name(placeholder)
+        .help(help)
+        .allow_hyphen_values(true)
+}
+
 /// The words that a program of the model understands.
 pub(super) fn command_line(model: &dyn AnyModel, program: &Program<'_>) -> clap::Command {
-    let value = |name: &'static str, placeholder: &'static str, help: &'static str| {
-        Arg::new(name)
-            .long(name)
-            .value_name(placeholder)
-            .help(help)
-            .allow_hyphen_values(true)
-    };
     let choice =
         |name: &'static str, placeholder: &'static str, choices: &'static [&'static str], help: &'static str| {
             Arg::new(name)

@@ -5,6 +5,7 @@
 //! nothing damps it in the model, that is off by its amplitude, at the right positions. No estimate of a step's error sees this. So it is looked at: after the run a few
 //! steps with a far smaller tolerance begin at the same start. What swings in them, lasts and is quicker than the steps of the run is missing in its outputs.
 
+use super::cautions::listed;
 use crate::{Integrator, Method, Options, Output, Scene, State, Statistics, Stop};
 
 /// Tolerance of the look, of that of the run, and the least one.
@@ -93,17 +94,10 @@ pub(super) fn unfollowed(scene: &mut dyn Scene, start: State, run: Followed<'_>,
             missed.swing.period
         )
     };
-    let names: Vec<String> = found.iter().take(MOST).map(told).collect();
-    let others = match found.len().saturating_sub(MOST) {
-        0 => String::new(),
-        more => format!(", and {more} more"),
-    };
-    (!names.is_empty()).then(|| {
-        format!(
-            "The start sets off vibrations that last and are quicker than the steps of the run ({step:.1e} s in the mean), which lose them: {}{others} show the mean that they swing about, without the swing. Give `damping` to what vibrates, start in equilibrium (`--start steady`, `start .. = spinning(..)`), or follow them with `--rtol {finer:.0e}`.",
-            names.join(", ")
-        )
-    })
+    let names = listed(&found.iter().map(told).collect::<Vec<_>>(), MOST)?;
+    Some(format!(
+        "The start sets off vibrations that last and are quicker than the steps of the run ({step:.1e} s in the mean), which lose them: {names} show the mean that they swing about, without the swing. Give `damping` to what vibrates, start in equilibrium (`--start steady`, `start .. = spinning(..)`), or follow them with `--rtol {finer:.0e}`."
+    ))
 }
 
 /// What ends the look, where it comes first.

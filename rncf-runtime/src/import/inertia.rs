@@ -10,26 +10,26 @@ const ALIKE: f64 = 1e-6;
 /// Part of a mass that is round-off where directions are not to be coupled.
 const UNCOUPLED: f64 = 1e-9;
 
-/// The constants, in the order of the modes; of two modes i before j.
+/// The constants of k modes, in their order; sums over the mass of the undeformed body, with the displacements phi_i of modes.
 #[derive(Clone, Debug)]
 pub struct Inertia {
-    /// m
+    /// m, kg.
     pub mass: f64,
-    /// m r_c
+    /// m r_c, kg m.
     pub moment: Vector,
-    /// J0
+    /// J0, kg m^2.
     pub inertia: Matrix,
-    /// phibar_i
+    /// phibar_i = d^a phi_ia
     pub phibar: Vec<Vector>,
-    /// gamma_i
+    /// gamma_i = M^ab q0_a x phi_ib
     pub gamma: Vec<Vector>,
-    /// eta_ij
+    /// eta_ij = M^ab phi_ia x phi_jb, k x k
     pub eta: Vec<Vector>,
-    /// Gamma_i
+    /// Gamma_i = M^ab [q0_a]^T [phi_ib]
     pub first: Vec<Matrix>,
-    /// Ups_ij
+    /// Ups_ij = M^ab [phi_ia]^T [phi_jb], k x k
     pub second: Vec<Matrix>,
-    /// I_ij
+    /// I_ij = M^ab phi_ia . phi_jb, k x k
     pub inner: Vec<f64>,
 }
 

@@ -9,7 +9,9 @@ mod lowest;
 mod reduce;
 #[cfg(test)]
 mod tests;
+mod writer;
 
 pub use body::{Imported, ImportedSpec};
 pub use inertia::Inertia;
 pub use reduce::Wanted;
+pub use writer::{Named, archive};

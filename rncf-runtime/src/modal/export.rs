@@ -121,7 +121,7 @@ fn exported(spec: &BodySpec, body: &ModalBody) -> ExportedBody {
     if let Elastic::Expanded { damping: Some(own), .. } = &body.elastic {
         damping.copy_from_slice(&own.constant);
     }
-    let inertia = body.invariants.all();
+    let inertia = &body.invariants;
     let list = |values: &[Vector]| -> Vec<f64> { values.iter().flat_map(|&vector| turned(vector)).collect() };
     let matrix = |matrix: &Matrix| -> Vec<f64> {
         let mut own = [[0.0; 3]; 3];

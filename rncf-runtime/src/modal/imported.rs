@@ -7,7 +7,7 @@ use super::action::FrameAction;
 use super::body::{ModalBody, Nodal};
 use super::elsewhere::Elsewhere;
 use super::expansion::{Elastic, Expansion};
-use super::invariants::{Action, Invariants};
+use super::invariants::Action;
 use crate::emitted::{
     BodySpec, Fidelity, Held, Interpolant, JointKind, Line, MarkerSpec, ObservedSpec, Place, PointQuantity,
 };
@@ -95,7 +95,7 @@ impl ModalBody {
                 }
             }
         }
-        let mut invariants = Invariants::given(found.inertia);
+        let mut invariants = found.inertia;
         if spec.fidelity == Fidelity::Point {
             invariants = invariants.at_centre(body.extent());
         }
@@ -145,22 +145,17 @@ impl ModalBody {
         notes.map(told).collect()
     }
 
-    /// Modal coordinates from the nodes of a body from elsewhere, which hold them.
-    fn held_coordinates(&self, q: &[f64]) -> Vec<f64> {
-        self.coordinates(q)
-    }
-
     /// Sums over the mass of a body from elsewhere, from its nodal vectors and their rates in its frame.
     pub(super) fn inertial(&self, spin: Vector, [q, v]: [&[f64]; 2]) -> Option<Inertial> {
         self.elsewhere.as_ref()?;
-        let (p, rates) = (self.held_coordinates(q), self.coordinate_rates(v));
+        let (p, rates) = (self.coordinates(q), self.coordinate_rates(v));
         Some(self.invariants.carried(spin, &p, &rates))
     }
 
     /// Strain energy of a body from elsewhere, J.
     pub(super) fn strain_of(&self, q: &[f64]) -> Option<f64> {
         self.elsewhere.as_ref()?;
-        let p = self.held_coordinates(q);
+        let p = self.coordinates(q);
         let each = p.iter().zip(&self.frequencies);
         Some(each.map(|(p, frequency)| 0.5 * (frequency * p).powi(2)).sum())
     }

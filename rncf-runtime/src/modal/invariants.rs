@@ -1,7 +1,6 @@
 //! Inertia of a modal body from constants, THEORY 3.2, Eqs. (15)-(17).
 
 use super::action::{CarriedTangent, FrameAction};
-use crate::import::Inertia;
 use crate::scene::bodies::described::Inertial;
 use crate::vector::{
     Matrix, Vector, add, apply, apply_transposed, cross, crossed, dot, identity, multiply, scale, second_moment, skew,
@@ -21,7 +20,7 @@ pub struct Action {
 
 impl Action {
     /// From the order of a body's axes.
-    pub fn new(frame: &FrameAction, dimension: usize) -> Self {
+    pub(crate) fn new(frame: &FrameAction, dimension: usize) -> Self {
         let turned = |spin: Vector| if dimension == 2 { [0.0, 0.0, spin[0]] } else { spin };
         Self {
             acceleration: frame.acceleration,
@@ -42,29 +41,8 @@ pub struct Motion<'a> {
     pub a: &'a [f64],
 }
 
-/// Constants of a body with k modes; nodal sets are summed with the mass matrix M^ab.
-#[derive(Clone, Debug)]
-pub struct Invariants {
-    modes: usize,
-    /// m, kg.
-    mass: f64,
-    /// m r_c, kg m.
-    moment: Vector,
-    /// J0, kg m^2.
-    inertia: Matrix,
-    /// phibar_i = d^a phi_ia
-    phibar: Vec<Vector>,
-    /// gamma_i = M^ab q0_a x phi_ib
-    gamma: Vec<Vector>,
-    /// eta_ij = M^ab phi_ia x phi_jb, k x k
-    eta: Vec<Vector>,
-    /// Gamma_i = M^ab [q0_a]^T [phi_ib]
-    first: Vec<Matrix>,
-    /// Ups_ij = M^ab [phi_ia]^T [phi_jb], k x k
-    second: Vec<Matrix>,
-    /// I_ij = M^ab phi_ia . phi_jb, k x k
-    inner: Vec<f64>,
-}
+/// Constants of a body with k modes; of a mesh nodal sets are summed with the mass matrix M^ab.
+pub use crate::import::Inertia as Invariants;
 
 /// Distance of a centre of mass from the origin, relative to the body's extent, that is round-off.
 const CENTRED: f64 = 1e-12;
@@ -128,7 +106,6 @@ impl Invariants {
             pairs.map(|(&u, &v)| dot(u, v)).sum::<f64>()
         };
         Self {
-            modes: k,
             mass: moments.iter().zip(whole).map(|(d, c)| d * c).sum(),
             moment: first_moment(shape),
             inertia: second_moment(shape, &weighted(mass, shape)),
@@ -140,37 +117,6 @@ impl Invariants {
                 .map(|(i, j)| second_moment(&modes[i], &weighted_modes[j]))
                 .collect(),
             inner: pairs().map(|(i, j)| inner(i, j)).collect(),
-        }
-    }
-
-    /// Those of a body from elsewhere.
-    pub fn given(inertia: Inertia) -> Self {
-        Self {
-            modes: inertia.phibar.len(),
-            mass: inertia.mass,
-            moment: inertia.moment,
-            inertia: inertia.inertia,
-            phibar: inertia.phibar,
-            gamma: inertia.gamma,
-            eta: inertia.eta,
-            first: inertia.first,
-            second: inertia.second,
-            inner: inertia.inner,
-        }
-    }
-
-    /// All of them.
-    pub fn all(&self) -> Inertia {
-        Inertia {
-            mass: self.mass,
-            moment: self.moment,
-            inertia: self.inertia,
-            phibar: self.phibar.clone(),
-            gamma: self.gamma.clone(),
-            eta: self.eta.clone(),
-            first: self.first.clone(),
-            second: self.second.clone(),
-            inner: self.inner.clone(),
         }
     }
 
@@ -186,7 +132,6 @@ impl Invariants {
         });
         let centre = scale(1.0 / self.mass, moment);
         Self {
-            modes: 0,
             mass: self.mass,
             moment,
             inertia: second_moment(&[centre], &[moment]),
@@ -199,13 +144,18 @@ impl Invariants {
         }
     }
 
+    /// Number of modes.
+    fn modes(&self) -> usize {
+        self.phibar.len()
+    }
+
     /// I_ij, rows first: the mass matrix of the modes.
     pub fn inner(&self) -> &[f64] {
         &self.inner
     }
 
     fn displaced(&self, at: Motion) -> Displaced {
-        let k = self.modes;
+        let k = self.modes();
         let mut moment = self.moment;
         let mut inertia = self.inertia;
         let mut rate = [[0.0; 3]; 3];
@@ -235,12 +185,12 @@ impl Invariants {
         let body = self.displaced(Motion { p, v, a: &none });
         let (mut rate, mut turned) = ([0.0; 3], apply(&body.inertia, spin));
         let mut kinetic = 0.5 * dot(spin, turned);
-        for i in 0..self.modes {
+        for i in 0..self.modes() {
             rate = add(rate, scale(v[i], self.phibar[i]));
             turned = add(turned, scale(v[i], body.gamma[i]));
             kinetic += v[i] * dot(spin, body.gamma[i]);
-            for j in 0..self.modes {
-                kinetic += 0.5 * v[i] * v[j] * self.inner[i * self.modes + j];
+            for j in 0..self.modes() {
+                kinetic += 0.5 * v[i] * v[j] * self.inner[i * self.modes() + j];
             }
         }
         Inertial {
@@ -255,14 +205,14 @@ impl Invariants {
 
     /// S_i = Gamma_i + Ups_ij p_j
     fn shifted(&self, i: usize, p: &[f64]) -> Matrix {
-        (0..self.modes).fold(self.first[i], |sum, j| {
-            plus(&sum, p[j], &self.second[i * self.modes + j])
+        (0..self.modes()).fold(self.first[i], |sum, j| {
+            plus(&sum, p[j], &self.second[i * self.modes() + j])
         })
     }
 
     /// Adds the inertia part of (17).
     pub fn modal_force(&self, action: &Action, at: Motion, out: &mut [f64]) {
-        let k = self.modes;
+        let k = self.modes();
         let (w, dw) = (action.spin, action.spin_rate);
         for i in 0..k {
             let mut sum = dot(self.phibar[i], action.acceleration) + dot(self.gamma[i], dw);
@@ -295,7 +245,7 @@ impl Invariants {
         moment = add(moment, cross(w, apply(&body.inertia, w)));
         moment = add(moment, scale(2.0, apply(&body.rate, w)));
         let mut rate = [0.0; 3];
-        for i in 0..self.modes {
+        for i in 0..self.modes() {
             force = add(force, scale(at.a[i], self.phibar[i]));
             moment = add(moment, scale(at.a[i], body.gamma[i]));
             rate = add(rate, scale(at.v[i], self.phibar[i]));
@@ -306,8 +256,8 @@ impl Invariants {
 
     /// Derivatives of (15) and (16), six rows; `moves`: whether the modal coordinates change the
     /// inertia. See [`CarriedTangent`] for the columns.
-    pub fn frame_tangent(&self, action: &Action, at: Motion, moves: bool, out: &mut CarriedTangent) {
-        let (k, w) = (self.modes, action.spin);
+    pub(crate) fn frame_tangent(&self, action: &Action, at: Motion, moves: bool, out: &mut CarriedTangent) {
+        let (k, w) = (self.modes(), action.spin);
         let body = self.displaced(at);
         let tilt = skew(body.moment);
         let mut rate = [0.0; 3];
@@ -358,8 +308,8 @@ impl Invariants {
 
     /// Gamma_j + Ups_ij p_i
     fn shifted_back(&self, j: usize, p: &[f64]) -> Matrix {
-        (0..self.modes).fold(self.first[j], |sum, i| {
-            plus(&sum, p[i], &self.second[i * self.modes + j])
+        (0..self.modes()).fold(self.first[j], |sum, i| {
+            plus(&sum, p[i], &self.second[i * self.modes() + j])
         })
     }
 
@@ -368,15 +318,15 @@ impl Invariants {
         let shifted = self.shifted(i, at.p);
         let w = action.spin;
         let mut row = scale(-1.0, add(apply(&shifted, w), apply_transposed(&shifted, w)));
-        for j in 0..self.modes {
-            row = subtract(row, scale(2.0 * at.v[j], self.eta[i * self.modes + j]));
+        for j in 0..self.modes() {
+            row = subtract(row, scale(2.0 * at.v[j], self.eta[i * self.modes() + j]));
         }
         spin[3 * i..3 * i + 3].copy_from_slice(&row);
     }
 
     /// d(15), (16)/dp_j.
     fn displacement_column(&self, action: &Action, at: Motion, j: usize, stiffness: &mut [f64]) {
-        let k = self.modes;
+        let k = self.modes();
         let (w, dw, phibar) = (action.spin, action.spin_rate, self.phibar[j]);
         let force = add(cross(dw, phibar), cross(w, cross(w, phibar)));
         let shifted = self.shifted(j, at.p);

@@ -35,6 +35,6 @@ pub(crate) fn kinetic_of(
     p: &[f64],
     v: &[f64],
 ) -> (crate::vector::Vector, f64) {
-    let sums = invariants::Invariants::given(inertia.clone()).carried(spin, p, v);
+    let sums = inertia.carried(spin, p, v);
     (sums.momentum, sums.kinetic)
 }

@@ -2,6 +2,7 @@
 
 use crate::archive::{Archive, Keep};
 use crate::emitted::{Fidelity, SectionQuantity};
+use crate::import::{Named, archive};
 
 /// A meshed body of the declaration, as it is described in a scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -123,5 +124,12 @@ pub struct ExportedBody {
     /// Name of the body.
     pub name: String,
     /// Name, sizes and values of every array, the last index fastest; SI, frame axes.
-    pub arrays: Vec<(&'static str, Vec<usize>, Vec<f64>)>,
+    pub arrays: Vec<Named>,
+}
+
+impl ExportedBody {
+    /// The arrays as the bytes of an .npz file.
+    pub fn to_npz(&self) -> Vec<u8> {
+        archive(&self.arrays)
+    }
 }

@@ -3,6 +3,7 @@
 use clap::{Arg, ArgAction, ArgMatches};
 
 use crate::app::arguments::text;
+use crate::app::flags::value;
 use crate::app::nearest::nearest;
 use crate::app::parameters::{short, time};
 use crate::{AnyModel, Formulation, Method, Output};
@@ -18,13 +19,6 @@ const LIMIT: f64 = 60.0;
 
 /// The flags for the command line.
 pub(super) fn flags() -> Vec<Arg> {
-    let value = |name: &'static str, placeholder: &'static str, help: &'static str| {
-        Arg::new(name)
-            .long(name)
-            .value_name(placeholder)
-            .help(help)
-            .allow_hyphen_values(true)
-    };
     vec![
         value("formulations", "LIST", "Coordinates to compare (default rncf,ancf)"),
         value(

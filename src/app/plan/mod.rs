@@ -25,6 +25,7 @@ use super::arguments::{Arguments, text};
 use super::clock::Clock;
 use super::command::Command;
 use super::execute::{FAILURE, Failure, INTERRUPTION, MISTAKE, write};
+use super::flags::value;
 use super::hash::hash;
 use super::parallel::on_all_cores;
 use super::parameters::{Varied, digits, in_unit, short, time};
@@ -94,9 +95,7 @@ impl Plan {
 
 /// The flags of plans; `--outputs`, `--limit` and `--fresh` are those of `chart`, too.
 pub(super) fn flags() -> Vec<Arg> {
-    let value = |name: &'static str, placeholder: &'static str, help: &'static str| {
-        Arg::new(name).long(name).value_name(placeholder).help(help)
-    };
+    let value = |name, placeholder, help| value(name, placeholder, help).allow_hyphen_values(false);
     let choice =
         |arg: Arg, choices: &'static [&'static str]| arg.value_parser(choices.to_vec()).hide_possible_values(true);
     vec![

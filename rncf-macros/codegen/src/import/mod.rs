@@ -8,6 +8,7 @@ mod market;
 mod npz;
 mod sparse;
 
+pub use archive::checksum;
 pub use sparse::Sparse;
 
 /// Degrees of freedom of a node with translations alone, and with rotations.
