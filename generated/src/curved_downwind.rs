@@ -216,6 +216,74 @@ pub mod curved_downwind_equations {
         /// density * second_moment_z, kg m.
         pub rhoIz: f64,
     }
+    /// Mass matrix M_ab of the unit element, the integrals of s_a s_b over xi from 0 to 1.
+    ///
+    /// Rows and columns: r0, r0x, r0y, ry_half, r1, r1x, r1y; slopes are multiplied by the length. The sum of a row's columns of positions is the first moment d_a.
+    pub const BEAM_PLANAR_CURVED_MASS_MATRIX: [[f64; 7]; 7] = [
+        [
+            0.37142857142857144,
+            0.05238095238095238,
+            0.0,
+            0.0,
+            0.12857142857142856,
+            -0.030952380952380953,
+            0.0,
+        ],
+        [
+            0.05238095238095238,
+            0.009523809523809525,
+            0.0,
+            0.0,
+            0.030952380952380953,
+            -0.007142857142857143,
+            0.0,
+        ],
+        [
+            0.0,
+            0.0,
+            0.13333333333333333,
+            0.06666666666666667,
+            0.0,
+            0.0,
+            -0.03333333333333333,
+        ],
+        [
+            0.0,
+            0.0,
+            0.06666666666666667,
+            0.5333333333333333,
+            0.0,
+            0.0,
+            0.06666666666666667,
+        ],
+        [
+            0.12857142857142856,
+            0.030952380952380953,
+            0.0,
+            0.0,
+            0.37142857142857144,
+            -0.05238095238095238,
+            0.0,
+        ],
+        [
+            -0.030952380952380953,
+            -0.007142857142857143,
+            0.0,
+            0.0,
+            -0.05238095238095238,
+            0.009523809523809525,
+            0.0,
+        ],
+        [
+            0.0,
+            0.0,
+            -0.03333333333333333,
+            0.06666666666666667,
+            0.0,
+            0.0,
+            0.13333333333333333,
+        ],
+    ];
     /// Nodal vectors by what they interpolate: Position, SectionY.
     static BEAM_PLANAR_CURVED_VECTORS: ::rncf::emitted::Vectors<7, 2, 2, 3> = ::rncf::emitted::Vectors {
         base: 0,
@@ -654,20 +722,20 @@ pub mod curved_downwind_equations {
         let BeamPlanarCurved { length, rhoA, rhoIz, .. } = *row;
         let element_mass = length * rhoA;
         let section_y_mass = length * rhoIz;
-        let mass_r0_r0 = element_mass * 0.37142857142857144;
+        let mass_r0_r0 = element_mass * BEAM_PLANAR_CURVED_MASS_MATRIX[0][0];
         let t18 = length * element_mass;
-        let mass_r0_r0x = t18 * 0.05238095238095238;
-        let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_r1x = t18 * (-0.030952380952380953);
+        let mass_r0_r0x = t18 * BEAM_PLANAR_CURVED_MASS_MATRIX[0][1];
+        let mass_r0_r1 = element_mass * BEAM_PLANAR_CURVED_MASS_MATRIX[0][4];
+        let mass_r0_r1x = t18 * BEAM_PLANAR_CURVED_MASS_MATRIX[0][5];
         let t22 = element_mass * (length * length);
-        let mass_r0x_r0x = t22 * 0.009523809523809525;
-        let mass_r0x_r1 = t18 * 0.030952380952380953;
-        let mass_r0x_r1x = t22 * (-0.007142857142857143);
-        let mass_r0y_r0y = section_y_mass * 0.13333333333333333;
-        let mass_r0y_ry_half = section_y_mass * 0.06666666666666667;
-        let mass_r0y_r1y = section_y_mass * (-0.03333333333333333);
-        let mass_ry_half_ry_half = section_y_mass * 0.5333333333333333;
-        let mass_r1_r1x = t18 * (-0.05238095238095238);
+        let mass_r0x_r0x = t22 * BEAM_PLANAR_CURVED_MASS_MATRIX[1][1];
+        let mass_r0x_r1 = t18 * BEAM_PLANAR_CURVED_MASS_MATRIX[1][4];
+        let mass_r0x_r1x = t22 * BEAM_PLANAR_CURVED_MASS_MATRIX[1][5];
+        let mass_r0y_r0y = section_y_mass * BEAM_PLANAR_CURVED_MASS_MATRIX[2][2];
+        let mass_r0y_ry_half = section_y_mass * BEAM_PLANAR_CURVED_MASS_MATRIX[2][3];
+        let mass_r0y_r1y = section_y_mass * BEAM_PLANAR_CURVED_MASS_MATRIX[2][6];
+        let mass_ry_half_ry_half = section_y_mass * BEAM_PLANAR_CURVED_MASS_MATRIX[3][3];
+        let mass_r1_r1x = t18 * BEAM_PLANAR_CURVED_MASS_MATRIX[4][5];
         mass[0] = mass_r0_r0;
         mass[1] = mass_r0_r0x;
         mass[2] = 0.0;

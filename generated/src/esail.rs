@@ -439,6 +439,99 @@ pub mod esail_equations {
             }
         }
     }
+    /// Mass matrix M_ab of the unit element, the integrals of s_a s_b over xi from 0 to 1.
+    ///
+    /// Rows and columns: r0, s0, r1, s1; slopes are multiplied by the length. The sum of a row's columns of positions is the first moment d_a.
+    pub const CABLE_SPATIAL_MASS_MATRIX: [[f64; 4]; 4] = [
+        [
+            0.37142857142857144,
+            0.05238095238095238,
+            0.12857142857142856,
+            -0.030952380952380953,
+        ],
+        [
+            0.05238095238095238,
+            0.009523809523809525,
+            0.030952380952380953,
+            -0.007142857142857143,
+        ],
+        [
+            0.12857142857142856,
+            0.030952380952380953,
+            0.37142857142857144,
+            -0.05238095238095238,
+        ],
+        [
+            -0.030952380952380953,
+            -0.007142857142857143,
+            -0.05238095238095238,
+            0.009523809523809525,
+        ],
+    ];
+    /// Tensor T_AB of the unit element in `axial strain`: U = 1/2 EA length T_AB (I_A - I0_A) (I_B - I0_B).
+    ///
+    /// Rows and columns: dot_s0_s0, dot_s0_d, dot_s0_s1, dot_d_d, dot_d_s1, dot_s1_s1.
+    pub const CABLE_SPATIAL_AXIAL_STRAIN: [[f64; 6]; 6] = [
+        [
+            0.014285714285714285,
+            0.0035714285714285713,
+            -0.0035714285714285713,
+            0.02142857142857143,
+            -0.0035714285714285713,
+            0.0011904761904761906,
+        ],
+        [
+            0.0035714285714285713,
+            0.08571428571428572,
+            -0.007142857142857143,
+            -0.12857142857142856,
+            0.0,
+            -0.0035714285714285713,
+        ],
+        [
+            -0.0035714285714285713,
+            -0.007142857142857143,
+            0.004761904761904762,
+            0.0,
+            -0.007142857142857143,
+            -0.0035714285714285713,
+        ],
+        [
+            0.02142857142857143,
+            -0.12857142857142856,
+            0.0,
+            0.5142857142857142,
+            -0.12857142857142856,
+            0.02142857142857143,
+        ],
+        [
+            -0.0035714285714285713,
+            0.0,
+            -0.007142857142857143,
+            -0.12857142857142856,
+            0.08571428571428572,
+            0.0035714285714285713,
+        ],
+        [
+            0.0011904761904761906,
+            -0.0035714285714285713,
+            -0.0035714285714285713,
+            0.02142857142857143,
+            0.0035714285714285713,
+            0.014285714285714285,
+        ],
+    ];
+    /// Tensor T_AB of the unit element in `bending`: U = 1/2 EI length^-1 T_AB I_A I_B.
+    ///
+    /// Rows and columns: dot_s0_s0, dot_s0_d, dot_s0_s1, dot_d_d, dot_d_s1, dot_s1_s1.
+    pub const CABLE_SPATIAL_BENDING: [[f64; 6]; 6] = [
+        [0.0, 0.0, 0.0, 3.6, -2.2, 0.6],
+        [0.0, -7.2, 2.2, 0.0, 1.2, -2.2],
+        [0.0, 2.2, -1.2, -1.2, 2.2, 0.0],
+        [3.6, 0.0, -1.2, 0.0, 0.0, 3.6],
+        [-2.2, 1.2, 2.2, 0.0, -7.2, 0.0],
+        [0.6, -2.2, 0.0, 3.6, 0.0, 0.0],
+    ];
     /// Adds the generalised elastic force of one element, F_e = dU/dq (N on positions, N m on slopes).
     ///
     /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial, axial = green.
@@ -471,50 +564,68 @@ pub mod esail_equations {
         let dot_s1_s1 = s1_x * s1_x + s1_y * s1_y + s1_z * s1_z;
         let strain_dot_s1_s1 = dot_s1_s1 - 1.0;
         let t43 = length * EA;
-        let t44 = strain_dot_s0_s1 * (-0.0035714285714285713);
-        let t45 = strain_dot_d_d * 0.02142857142857143;
-        let t46 = strain_dot_s0_s0 * 0.014285714285714285
-            + strain_dot_s0_d * 0.0035714285714285713 + t44 + t45
-            + strain_dot_d_s1 * (-0.0035714285714285713)
-            + strain_dot_s1_s1 * 0.0011904761904761906;
-        let t47 = strain_dot_s0_s1 * (-0.007142857142857143);
-        let t48 = strain_dot_d_d * (-0.12857142857142856);
-        let t49 = strain_dot_s1_s1 * (-0.0035714285714285713);
-        let t50 = strain_dot_s0_s0 * (-0.0035714285714285713);
-        let t51 = strain_dot_s0_s0 * 0.02142857142857143
-            + strain_dot_s0_d * (-0.12857142857142856)
-            + strain_dot_d_d * 0.5142857142857142
-            + strain_dot_d_s1 * (-0.12857142857142856)
-            + strain_dot_s1_s1 * 0.02142857142857143;
+        let t44 = strain_dot_s0_s1 * CABLE_SPATIAL_AXIAL_STRAIN[0][2];
+        let t45 = strain_dot_d_d * CABLE_SPATIAL_AXIAL_STRAIN[0][3];
+        let t46 = strain_dot_s0_s0 * CABLE_SPATIAL_AXIAL_STRAIN[0][0]
+            + strain_dot_s0_d * CABLE_SPATIAL_AXIAL_STRAIN[0][1] + t44 + t45
+            + strain_dot_d_s1 * CABLE_SPATIAL_AXIAL_STRAIN[0][2]
+            + strain_dot_s1_s1 * CABLE_SPATIAL_AXIAL_STRAIN[0][5];
+        let t47 = strain_dot_s0_s1 * CABLE_SPATIAL_AXIAL_STRAIN[1][2];
+        let t48 = strain_dot_d_d * CABLE_SPATIAL_AXIAL_STRAIN[1][3];
+        let t49 = strain_dot_s1_s1 * CABLE_SPATIAL_AXIAL_STRAIN[0][2];
+        let t50 = strain_dot_s0_s0 * CABLE_SPATIAL_AXIAL_STRAIN[0][2];
+        let t51 = strain_dot_s0_s0 * CABLE_SPATIAL_AXIAL_STRAIN[0][3]
+            + strain_dot_s0_d * CABLE_SPATIAL_AXIAL_STRAIN[1][3]
+            + strain_dot_d_d * CABLE_SPATIAL_AXIAL_STRAIN[3][3]
+            + strain_dot_d_s1 * CABLE_SPATIAL_AXIAL_STRAIN[1][3]
+            + strain_dot_s1_s1 * CABLE_SPATIAL_AXIAL_STRAIN[0][3];
         let t52 = t45
             + (t44
-                + (strain_dot_s0_s0 * 0.0011904761904761906
-                    + strain_dot_s0_d * (-0.0035714285714285713)))
-            + strain_dot_d_s1 * 0.0035714285714285713
-            + strain_dot_s1_s1 * 0.014285714285714285;
+                + (strain_dot_s0_s0 * CABLE_SPATIAL_AXIAL_STRAIN[0][5]
+                    + strain_dot_s0_d * CABLE_SPATIAL_AXIAL_STRAIN[0][2]))
+            + strain_dot_d_s1 * CABLE_SPATIAL_AXIAL_STRAIN[0][1]
+            + strain_dot_s1_s1 * CABLE_SPATIAL_AXIAL_STRAIN[0][0];
         let t53 = inverse_length * EI;
-        let t54 = dot_d_d * 3.6;
+        let t54 = dot_d_d * CABLE_SPATIAL_BENDING[0][3];
         let stress_dot_s0_s0 = t43 * t46
-            + t53 * (t54 + dot_d_s1 * (-2.2) + dot_s1_s1 * 0.6);
-        let t56 = dot_s0_s1 * 2.2;
+            + t53
+                * (t54 + dot_d_s1 * CABLE_SPATIAL_BENDING[0][4]
+                    + dot_s1_s1 * CABLE_SPATIAL_BENDING[0][5]);
+        let t56 = dot_s0_s1 * CABLE_SPATIAL_BENDING[1][2];
         let stress_dot_s0_d = t43
-            * (strain_dot_s0_s0 * 0.0035714285714285713
-                + strain_dot_s0_d * 0.08571428571428572 + t47 + t48 + t49)
-            + t53 * (dot_s0_d * (-7.2) + t56 + dot_d_s1 * 1.2 + dot_s1_s1 * (-2.2));
-        let t58 = dot_s0_s1 * (-1.2);
+            * (strain_dot_s0_s0 * CABLE_SPATIAL_AXIAL_STRAIN[0][1]
+                + strain_dot_s0_d * CABLE_SPATIAL_AXIAL_STRAIN[1][1] + t47 + t48 + t49)
+            + t53
+                * (dot_s0_d * CABLE_SPATIAL_BENDING[1][1] + t56
+                    + dot_d_s1 * CABLE_SPATIAL_BENDING[1][4]
+                    + dot_s1_s1 * CABLE_SPATIAL_BENDING[0][4]);
+        let t58 = dot_s0_s1 * CABLE_SPATIAL_BENDING[2][2];
         let stress_dot_s0_s1 = t43
             * (t49
-                + (t50 + strain_dot_s0_d * (-0.007142857142857143)
-                    + strain_dot_s0_s1 * 0.004761904761904762
-                    + strain_dot_d_s1 * (-0.007142857142857143)))
-            + t53 * (dot_s0_d * 2.2 + t58 + dot_d_d * (-1.2) + dot_d_s1 * 2.2);
-        let stress_dot_d_d = t43 * t51 + t53 * (t58 + dot_s0_s0 * 3.6 + dot_s1_s1 * 3.6);
+                + (t50 + strain_dot_s0_d * CABLE_SPATIAL_AXIAL_STRAIN[1][2]
+                    + strain_dot_s0_s1 * CABLE_SPATIAL_AXIAL_STRAIN[2][2]
+                    + strain_dot_d_s1 * CABLE_SPATIAL_AXIAL_STRAIN[1][2]))
+            + t53
+                * (dot_s0_d * CABLE_SPATIAL_BENDING[1][2] + t58
+                    + dot_d_d * CABLE_SPATIAL_BENDING[2][2]
+                    + dot_d_s1 * CABLE_SPATIAL_BENDING[1][2]);
+        let stress_dot_d_d = t43 * t51
+            + t53
+                * (t58 + dot_s0_s0 * CABLE_SPATIAL_BENDING[0][3]
+                    + dot_s1_s1 * CABLE_SPATIAL_BENDING[0][3]);
         let stress_dot_d_s1 = t43
-            * (t48 + (t47 + t50) + strain_dot_d_s1 * 0.08571428571428572
-                + strain_dot_s1_s1 * 0.0035714285714285713)
-            + t53 * (t56 + (dot_s0_s0 * (-2.2) + dot_s0_d * 1.2) + dot_d_s1 * (-7.2));
+            * (t48 + (t47 + t50) + strain_dot_d_s1 * CABLE_SPATIAL_AXIAL_STRAIN[1][1]
+                + strain_dot_s1_s1 * CABLE_SPATIAL_AXIAL_STRAIN[0][1])
+            + t53
+                * (t56
+                    + (dot_s0_s0 * CABLE_SPATIAL_BENDING[0][4]
+                        + dot_s0_d * CABLE_SPATIAL_BENDING[1][4])
+                    + dot_d_s1 * CABLE_SPATIAL_BENDING[1][1]);
         let stress_dot_s1_s1 = t43 * t52
-            + t53 * (t54 + (dot_s0_s0 * 0.6 + dot_s0_d * (-2.2)));
+            + t53
+                * (t54
+                    + (dot_s0_s0 * CABLE_SPATIAL_BENDING[0][5]
+                        + dot_s0_d * CABLE_SPATIAL_BENDING[0][4]));
         let t63 = inverse_length
             * (s0_x * stress_dot_s0_d + stress_dot_d_d * (d_x * 2.0)
                 + s1_x * stress_dot_d_s1);
@@ -596,63 +707,85 @@ pub mod esail_equations {
         let dot_s1_s1 = s1_x * s1_x + s1_y * s1_y + s1_z * s1_z;
         let strain_dot_s1_s1 = dot_s1_s1 - 1.0;
         let t43 = length * EA;
-        let t44 = strain_dot_s0_s1 * (-0.0035714285714285713);
-        let t45 = strain_dot_d_d * 0.02142857142857143;
-        let t46 = strain_dot_s0_s0 * 0.014285714285714285
-            + strain_dot_s0_d * 0.0035714285714285713 + t44 + t45
-            + strain_dot_d_s1 * (-0.0035714285714285713)
-            + strain_dot_s1_s1 * 0.0011904761904761906;
-        let t47 = t43 * 0.014285714285714285;
-        let t48 = t43 * 0.0035714285714285713;
-        let t49 = t43 * (-0.0035714285714285713);
-        let t50 = strain_dot_s0_s1 * (-0.007142857142857143);
-        let t51 = strain_dot_d_d * (-0.12857142857142856);
-        let t52 = strain_dot_s1_s1 * (-0.0035714285714285713);
-        let t53 = t43 * (-0.12857142857142856);
-        let t54 = strain_dot_s0_s0 * (-0.0035714285714285713);
-        let t55 = strain_dot_s0_s0 * 0.02142857142857143
-            + strain_dot_s0_d * (-0.12857142857142856)
-            + strain_dot_d_d * 0.5142857142857142
-            + strain_dot_d_s1 * (-0.12857142857142856)
-            + strain_dot_s1_s1 * 0.02142857142857143;
-        let t56 = t43 * 0.5142857142857142;
+        let t44 = strain_dot_s0_s1 * CABLE_SPATIAL_AXIAL_STRAIN[0][2];
+        let t45 = strain_dot_d_d * CABLE_SPATIAL_AXIAL_STRAIN[0][3];
+        let t46 = strain_dot_s0_s0 * CABLE_SPATIAL_AXIAL_STRAIN[0][0]
+            + strain_dot_s0_d * CABLE_SPATIAL_AXIAL_STRAIN[0][1] + t44 + t45
+            + strain_dot_d_s1 * CABLE_SPATIAL_AXIAL_STRAIN[0][2]
+            + strain_dot_s1_s1 * CABLE_SPATIAL_AXIAL_STRAIN[0][5];
+        let t47 = t43 * CABLE_SPATIAL_AXIAL_STRAIN[0][0];
+        let t48 = t43 * CABLE_SPATIAL_AXIAL_STRAIN[0][1];
+        let t49 = t43 * CABLE_SPATIAL_AXIAL_STRAIN[0][2];
+        let t50 = strain_dot_s0_s1 * CABLE_SPATIAL_AXIAL_STRAIN[1][2];
+        let t51 = strain_dot_d_d * CABLE_SPATIAL_AXIAL_STRAIN[1][3];
+        let t52 = strain_dot_s1_s1 * CABLE_SPATIAL_AXIAL_STRAIN[0][2];
+        let t53 = t43 * CABLE_SPATIAL_AXIAL_STRAIN[1][3];
+        let t54 = strain_dot_s0_s0 * CABLE_SPATIAL_AXIAL_STRAIN[0][2];
+        let t55 = strain_dot_s0_s0 * CABLE_SPATIAL_AXIAL_STRAIN[0][3]
+            + strain_dot_s0_d * CABLE_SPATIAL_AXIAL_STRAIN[1][3]
+            + strain_dot_d_d * CABLE_SPATIAL_AXIAL_STRAIN[3][3]
+            + strain_dot_d_s1 * CABLE_SPATIAL_AXIAL_STRAIN[1][3]
+            + strain_dot_s1_s1 * CABLE_SPATIAL_AXIAL_STRAIN[0][3];
+        let t56 = t43 * CABLE_SPATIAL_AXIAL_STRAIN[3][3];
         let t57 = t45
             + (t44
-                + (strain_dot_s0_s0 * 0.0011904761904761906
-                    + strain_dot_s0_d * (-0.0035714285714285713)))
-            + strain_dot_d_s1 * 0.0035714285714285713
-            + strain_dot_s1_s1 * 0.014285714285714285;
+                + (strain_dot_s0_s0 * CABLE_SPATIAL_AXIAL_STRAIN[0][5]
+                    + strain_dot_s0_d * CABLE_SPATIAL_AXIAL_STRAIN[0][2]))
+            + strain_dot_d_s1 * CABLE_SPATIAL_AXIAL_STRAIN[0][1]
+            + strain_dot_s1_s1 * CABLE_SPATIAL_AXIAL_STRAIN[0][0];
         let t58 = inverse_length * EI;
-        let t59 = dot_d_d * 3.6;
+        let t59 = dot_d_d * CABLE_SPATIAL_BENDING[0][3];
         let stress_dot_s0_s0 = t43 * t46
-            + t58 * (t59 + dot_d_s1 * (-2.2) + dot_s1_s1 * 0.6);
-        let t61 = t43 * 0.02142857142857143 + t58 * 3.6;
-        let t62 = t49 + t58 * (-2.2);
-        let t63 = t43 * 0.0011904761904761906 + t58 * 0.6;
-        let t64 = dot_s0_s1 * 2.2;
+            + t58
+                * (t59 + dot_d_s1 * CABLE_SPATIAL_BENDING[0][4]
+                    + dot_s1_s1 * CABLE_SPATIAL_BENDING[0][5]);
+        let t61 = t43 * CABLE_SPATIAL_AXIAL_STRAIN[0][3]
+            + t58 * CABLE_SPATIAL_BENDING[0][3];
+        let t62 = t49 + t58 * CABLE_SPATIAL_BENDING[0][4];
+        let t63 = t43 * CABLE_SPATIAL_AXIAL_STRAIN[0][5]
+            + t58 * CABLE_SPATIAL_BENDING[0][5];
+        let t64 = dot_s0_s1 * CABLE_SPATIAL_BENDING[1][2];
         let stress_dot_s0_d = t43
-            * (strain_dot_s0_s0 * 0.0035714285714285713
-                + strain_dot_s0_d * 0.08571428571428572 + t50 + t51 + t52)
-            + t58 * (dot_s0_d * (-7.2) + t64 + dot_d_s1 * 1.2 + dot_s1_s1 * (-2.2));
-        let t66 = t43 * 0.08571428571428572 + t58 * (-7.2);
-        let t67 = t43 * (-0.007142857142857143) + t58 * 2.2;
-        let t68 = t58 * 1.2;
-        let t69 = dot_s0_s1 * (-1.2);
+            * (strain_dot_s0_s0 * CABLE_SPATIAL_AXIAL_STRAIN[0][1]
+                + strain_dot_s0_d * CABLE_SPATIAL_AXIAL_STRAIN[1][1] + t50 + t51 + t52)
+            + t58
+                * (dot_s0_d * CABLE_SPATIAL_BENDING[1][1] + t64
+                    + dot_d_s1 * CABLE_SPATIAL_BENDING[1][4]
+                    + dot_s1_s1 * CABLE_SPATIAL_BENDING[0][4]);
+        let t66 = t43 * CABLE_SPATIAL_AXIAL_STRAIN[1][1]
+            + t58 * CABLE_SPATIAL_BENDING[1][1];
+        let t67 = t43 * CABLE_SPATIAL_AXIAL_STRAIN[1][2]
+            + t58 * CABLE_SPATIAL_BENDING[1][2];
+        let t68 = t58 * CABLE_SPATIAL_BENDING[1][4];
+        let t69 = dot_s0_s1 * CABLE_SPATIAL_BENDING[2][2];
         let stress_dot_s0_s1 = t43
             * (t52
-                + (t54 + strain_dot_s0_d * (-0.007142857142857143)
-                    + strain_dot_s0_s1 * 0.004761904761904762
-                    + strain_dot_d_s1 * (-0.007142857142857143)))
-            + t58 * (dot_s0_d * 2.2 + t69 + dot_d_d * (-1.2) + dot_d_s1 * 2.2);
-        let t71 = t58 * (-1.2);
-        let t72 = t43 * 0.004761904761904762 + t71;
-        let stress_dot_d_d = t43 * t55 + t58 * (t69 + dot_s0_s0 * 3.6 + dot_s1_s1 * 3.6);
+                + (t54 + strain_dot_s0_d * CABLE_SPATIAL_AXIAL_STRAIN[1][2]
+                    + strain_dot_s0_s1 * CABLE_SPATIAL_AXIAL_STRAIN[2][2]
+                    + strain_dot_d_s1 * CABLE_SPATIAL_AXIAL_STRAIN[1][2]))
+            + t58
+                * (dot_s0_d * CABLE_SPATIAL_BENDING[1][2] + t69
+                    + dot_d_d * CABLE_SPATIAL_BENDING[2][2]
+                    + dot_d_s1 * CABLE_SPATIAL_BENDING[1][2]);
+        let t71 = t58 * CABLE_SPATIAL_BENDING[2][2];
+        let t72 = t43 * CABLE_SPATIAL_AXIAL_STRAIN[2][2] + t71;
+        let stress_dot_d_d = t43 * t55
+            + t58
+                * (t69 + dot_s0_s0 * CABLE_SPATIAL_BENDING[0][3]
+                    + dot_s1_s1 * CABLE_SPATIAL_BENDING[0][3]);
         let stress_dot_d_s1 = t43
-            * (t51 + (t50 + t54) + strain_dot_d_s1 * 0.08571428571428572
-                + strain_dot_s1_s1 * 0.0035714285714285713)
-            + t58 * (t64 + (dot_s0_s0 * (-2.2) + dot_s0_d * 1.2) + dot_d_s1 * (-7.2));
+            * (t51 + (t50 + t54) + strain_dot_d_s1 * CABLE_SPATIAL_AXIAL_STRAIN[1][1]
+                + strain_dot_s1_s1 * CABLE_SPATIAL_AXIAL_STRAIN[0][1])
+            + t58
+                * (t64
+                    + (dot_s0_s0 * CABLE_SPATIAL_BENDING[0][4]
+                        + dot_s0_d * CABLE_SPATIAL_BENDING[1][4])
+                    + dot_d_s1 * CABLE_SPATIAL_BENDING[1][1]);
         let stress_dot_s1_s1 = t43 * t57
-            + t58 * (t59 + (dot_s0_s0 * 0.6 + dot_s0_d * (-2.2)));
+            + t58
+                * (t59
+                    + (dot_s0_s0 * CABLE_SPATIAL_BENDING[0][5]
+                        + dot_s0_d * CABLE_SPATIAL_BENDING[0][4]));
         let t76 = s0_x * 2.0;
         let t77 = s0_y * 2.0;
         let t78 = s0_z * 2.0;
@@ -963,63 +1096,84 @@ pub mod esail_equations {
         let dot_s1_s1 = s1_x * s1_x + s1_y * s1_y + s1_z * s1_z;
         let strain_dot_s1_s1 = dot_s1_s1 - 1.0;
         let t43 = length * EA * 0.5;
-        let t44 = strain_dot_s0_s1 * (-0.0035714285714285713);
-        let t45 = strain_dot_d_d * 0.02142857142857143;
-        let t46 = strain_dot_s0_s0 * 0.014285714285714285
-            + strain_dot_s0_d * 0.0035714285714285713 + t44 + t45
-            + strain_dot_d_s1 * (-0.0035714285714285713)
-            + strain_dot_s1_s1 * 0.0011904761904761906;
-        let t47 = strain_dot_s0_s1 * (-0.007142857142857143);
-        let t48 = strain_dot_d_d * (-0.12857142857142856);
-        let t49 = strain_dot_s1_s1 * (-0.0035714285714285713);
+        let t44 = strain_dot_s0_s1 * CABLE_SPATIAL_AXIAL_STRAIN[0][2];
+        let t45 = strain_dot_d_d * CABLE_SPATIAL_AXIAL_STRAIN[0][3];
+        let t46 = strain_dot_s0_s0 * CABLE_SPATIAL_AXIAL_STRAIN[0][0]
+            + strain_dot_s0_d * CABLE_SPATIAL_AXIAL_STRAIN[0][1] + t44 + t45
+            + strain_dot_d_s1 * CABLE_SPATIAL_AXIAL_STRAIN[0][2]
+            + strain_dot_s1_s1 * CABLE_SPATIAL_AXIAL_STRAIN[0][5];
+        let t47 = strain_dot_s0_s1 * CABLE_SPATIAL_AXIAL_STRAIN[1][2];
+        let t48 = strain_dot_d_d * CABLE_SPATIAL_AXIAL_STRAIN[1][3];
+        let t49 = strain_dot_s1_s1 * CABLE_SPATIAL_AXIAL_STRAIN[0][2];
         let t50 = t43 * (strain_dot_s0_s0 * t46)
             + t43
                 * (strain_dot_s0_d
-                    * (strain_dot_s0_s0 * 0.0035714285714285713
-                        + strain_dot_s0_d * 0.08571428571428572 + t47 + t48 + t49));
-        let t51 = strain_dot_s0_s0 * (-0.0035714285714285713);
+                    * (strain_dot_s0_s0 * CABLE_SPATIAL_AXIAL_STRAIN[0][1]
+                        + strain_dot_s0_d * CABLE_SPATIAL_AXIAL_STRAIN[1][1] + t47 + t48
+                        + t49));
+        let t51 = strain_dot_s0_s0 * CABLE_SPATIAL_AXIAL_STRAIN[0][2];
         let t52 = t43
             * (strain_dot_s0_s1
                 * (t49
-                    + (t51 + strain_dot_s0_d * (-0.007142857142857143)
-                        + strain_dot_s0_s1 * 0.004761904761904762
-                        + strain_dot_d_s1 * (-0.007142857142857143))));
-        let t53 = strain_dot_s0_s0 * 0.02142857142857143
-            + strain_dot_s0_d * (-0.12857142857142856)
-            + strain_dot_d_d * 0.5142857142857142
-            + strain_dot_d_s1 * (-0.12857142857142856)
-            + strain_dot_s1_s1 * 0.02142857142857143;
+                    + (t51 + strain_dot_s0_d * CABLE_SPATIAL_AXIAL_STRAIN[1][2]
+                        + strain_dot_s0_s1 * CABLE_SPATIAL_AXIAL_STRAIN[2][2]
+                        + strain_dot_d_s1 * CABLE_SPATIAL_AXIAL_STRAIN[1][2])));
+        let t53 = strain_dot_s0_s0 * CABLE_SPATIAL_AXIAL_STRAIN[0][3]
+            + strain_dot_s0_d * CABLE_SPATIAL_AXIAL_STRAIN[1][3]
+            + strain_dot_d_d * CABLE_SPATIAL_AXIAL_STRAIN[3][3]
+            + strain_dot_d_s1 * CABLE_SPATIAL_AXIAL_STRAIN[1][3]
+            + strain_dot_s1_s1 * CABLE_SPATIAL_AXIAL_STRAIN[0][3];
         let t54 = t50 + t52 + t43 * (strain_dot_d_d * t53)
             + t43
                 * (strain_dot_d_s1
-                    * (t48 + (t47 + t51) + strain_dot_d_s1 * 0.08571428571428572
-                        + strain_dot_s1_s1 * 0.0035714285714285713));
+                    * (t48 + (t47 + t51)
+                        + strain_dot_d_s1 * CABLE_SPATIAL_AXIAL_STRAIN[1][1]
+                        + strain_dot_s1_s1 * CABLE_SPATIAL_AXIAL_STRAIN[0][1]));
         let t55 = t45
             + (t44
-                + (strain_dot_s0_s0 * 0.0011904761904761906
-                    + strain_dot_s0_d * (-0.0035714285714285713)))
-            + strain_dot_d_s1 * 0.0035714285714285713
-            + strain_dot_s1_s1 * 0.014285714285714285;
+                + (strain_dot_s0_s0 * CABLE_SPATIAL_AXIAL_STRAIN[0][5]
+                    + strain_dot_s0_d * CABLE_SPATIAL_AXIAL_STRAIN[0][2]))
+            + strain_dot_d_s1 * CABLE_SPATIAL_AXIAL_STRAIN[0][1]
+            + strain_dot_s1_s1 * CABLE_SPATIAL_AXIAL_STRAIN[0][0];
         let t56 = 0.5 * (inverse_length * EI);
-        let t57 = dot_d_d * 3.6;
+        let t57 = dot_d_d * CABLE_SPATIAL_BENDING[0][3];
         let t58 = t54 + t43 * (strain_dot_s1_s1 * t55)
-            + t56 * (dot_s0_s0 * (t57 + dot_d_s1 * (-2.2) + dot_s1_s1 * 0.6));
-        let t59 = dot_s0_s1 * 2.2;
+            + t56
+                * (dot_s0_s0
+                    * (t57 + dot_d_s1 * CABLE_SPATIAL_BENDING[0][4]
+                        + dot_s1_s1 * CABLE_SPATIAL_BENDING[0][5]));
+        let t59 = dot_s0_s1 * CABLE_SPATIAL_BENDING[1][2];
         let t60 = t58
             + t56
                 * (dot_s0_d
-                    * (dot_s0_d * (-7.2) + t59 + dot_d_s1 * 1.2 + dot_s1_s1 * (-2.2)));
-        let t61 = dot_s0_s1 * (-1.2);
+                    * (dot_s0_d * CABLE_SPATIAL_BENDING[1][1] + t59
+                        + dot_d_s1 * CABLE_SPATIAL_BENDING[1][4]
+                        + dot_s1_s1 * CABLE_SPATIAL_BENDING[0][4]));
+        let t61 = dot_s0_s1 * CABLE_SPATIAL_BENDING[2][2];
         let t62 = t60
             + t56
                 * (dot_s0_s1
-                    * (dot_s0_d * 2.2 + t61 + dot_d_d * (-1.2) + dot_d_s1 * 2.2));
-        let t63 = t62 + t56 * (dot_d_d * (t61 + dot_s0_s0 * 3.6 + dot_s1_s1 * 3.6))
+                    * (dot_s0_d * CABLE_SPATIAL_BENDING[1][2] + t61
+                        + dot_d_d * CABLE_SPATIAL_BENDING[2][2]
+                        + dot_d_s1 * CABLE_SPATIAL_BENDING[1][2]));
+        let t63 = t62
+            + t56
+                * (dot_d_d
+                    * (t61 + dot_s0_s0 * CABLE_SPATIAL_BENDING[0][3]
+                        + dot_s1_s1 * CABLE_SPATIAL_BENDING[0][3]))
             + t56
                 * (dot_d_s1
-                    * (t59 + (dot_s0_s0 * (-2.2) + dot_s0_d * 1.2) + dot_d_s1 * (-7.2)));
+                    * (t59
+                        + (dot_s0_s0 * CABLE_SPATIAL_BENDING[0][4]
+                            + dot_s0_d * CABLE_SPATIAL_BENDING[1][4])
+                        + dot_d_s1 * CABLE_SPATIAL_BENDING[1][1]));
         *energy
-            += t63 + t56 * (dot_s1_s1 * (t57 + (dot_s0_s0 * 0.6 + dot_s0_d * (-2.2))));
+            += t63
+                + t56
+                    * (dot_s1_s1
+                        * (t57
+                            + (dot_s0_s0 * CABLE_SPATIAL_BENDING[0][5]
+                                + dot_s0_d * CABLE_SPATIAL_BENDING[0][4])));
     }
     /// Mass matrix of the nodal vectors, rows first (kg, kg m, kg m^2).
     ///
@@ -1029,16 +1183,16 @@ pub mod esail_equations {
     pub fn cable_spatial_mass(row: &CableSpatial, mass: &mut [f64; 16]) {
         let CableSpatial { length, rhoA, .. } = *row;
         let element_mass = length * rhoA;
-        let mass_r0_r0 = element_mass * 0.37142857142857144;
+        let mass_r0_r0 = element_mass * CABLE_SPATIAL_MASS_MATRIX[0][0];
         let t16 = length * element_mass;
-        let mass_r0_s0 = t16 * 0.05238095238095238;
-        let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_s1 = t16 * (-0.030952380952380953);
+        let mass_r0_s0 = t16 * CABLE_SPATIAL_MASS_MATRIX[0][1];
+        let mass_r0_r1 = element_mass * CABLE_SPATIAL_MASS_MATRIX[0][2];
+        let mass_r0_s1 = t16 * CABLE_SPATIAL_MASS_MATRIX[0][3];
         let t20 = element_mass * (length * length);
-        let mass_s0_s0 = t20 * 0.009523809523809525;
-        let mass_s0_r1 = t16 * 0.030952380952380953;
-        let mass_s0_s1 = t20 * (-0.007142857142857143);
-        let mass_r1_s1 = t16 * (-0.05238095238095238);
+        let mass_s0_s0 = t20 * CABLE_SPATIAL_MASS_MATRIX[1][1];
+        let mass_s0_r1 = t16 * CABLE_SPATIAL_MASS_MATRIX[1][2];
+        let mass_s0_s1 = t20 * CABLE_SPATIAL_MASS_MATRIX[1][3];
+        let mass_r1_s1 = t16 * CABLE_SPATIAL_MASS_MATRIX[2][3];
         mass[0] = mass_r0_r0;
         mass[1] = mass_r0_s0;
         mass[2] = mass_r0_r1;

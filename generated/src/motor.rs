@@ -285,6 +285,131 @@ pub mod motor_equations {
         /// Damping of the strain measures, s.
         pub damping: f64,
     }
+    /// Mass matrix M_ab of the unit element, the integrals of s_a s_b over xi from 0 to 1.
+    ///
+    /// Rows and columns: r0, r0x, r0y, r0z, ry_half, rz_half, r1, r1x, r1y, r1z; slopes are multiplied by the length. The sum of a row's columns of positions is the first moment d_a.
+    pub const BEAM_SPATIAL_DAMPED_MASS_MATRIX: [[f64; 10]; 10] = [
+        [
+            0.37142857142857144,
+            0.05238095238095238,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.12857142857142856,
+            -0.030952380952380953,
+            0.0,
+            0.0,
+        ],
+        [
+            0.05238095238095238,
+            0.009523809523809525,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.030952380952380953,
+            -0.007142857142857143,
+            0.0,
+            0.0,
+        ],
+        [
+            0.0,
+            0.0,
+            0.13333333333333333,
+            0.0,
+            0.06666666666666667,
+            0.0,
+            0.0,
+            0.0,
+            -0.03333333333333333,
+            0.0,
+        ],
+        [
+            0.0,
+            0.0,
+            0.0,
+            0.13333333333333333,
+            0.0,
+            0.06666666666666667,
+            0.0,
+            0.0,
+            0.0,
+            -0.03333333333333333,
+        ],
+        [
+            0.0,
+            0.0,
+            0.06666666666666667,
+            0.0,
+            0.5333333333333333,
+            0.0,
+            0.0,
+            0.0,
+            0.06666666666666667,
+            0.0,
+        ],
+        [
+            0.0,
+            0.0,
+            0.0,
+            0.06666666666666667,
+            0.0,
+            0.5333333333333333,
+            0.0,
+            0.0,
+            0.0,
+            0.06666666666666667,
+        ],
+        [
+            0.12857142857142856,
+            0.030952380952380953,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.37142857142857144,
+            -0.05238095238095238,
+            0.0,
+            0.0,
+        ],
+        [
+            -0.030952380952380953,
+            -0.007142857142857143,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            -0.05238095238095238,
+            0.009523809523809525,
+            0.0,
+            0.0,
+        ],
+        [
+            0.0,
+            0.0,
+            -0.03333333333333333,
+            0.0,
+            0.06666666666666667,
+            0.0,
+            0.0,
+            0.0,
+            0.13333333333333333,
+            0.0,
+        ],
+        [
+            0.0,
+            0.0,
+            0.0,
+            -0.03333333333333333,
+            0.0,
+            0.06666666666666667,
+            0.0,
+            0.0,
+            0.0,
+            0.13333333333333333,
+        ],
+    ];
     /// Nodal vectors by what they interpolate: Position, SectionY, SectionZ.
     static BEAM_SPATIAL_DAMPED_VECTORS: ::rncf::emitted::Vectors<10, 3, 3, 3> = ::rncf::emitted::Vectors {
         base: 0,
@@ -1538,24 +1663,26 @@ pub mod motor_equations {
         let element_mass = length * rhoA;
         let section_y_mass = length * rhoIz;
         let section_z_mass = length * rhoIy;
-        let mass_r0_r0 = element_mass * 0.37142857142857144;
+        let mass_r0_r0 = element_mass * BEAM_SPATIAL_DAMPED_MASS_MATRIX[0][0];
         let t20 = length * element_mass;
-        let mass_r0_r0x = t20 * 0.05238095238095238;
-        let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_r1x = t20 * (-0.030952380952380953);
+        let mass_r0_r0x = t20 * BEAM_SPATIAL_DAMPED_MASS_MATRIX[0][1];
+        let mass_r0_r1 = element_mass * BEAM_SPATIAL_DAMPED_MASS_MATRIX[0][6];
+        let mass_r0_r1x = t20 * BEAM_SPATIAL_DAMPED_MASS_MATRIX[0][7];
         let t24 = element_mass * (length * length);
-        let mass_r0x_r0x = t24 * 0.009523809523809525;
-        let mass_r0x_r1 = t20 * 0.030952380952380953;
-        let mass_r0x_r1x = t24 * (-0.007142857142857143);
-        let mass_r0y_r0y = section_y_mass * 0.13333333333333333;
-        let mass_r0y_ry_half = section_y_mass * 0.06666666666666667;
-        let mass_r0y_r1y = section_y_mass * (-0.03333333333333333);
-        let mass_r0z_r0z = section_z_mass * 0.13333333333333333;
-        let mass_r0z_rz_half = section_z_mass * 0.06666666666666667;
-        let mass_r0z_r1z = section_z_mass * (-0.03333333333333333);
-        let mass_ry_half_ry_half = section_y_mass * 0.5333333333333333;
-        let mass_rz_half_rz_half = section_z_mass * 0.5333333333333333;
-        let mass_r1_r1x = t20 * (-0.05238095238095238);
+        let mass_r0x_r0x = t24 * BEAM_SPATIAL_DAMPED_MASS_MATRIX[1][1];
+        let mass_r0x_r1 = t20 * BEAM_SPATIAL_DAMPED_MASS_MATRIX[1][6];
+        let mass_r0x_r1x = t24 * BEAM_SPATIAL_DAMPED_MASS_MATRIX[1][7];
+        let mass_r0y_r0y = section_y_mass * BEAM_SPATIAL_DAMPED_MASS_MATRIX[2][2];
+        let mass_r0y_ry_half = section_y_mass * BEAM_SPATIAL_DAMPED_MASS_MATRIX[2][4];
+        let mass_r0y_r1y = section_y_mass * BEAM_SPATIAL_DAMPED_MASS_MATRIX[2][8];
+        let mass_r0z_r0z = section_z_mass * BEAM_SPATIAL_DAMPED_MASS_MATRIX[2][2];
+        let mass_r0z_rz_half = section_z_mass * BEAM_SPATIAL_DAMPED_MASS_MATRIX[2][4];
+        let mass_r0z_r1z = section_z_mass * BEAM_SPATIAL_DAMPED_MASS_MATRIX[2][8];
+        let mass_ry_half_ry_half = section_y_mass
+            * BEAM_SPATIAL_DAMPED_MASS_MATRIX[4][4];
+        let mass_rz_half_rz_half = section_z_mass
+            * BEAM_SPATIAL_DAMPED_MASS_MATRIX[4][4];
+        let mass_r1_r1x = t20 * BEAM_SPATIAL_DAMPED_MASS_MATRIX[6][7];
         mass[0] = mass_r0_r0;
         mass[1] = mass_r0_r0x;
         mass[2] = 0.0;

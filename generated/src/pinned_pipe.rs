@@ -237,6 +237,96 @@ pub mod pinned_pipe_equations {
             }
         }
     }
+    /// Mass matrix M_ab of the unit element, the integrals of s_a s_b over xi from 0 to 1.
+    ///
+    /// Rows and columns: r0, s0, r1, s1; slopes are multiplied by the length. The sum of a row's columns of positions is the first moment d_a.
+    pub const CABLE_PLANAR_MASS_MATRIX: [[f64; 4]; 4] = [
+        [
+            0.37142857142857144,
+            0.05238095238095238,
+            0.12857142857142856,
+            -0.030952380952380953,
+        ],
+        [
+            0.05238095238095238,
+            0.009523809523809525,
+            0.030952380952380953,
+            -0.007142857142857143,
+        ],
+        [
+            0.12857142857142856,
+            0.030952380952380953,
+            0.37142857142857144,
+            -0.05238095238095238,
+        ],
+        [
+            -0.030952380952380953,
+            -0.007142857142857143,
+            -0.05238095238095238,
+            0.009523809523809525,
+        ],
+    ];
+    /// Tensor T_AB of the unit element in `axial strain`: U = 1/2 EA length T_AB (I_A - I0_A) (I_B - I0_B).
+    ///
+    /// Rows and columns: dot_s0_s0, dot_s0_d, dot_s0_s1, dot_d_d, dot_d_s1, dot_s1_s1.
+    pub const CABLE_PLANAR_AXIAL_STRAIN: [[f64; 6]; 6] = [
+        [
+            0.014285714285714285,
+            0.0035714285714285713,
+            -0.0035714285714285713,
+            0.02142857142857143,
+            -0.0035714285714285713,
+            0.0011904761904761906,
+        ],
+        [
+            0.0035714285714285713,
+            0.08571428571428572,
+            -0.007142857142857143,
+            -0.12857142857142856,
+            0.0,
+            -0.0035714285714285713,
+        ],
+        [
+            -0.0035714285714285713,
+            -0.007142857142857143,
+            0.004761904761904762,
+            0.0,
+            -0.007142857142857143,
+            -0.0035714285714285713,
+        ],
+        [
+            0.02142857142857143,
+            -0.12857142857142856,
+            0.0,
+            0.5142857142857142,
+            -0.12857142857142856,
+            0.02142857142857143,
+        ],
+        [
+            -0.0035714285714285713,
+            0.0,
+            -0.007142857142857143,
+            -0.12857142857142856,
+            0.08571428571428572,
+            0.0035714285714285713,
+        ],
+        [
+            0.0011904761904761906,
+            -0.0035714285714285713,
+            -0.0035714285714285713,
+            0.02142857142857143,
+            0.0035714285714285713,
+            0.014285714285714285,
+        ],
+    ];
+    /// Tensor T_AB of the unit element in `bending`: U = 1/2 EI length^-1 T_AB (I_A - I0_A) (I_B - I0_B).
+    ///
+    /// Rows and columns: cross_s0_d, cross_s0_s1, cross_d_s1.
+    pub const CABLE_PLANAR_BENDING: [[f64; 3]; 3] = [
+        [7.2, -2.2, 1.2],
+        [-2.2, 1.2, -2.2],
+        [1.2, -2.2, 7.2],
+    ];
     /// Adds the generalised elastic force of one element, F_e = dU/dq (N on positions, N m on slopes).
     ///
     /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = polynomial, axial = green.
@@ -271,47 +361,53 @@ pub mod pinned_pipe_equations {
         let cross_s0_s1 = s0_x * s1_y - s0_y * s1_x;
         let cross_d_s1 = s1_y * d_x - s1_x * d_y;
         let t41 = length * EA;
-        let t42 = strain_dot_s0_s1 * (-0.0035714285714285713);
-        let t43 = strain_dot_d_d * 0.02142857142857143;
-        let t44 = strain_dot_s0_s0 * 0.014285714285714285
-            + strain_dot_s0_d * 0.0035714285714285713 + t42 + t43
-            + strain_dot_d_s1 * (-0.0035714285714285713)
-            + strain_dot_s1_s1 * 0.0011904761904761906;
+        let t42 = strain_dot_s0_s1 * CABLE_PLANAR_AXIAL_STRAIN[0][2];
+        let t43 = strain_dot_d_d * CABLE_PLANAR_AXIAL_STRAIN[0][3];
+        let t44 = strain_dot_s0_s0 * CABLE_PLANAR_AXIAL_STRAIN[0][0]
+            + strain_dot_s0_d * CABLE_PLANAR_AXIAL_STRAIN[0][1] + t42 + t43
+            + strain_dot_d_s1 * CABLE_PLANAR_AXIAL_STRAIN[0][2]
+            + strain_dot_s1_s1 * CABLE_PLANAR_AXIAL_STRAIN[0][5];
         let stress_dot_s0_s0 = t41 * t44;
-        let t46 = strain_dot_s0_s1 * (-0.007142857142857143);
-        let t47 = strain_dot_d_d * (-0.12857142857142856);
-        let t48 = strain_dot_s1_s1 * (-0.0035714285714285713);
+        let t46 = strain_dot_s0_s1 * CABLE_PLANAR_AXIAL_STRAIN[1][2];
+        let t47 = strain_dot_d_d * CABLE_PLANAR_AXIAL_STRAIN[1][3];
+        let t48 = strain_dot_s1_s1 * CABLE_PLANAR_AXIAL_STRAIN[0][2];
         let stress_dot_s0_d = t41
-            * (strain_dot_s0_s0 * 0.0035714285714285713
-                + strain_dot_s0_d * 0.08571428571428572 + t46 + t47 + t48);
-        let t50 = strain_dot_s0_s0 * (-0.0035714285714285713);
+            * (strain_dot_s0_s0 * CABLE_PLANAR_AXIAL_STRAIN[0][1]
+                + strain_dot_s0_d * CABLE_PLANAR_AXIAL_STRAIN[1][1] + t46 + t47 + t48);
+        let t50 = strain_dot_s0_s0 * CABLE_PLANAR_AXIAL_STRAIN[0][2];
         let stress_dot_s0_s1 = t41
             * (t48
-                + (t50 + strain_dot_s0_d * (-0.007142857142857143)
-                    + strain_dot_s0_s1 * 0.004761904761904762
-                    + strain_dot_d_s1 * (-0.007142857142857143)));
-        let t52 = strain_dot_s0_s0 * 0.02142857142857143
-            + strain_dot_s0_d * (-0.12857142857142856)
-            + strain_dot_d_d * 0.5142857142857142
-            + strain_dot_d_s1 * (-0.12857142857142856)
-            + strain_dot_s1_s1 * 0.02142857142857143;
+                + (t50 + strain_dot_s0_d * CABLE_PLANAR_AXIAL_STRAIN[1][2]
+                    + strain_dot_s0_s1 * CABLE_PLANAR_AXIAL_STRAIN[2][2]
+                    + strain_dot_d_s1 * CABLE_PLANAR_AXIAL_STRAIN[1][2]));
+        let t52 = strain_dot_s0_s0 * CABLE_PLANAR_AXIAL_STRAIN[0][3]
+            + strain_dot_s0_d * CABLE_PLANAR_AXIAL_STRAIN[1][3]
+            + strain_dot_d_d * CABLE_PLANAR_AXIAL_STRAIN[3][3]
+            + strain_dot_d_s1 * CABLE_PLANAR_AXIAL_STRAIN[1][3]
+            + strain_dot_s1_s1 * CABLE_PLANAR_AXIAL_STRAIN[0][3];
         let stress_dot_d_d = t41 * t52;
         let stress_dot_d_s1 = t41
-            * (t47 + (t46 + t50) + strain_dot_d_s1 * 0.08571428571428572
-                + strain_dot_s1_s1 * 0.0035714285714285713);
+            * (t47 + (t46 + t50) + strain_dot_d_s1 * CABLE_PLANAR_AXIAL_STRAIN[1][1]
+                + strain_dot_s1_s1 * CABLE_PLANAR_AXIAL_STRAIN[0][1]);
         let t55 = t43
             + (t42
-                + (strain_dot_s0_s0 * 0.0011904761904761906
-                    + strain_dot_s0_d * (-0.0035714285714285713)))
-            + strain_dot_d_s1 * 0.0035714285714285713
-            + strain_dot_s1_s1 * 0.014285714285714285;
+                + (strain_dot_s0_s0 * CABLE_PLANAR_AXIAL_STRAIN[0][5]
+                    + strain_dot_s0_d * CABLE_PLANAR_AXIAL_STRAIN[0][2]))
+            + strain_dot_d_s1 * CABLE_PLANAR_AXIAL_STRAIN[0][1]
+            + strain_dot_s1_s1 * CABLE_PLANAR_AXIAL_STRAIN[0][0];
         let stress_dot_s1_s1 = t41 * t55;
         let t57 = inverse_length * EI;
-        let t58 = cross_s0_s1 * (-2.2);
-        let stress_cross_s0_d = t57 * (cross_s0_d * 7.2 + t58 + cross_d_s1 * 1.2);
+        let t58 = cross_s0_s1 * CABLE_PLANAR_BENDING[0][1];
+        let stress_cross_s0_d = t57
+            * (cross_s0_d * CABLE_PLANAR_BENDING[0][0] + t58
+                + cross_d_s1 * CABLE_PLANAR_BENDING[0][2]);
         let stress_cross_s0_s1 = t57
-            * (cross_s0_d * (-2.2) + cross_s0_s1 * 1.2 + cross_d_s1 * (-2.2));
-        let stress_cross_d_s1 = t57 * (t58 + cross_s0_d * 1.2 + cross_d_s1 * 7.2);
+            * (cross_s0_d * CABLE_PLANAR_BENDING[0][1]
+                + cross_s0_s1 * CABLE_PLANAR_BENDING[0][2]
+                + cross_d_s1 * CABLE_PLANAR_BENDING[0][1]);
+        let stress_cross_d_s1 = t57
+            * (t58 + cross_s0_d * CABLE_PLANAR_BENDING[0][2]
+                + cross_d_s1 * CABLE_PLANAR_BENDING[0][0]);
         let t62 = stress_dot_s0_s0 * (s0_x * 2.0) + d_x * stress_dot_s0_d
             + s1_x * stress_dot_s0_s1 + d_y * stress_cross_s0_d
             + s1_y * stress_cross_s0_s1;
@@ -390,60 +486,66 @@ pub mod pinned_pipe_equations {
         let cross_s0_s1 = s0_x * s1_y - s0_y * s1_x;
         let cross_d_s1 = s1_y * d_x - s1_x * d_y;
         let t41 = length * EA;
-        let t42 = strain_dot_s0_s1 * (-0.0035714285714285713);
-        let t43 = strain_dot_d_d * 0.02142857142857143;
-        let t44 = strain_dot_s0_s0 * 0.014285714285714285
-            + strain_dot_s0_d * 0.0035714285714285713 + t42 + t43
-            + strain_dot_d_s1 * (-0.0035714285714285713)
-            + strain_dot_s1_s1 * 0.0011904761904761906;
+        let t42 = strain_dot_s0_s1 * CABLE_PLANAR_AXIAL_STRAIN[0][2];
+        let t43 = strain_dot_d_d * CABLE_PLANAR_AXIAL_STRAIN[0][3];
+        let t44 = strain_dot_s0_s0 * CABLE_PLANAR_AXIAL_STRAIN[0][0]
+            + strain_dot_s0_d * CABLE_PLANAR_AXIAL_STRAIN[0][1] + t42 + t43
+            + strain_dot_d_s1 * CABLE_PLANAR_AXIAL_STRAIN[0][2]
+            + strain_dot_s1_s1 * CABLE_PLANAR_AXIAL_STRAIN[0][5];
         let stress_dot_s0_s0 = t41 * t44;
-        let t46 = t41 * 0.014285714285714285;
-        let t47 = t41 * 0.0035714285714285713;
-        let t48 = t41 * (-0.0035714285714285713);
-        let t49 = t41 * 0.02142857142857143;
-        let t50 = t41 * 0.0011904761904761906;
-        let t51 = strain_dot_s0_s1 * (-0.007142857142857143);
-        let t52 = strain_dot_d_d * (-0.12857142857142856);
-        let t53 = strain_dot_s1_s1 * (-0.0035714285714285713);
+        let t46 = t41 * CABLE_PLANAR_AXIAL_STRAIN[0][0];
+        let t47 = t41 * CABLE_PLANAR_AXIAL_STRAIN[0][1];
+        let t48 = t41 * CABLE_PLANAR_AXIAL_STRAIN[0][2];
+        let t49 = t41 * CABLE_PLANAR_AXIAL_STRAIN[0][3];
+        let t50 = t41 * CABLE_PLANAR_AXIAL_STRAIN[0][5];
+        let t51 = strain_dot_s0_s1 * CABLE_PLANAR_AXIAL_STRAIN[1][2];
+        let t52 = strain_dot_d_d * CABLE_PLANAR_AXIAL_STRAIN[1][3];
+        let t53 = strain_dot_s1_s1 * CABLE_PLANAR_AXIAL_STRAIN[0][2];
         let stress_dot_s0_d = t41
-            * (strain_dot_s0_s0 * 0.0035714285714285713
-                + strain_dot_s0_d * 0.08571428571428572 + t51 + t52 + t53);
-        let t55 = t41 * 0.08571428571428572;
-        let t56 = t41 * (-0.007142857142857143);
-        let t57 = t41 * (-0.12857142857142856);
-        let t58 = strain_dot_s0_s0 * (-0.0035714285714285713);
+            * (strain_dot_s0_s0 * CABLE_PLANAR_AXIAL_STRAIN[0][1]
+                + strain_dot_s0_d * CABLE_PLANAR_AXIAL_STRAIN[1][1] + t51 + t52 + t53);
+        let t55 = t41 * CABLE_PLANAR_AXIAL_STRAIN[1][1];
+        let t56 = t41 * CABLE_PLANAR_AXIAL_STRAIN[1][2];
+        let t57 = t41 * CABLE_PLANAR_AXIAL_STRAIN[1][3];
+        let t58 = strain_dot_s0_s0 * CABLE_PLANAR_AXIAL_STRAIN[0][2];
         let stress_dot_s0_s1 = t41
             * (t53
-                + (t58 + strain_dot_s0_d * (-0.007142857142857143)
-                    + strain_dot_s0_s1 * 0.004761904761904762
-                    + strain_dot_d_s1 * (-0.007142857142857143)));
-        let t60 = t41 * 0.004761904761904762;
-        let t61 = strain_dot_s0_s0 * 0.02142857142857143
-            + strain_dot_s0_d * (-0.12857142857142856)
-            + strain_dot_d_d * 0.5142857142857142
-            + strain_dot_d_s1 * (-0.12857142857142856)
-            + strain_dot_s1_s1 * 0.02142857142857143;
+                + (t58 + strain_dot_s0_d * CABLE_PLANAR_AXIAL_STRAIN[1][2]
+                    + strain_dot_s0_s1 * CABLE_PLANAR_AXIAL_STRAIN[2][2]
+                    + strain_dot_d_s1 * CABLE_PLANAR_AXIAL_STRAIN[1][2]));
+        let t60 = t41 * CABLE_PLANAR_AXIAL_STRAIN[2][2];
+        let t61 = strain_dot_s0_s0 * CABLE_PLANAR_AXIAL_STRAIN[0][3]
+            + strain_dot_s0_d * CABLE_PLANAR_AXIAL_STRAIN[1][3]
+            + strain_dot_d_d * CABLE_PLANAR_AXIAL_STRAIN[3][3]
+            + strain_dot_d_s1 * CABLE_PLANAR_AXIAL_STRAIN[1][3]
+            + strain_dot_s1_s1 * CABLE_PLANAR_AXIAL_STRAIN[0][3];
         let stress_dot_d_d = t41 * t61;
-        let t63 = t41 * 0.5142857142857142;
+        let t63 = t41 * CABLE_PLANAR_AXIAL_STRAIN[3][3];
         let stress_dot_d_s1 = t41
-            * (t52 + (t51 + t58) + strain_dot_d_s1 * 0.08571428571428572
-                + strain_dot_s1_s1 * 0.0035714285714285713);
+            * (t52 + (t51 + t58) + strain_dot_d_s1 * CABLE_PLANAR_AXIAL_STRAIN[1][1]
+                + strain_dot_s1_s1 * CABLE_PLANAR_AXIAL_STRAIN[0][1]);
         let t65 = t43
             + (t42
-                + (strain_dot_s0_s0 * 0.0011904761904761906
-                    + strain_dot_s0_d * (-0.0035714285714285713)))
-            + strain_dot_d_s1 * 0.0035714285714285713
-            + strain_dot_s1_s1 * 0.014285714285714285;
+                + (strain_dot_s0_s0 * CABLE_PLANAR_AXIAL_STRAIN[0][5]
+                    + strain_dot_s0_d * CABLE_PLANAR_AXIAL_STRAIN[0][2]))
+            + strain_dot_d_s1 * CABLE_PLANAR_AXIAL_STRAIN[0][1]
+            + strain_dot_s1_s1 * CABLE_PLANAR_AXIAL_STRAIN[0][0];
         let stress_dot_s1_s1 = t41 * t65;
         let t67 = inverse_length * EI;
-        let t68 = cross_s0_s1 * (-2.2);
-        let stress_cross_s0_d = t67 * (cross_s0_d * 7.2 + t68 + cross_d_s1 * 1.2);
-        let t70 = t67 * 7.2;
-        let t71 = t67 * (-2.2);
-        let t72 = t67 * 1.2;
+        let t68 = cross_s0_s1 * CABLE_PLANAR_BENDING[0][1];
+        let stress_cross_s0_d = t67
+            * (cross_s0_d * CABLE_PLANAR_BENDING[0][0] + t68
+                + cross_d_s1 * CABLE_PLANAR_BENDING[0][2]);
+        let t70 = t67 * CABLE_PLANAR_BENDING[0][0];
+        let t71 = t67 * CABLE_PLANAR_BENDING[0][1];
+        let t72 = t67 * CABLE_PLANAR_BENDING[0][2];
         let stress_cross_s0_s1 = t67
-            * (cross_s0_d * (-2.2) + cross_s0_s1 * 1.2 + cross_d_s1 * (-2.2));
-        let stress_cross_d_s1 = t67 * (t68 + cross_s0_d * 1.2 + cross_d_s1 * 7.2);
+            * (cross_s0_d * CABLE_PLANAR_BENDING[0][1]
+                + cross_s0_s1 * CABLE_PLANAR_BENDING[0][2]
+                + cross_d_s1 * CABLE_PLANAR_BENDING[0][1]);
+        let stress_cross_d_s1 = t67
+            * (t68 + cross_s0_d * CABLE_PLANAR_BENDING[0][2]
+                + cross_d_s1 * CABLE_PLANAR_BENDING[0][0]);
         let t75 = s0_x * 2.0;
         let t76 = s0_y * 2.0;
         let t77 = d_x * 2.0;
@@ -671,52 +773,62 @@ pub mod pinned_pipe_equations {
         let cross_s0_s1 = s0_x * s1_y - s0_y * s1_x;
         let cross_d_s1 = s1_y * d_x - s1_x * d_y;
         let t41 = length * EA * 0.5;
-        let t42 = strain_dot_s0_s1 * (-0.0035714285714285713);
-        let t43 = strain_dot_d_d * 0.02142857142857143;
-        let t44 = strain_dot_s0_s0 * 0.014285714285714285
-            + strain_dot_s0_d * 0.0035714285714285713 + t42 + t43
-            + strain_dot_d_s1 * (-0.0035714285714285713)
-            + strain_dot_s1_s1 * 0.0011904761904761906;
-        let t45 = strain_dot_s0_s1 * (-0.007142857142857143);
-        let t46 = strain_dot_d_d * (-0.12857142857142856);
-        let t47 = strain_dot_s1_s1 * (-0.0035714285714285713);
+        let t42 = strain_dot_s0_s1 * CABLE_PLANAR_AXIAL_STRAIN[0][2];
+        let t43 = strain_dot_d_d * CABLE_PLANAR_AXIAL_STRAIN[0][3];
+        let t44 = strain_dot_s0_s0 * CABLE_PLANAR_AXIAL_STRAIN[0][0]
+            + strain_dot_s0_d * CABLE_PLANAR_AXIAL_STRAIN[0][1] + t42 + t43
+            + strain_dot_d_s1 * CABLE_PLANAR_AXIAL_STRAIN[0][2]
+            + strain_dot_s1_s1 * CABLE_PLANAR_AXIAL_STRAIN[0][5];
+        let t45 = strain_dot_s0_s1 * CABLE_PLANAR_AXIAL_STRAIN[1][2];
+        let t46 = strain_dot_d_d * CABLE_PLANAR_AXIAL_STRAIN[1][3];
+        let t47 = strain_dot_s1_s1 * CABLE_PLANAR_AXIAL_STRAIN[0][2];
         let t48 = t41 * (strain_dot_s0_s0 * t44)
             + t41
                 * (strain_dot_s0_d
-                    * (strain_dot_s0_s0 * 0.0035714285714285713
-                        + strain_dot_s0_d * 0.08571428571428572 + t45 + t46 + t47));
-        let t49 = strain_dot_s0_s0 * (-0.0035714285714285713);
+                    * (strain_dot_s0_s0 * CABLE_PLANAR_AXIAL_STRAIN[0][1]
+                        + strain_dot_s0_d * CABLE_PLANAR_AXIAL_STRAIN[1][1] + t45 + t46
+                        + t47));
+        let t49 = strain_dot_s0_s0 * CABLE_PLANAR_AXIAL_STRAIN[0][2];
         let t50 = t41
             * (strain_dot_s0_s1
                 * (t47
-                    + (t49 + strain_dot_s0_d * (-0.007142857142857143)
-                        + strain_dot_s0_s1 * 0.004761904761904762
-                        + strain_dot_d_s1 * (-0.007142857142857143))));
-        let t51 = strain_dot_s0_s0 * 0.02142857142857143
-            + strain_dot_s0_d * (-0.12857142857142856)
-            + strain_dot_d_d * 0.5142857142857142
-            + strain_dot_d_s1 * (-0.12857142857142856)
-            + strain_dot_s1_s1 * 0.02142857142857143;
+                    + (t49 + strain_dot_s0_d * CABLE_PLANAR_AXIAL_STRAIN[1][2]
+                        + strain_dot_s0_s1 * CABLE_PLANAR_AXIAL_STRAIN[2][2]
+                        + strain_dot_d_s1 * CABLE_PLANAR_AXIAL_STRAIN[1][2])));
+        let t51 = strain_dot_s0_s0 * CABLE_PLANAR_AXIAL_STRAIN[0][3]
+            + strain_dot_s0_d * CABLE_PLANAR_AXIAL_STRAIN[1][3]
+            + strain_dot_d_d * CABLE_PLANAR_AXIAL_STRAIN[3][3]
+            + strain_dot_d_s1 * CABLE_PLANAR_AXIAL_STRAIN[1][3]
+            + strain_dot_s1_s1 * CABLE_PLANAR_AXIAL_STRAIN[0][3];
         let t52 = t48 + t50 + t41 * (strain_dot_d_d * t51)
             + t41
                 * (strain_dot_d_s1
-                    * (t46 + (t45 + t49) + strain_dot_d_s1 * 0.08571428571428572
-                        + strain_dot_s1_s1 * 0.0035714285714285713));
+                    * (t46 + (t45 + t49)
+                        + strain_dot_d_s1 * CABLE_PLANAR_AXIAL_STRAIN[1][1]
+                        + strain_dot_s1_s1 * CABLE_PLANAR_AXIAL_STRAIN[0][1]));
         let t53 = t43
             + (t42
-                + (strain_dot_s0_s0 * 0.0011904761904761906
-                    + strain_dot_s0_d * (-0.0035714285714285713)))
-            + strain_dot_d_s1 * 0.0035714285714285713
-            + strain_dot_s1_s1 * 0.014285714285714285;
+                + (strain_dot_s0_s0 * CABLE_PLANAR_AXIAL_STRAIN[0][5]
+                    + strain_dot_s0_d * CABLE_PLANAR_AXIAL_STRAIN[0][2]))
+            + strain_dot_d_s1 * CABLE_PLANAR_AXIAL_STRAIN[0][1]
+            + strain_dot_s1_s1 * CABLE_PLANAR_AXIAL_STRAIN[0][0];
         let t54 = 0.5 * (inverse_length * EI);
-        let t55 = cross_s0_s1 * (-2.2);
+        let t55 = cross_s0_s1 * CABLE_PLANAR_BENDING[0][1];
         let t56 = t52 + t41 * (strain_dot_s1_s1 * t53)
-            + t54 * (cross_s0_d * (cross_s0_d * 7.2 + t55 + cross_d_s1 * 1.2));
+            + t54
+                * (cross_s0_d
+                    * (cross_s0_d * CABLE_PLANAR_BENDING[0][0] + t55
+                        + cross_d_s1 * CABLE_PLANAR_BENDING[0][2]));
         let t57 = t56
             + t54
                 * (cross_s0_s1
-                    * (cross_s0_d * (-2.2) + cross_s0_s1 * 1.2 + cross_d_s1 * (-2.2)))
-            + t54 * (cross_d_s1 * (t55 + cross_s0_d * 1.2 + cross_d_s1 * 7.2));
+                    * (cross_s0_d * CABLE_PLANAR_BENDING[0][1]
+                        + cross_s0_s1 * CABLE_PLANAR_BENDING[0][2]
+                        + cross_d_s1 * CABLE_PLANAR_BENDING[0][1]))
+            + t54
+                * (cross_d_s1
+                    * (t55 + cross_s0_d * CABLE_PLANAR_BENDING[0][2]
+                        + cross_d_s1 * CABLE_PLANAR_BENDING[0][0]));
         *energy += t57;
     }
     /// Mass matrix of the nodal vectors, rows first (kg, kg m, kg m^2).
@@ -727,16 +839,16 @@ pub mod pinned_pipe_equations {
     pub fn cable_planar_mass(row: &CablePlanar, mass: &mut [f64; 16]) {
         let CablePlanar { length, rhoA, .. } = *row;
         let element_mass = length * rhoA;
-        let mass_r0_r0 = element_mass * 0.37142857142857144;
+        let mass_r0_r0 = element_mass * CABLE_PLANAR_MASS_MATRIX[0][0];
         let t16 = length * element_mass;
-        let mass_r0_s0 = t16 * 0.05238095238095238;
-        let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_s1 = t16 * (-0.030952380952380953);
+        let mass_r0_s0 = t16 * CABLE_PLANAR_MASS_MATRIX[0][1];
+        let mass_r0_r1 = element_mass * CABLE_PLANAR_MASS_MATRIX[0][2];
+        let mass_r0_s1 = t16 * CABLE_PLANAR_MASS_MATRIX[0][3];
         let t20 = element_mass * (length * length);
-        let mass_s0_s0 = t20 * 0.009523809523809525;
-        let mass_s0_r1 = t16 * 0.030952380952380953;
-        let mass_s0_s1 = t20 * (-0.007142857142857143);
-        let mass_r1_s1 = t16 * (-0.05238095238095238);
+        let mass_s0_s0 = t20 * CABLE_PLANAR_MASS_MATRIX[1][1];
+        let mass_s0_r1 = t16 * CABLE_PLANAR_MASS_MATRIX[1][2];
+        let mass_s0_s1 = t20 * CABLE_PLANAR_MASS_MATRIX[1][3];
+        let mass_r1_s1 = t16 * CABLE_PLANAR_MASS_MATRIX[2][3];
         mass[0] = mass_r0_r0;
         mass[1] = mass_r0_s0;
         mass[2] = mass_r0_r1;

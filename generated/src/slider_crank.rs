@@ -272,6 +272,35 @@ pub mod slider_crank_equations {
         /// Damping of the strain measures, s.
         pub damping: f64,
     }
+    /// Mass matrix M_ab of the unit element, the integrals of s_a s_b over xi from 0 to 1.
+    ///
+    /// Rows and columns: r0, s0, r1, s1; slopes are multiplied by the length. The sum of a row's columns of positions is the first moment d_a.
+    pub const CABLE_SPATIAL_EXACT_DAMPED_MASS_MATRIX: [[f64; 4]; 4] = [
+        [
+            0.37142857142857144,
+            0.05238095238095238,
+            0.12857142857142856,
+            -0.030952380952380953,
+        ],
+        [
+            0.05238095238095238,
+            0.009523809523809525,
+            0.030952380952380953,
+            -0.007142857142857143,
+        ],
+        [
+            0.12857142857142856,
+            0.030952380952380953,
+            0.37142857142857144,
+            -0.05238095238095238,
+        ],
+        [
+            -0.030952380952380953,
+            -0.007142857142857143,
+            -0.05238095238095238,
+            0.009523809523809525,
+        ],
+    ];
     /// Adds the generalised elastic force of one element, F_e = dU/dq (N on positions, N m on slopes).
     ///
     /// Hermite centre-line element: axial strain and bending, no shear, no torsion; bending = exact, axial = green.
@@ -1453,16 +1482,16 @@ pub mod slider_crank_equations {
     ) {
         let CableSpatialExactDamped { length, rhoA, .. } = *row;
         let element_mass = length * rhoA;
-        let mass_r0_r0 = element_mass * 0.37142857142857144;
+        let mass_r0_r0 = element_mass * CABLE_SPATIAL_EXACT_DAMPED_MASS_MATRIX[0][0];
         let t16 = length * element_mass;
-        let mass_r0_s0 = t16 * 0.05238095238095238;
-        let mass_r0_r1 = element_mass * 0.12857142857142856;
-        let mass_r0_s1 = t16 * (-0.030952380952380953);
+        let mass_r0_s0 = t16 * CABLE_SPATIAL_EXACT_DAMPED_MASS_MATRIX[0][1];
+        let mass_r0_r1 = element_mass * CABLE_SPATIAL_EXACT_DAMPED_MASS_MATRIX[0][2];
+        let mass_r0_s1 = t16 * CABLE_SPATIAL_EXACT_DAMPED_MASS_MATRIX[0][3];
         let t20 = element_mass * (length * length);
-        let mass_s0_s0 = t20 * 0.009523809523809525;
-        let mass_s0_r1 = t16 * 0.030952380952380953;
-        let mass_s0_s1 = t20 * (-0.007142857142857143);
-        let mass_r1_s1 = t16 * (-0.05238095238095238);
+        let mass_s0_s0 = t20 * CABLE_SPATIAL_EXACT_DAMPED_MASS_MATRIX[1][1];
+        let mass_s0_r1 = t16 * CABLE_SPATIAL_EXACT_DAMPED_MASS_MATRIX[1][2];
+        let mass_s0_s1 = t20 * CABLE_SPATIAL_EXACT_DAMPED_MASS_MATRIX[1][3];
+        let mass_r1_s1 = t16 * CABLE_SPATIAL_EXACT_DAMPED_MASS_MATRIX[2][3];
         mass[0] = mass_r0_r0;
         mass[1] = mass_r0_s0;
         mass[2] = mass_r0_r1;

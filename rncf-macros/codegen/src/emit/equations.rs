@@ -2,7 +2,7 @@
 
 use super::conserving::{Conserving, not_conservative};
 use super::elements::{rows_side_by_side, side_by_side};
-use super::kernel::{documentation, fits_lanes, function, function_of_lanes};
+use super::kernel::{arrays, documentation, fits_lanes, function, function_of_lanes};
 use super::moving::document_rows;
 use crate::elements::{Interpolant, Library};
 use crate::lower::constraints::{ConstraintKernels, constraint_kernels};
@@ -222,7 +222,18 @@ impl Equations {
                 super::points::tables_between(&variant.name, size, between)
             });
         let tables = tables.chain(between);
-        rows + &tables.collect::<String>() + &text
+        rows + &self.arrays() + &tables.collect::<String>() + &text
+    }
+
+    /// The constant tensors of the unit elements.
+    fn arrays(&self) -> String {
+        let own = self.variants.iter().flat_map(|variant| {
+            let elastic = &variant.elastic;
+            let mass = (!variant.variant.varying).then_some(&variant.mass);
+            mass.into_iter()
+                .chain([&elastic.force, &elastic.tangent, &elastic.energy])
+        });
+        arrays(own.chain(self.conserving.kernels.iter().flat_map(|between| &between.kernels)))
     }
 
     /// The functions that belong to no element.

@@ -198,6 +198,9 @@ impl<'g> Writer<'g> {
         };
         match self.graph.node(id) {
             Node::Number(bits) => {
+                if let Some(place) = self.graph.place_of(id) {
+                    return atom(place.to_string());
+                }
                 let value = f64::from_bits(bits);
                 let binding = if value < 0.0 { Binding::Sign } else { Binding::Atom };
                 Text {

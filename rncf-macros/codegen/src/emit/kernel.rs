@@ -73,6 +73,30 @@ pub fn fits_lanes(kernel: &Kernel) -> bool {
         })
 }
 
+/// The arrays that kernels read, each once.
+pub fn arrays<'a>(kernels: impl Iterator<Item = &'a Kernel>) -> String {
+    let mut written: Vec<&str> = Vec::new();
+    let mut text = String::new();
+    for array in kernels.flat_map(|kernel| kernel.graph.arrays()) {
+        if written.contains(&array.name.as_str()) {
+            continue;
+        }
+        written.push(&array.name);
+        let rows = array.rows.iter().map(|row| {
+            let row: Vec<String> = row.iter().map(|&value| number(value)).collect();
+            format!("[{}],\n", row.join(", "))
+        });
+        let (height, width) = (array.rows.len(), array.rows.first().map_or(0, Vec::len));
+        text += &documentation(array.doc.iter().map(String::as_str));
+        text += &format!(
+            "pub const {}: [[f64; {width}]; {height}] = [\n{}];\n",
+            array.name,
+            rows.collect::<String>()
+        );
+    }
+    text
+}
+
 /// Paragraphs as documentation lines.
 pub fn documentation<'a>(paragraphs: impl Iterator<Item = &'a str>) -> String {
     let blocks: Vec<String> = paragraphs

@@ -5,7 +5,7 @@ use super::kernel::Kernel;
 use super::signature::Signature;
 use super::variant::Variant;
 use crate::elements::{Interpolant, Library, NodalVector};
-use crate::symbolic::{Graph, Id};
+use crate::symbolic::{Array, Graph, Id};
 
 /// Exact mass matrix of the unit element, `int s_a s_b dxi`, rounded once; zero between vectors of
 /// different interpolants.
@@ -29,8 +29,23 @@ pub fn mass_kernel(variant: &Variant, library: &Library) -> Kernel {
         library,
         references: 0,
     };
+    let unit = unit_mass(variant, library);
     let mut inertia = Inertia::new(variant, library);
-    let outputs = inertia.mass(&unit_mass(variant, library));
+    let outputs = inertia.mass(&unit);
+    let names: Vec<&str> = inertia.vectors.iter().map(|vector| vector.name).collect();
+    let array = Array {
+        name: format!("{}_MASS_MATRIX", variant.name(library).to_uppercase()),
+        doc: vec![
+            "Mass matrix M_ab of the unit element, the integrals of s_a s_b over xi from 0 to 1.".to_string(),
+            format!(
+                "Rows and columns: {}; slopes are multiplied by the length. The sum of a row's columns of positions is the \
+                 first moment d_a.",
+                names.join(", ")
+            ),
+        ],
+        rows: unit,
+    };
+    inertia.graph.read_from(vec![array], &[]);
     signature.mass(inertia.graph, outputs)
 }
 

@@ -4,6 +4,7 @@
 //! Invariants: children have smaller numbers than their parents (numbers are a topological order);
 //! numbers are finite f64 compared by bits; nothing is merged within a tolerance.
 
+mod array;
 mod cost;
 mod differentiate;
 mod evaluate;
@@ -16,6 +17,7 @@ use std::sync::Arc;
 
 use crate::model::{Comparison, Function, Table};
 
+pub use array::Array;
 pub use cost::Cost;
 pub use evaluate::Scalar;
 pub use invariants::{Invariant, Product, invariants};
@@ -74,6 +76,9 @@ pub struct Graph {
     names: HashMap<Id, String>,
     /// Tables that are looked up.
     tables: Vec<Arc<Table>>,
+    /// Arrays of constants that generated code reads, and where it reads a number.
+    arrays: Vec<Array>,
+    places_of_numbers: HashMap<Id, String>,
     /// Whether the derivatives of roots and angles of what is zero are zero: right where they are multiplied with it, as in
     /// `abs(v) v`.
     guards_zeros: bool,

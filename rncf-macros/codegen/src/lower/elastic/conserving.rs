@@ -284,6 +284,7 @@ impl Builder<'_> {
             }
             _ => self.nodal_force(),
         };
+        self.read_arrays();
         let signature = Signature {
             variant: self.variant,
             library: self.library,

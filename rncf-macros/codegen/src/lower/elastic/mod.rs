@@ -21,8 +21,7 @@ use crate::lower::quadratic::{base_vector, is_position};
 use crate::lower::signature::Signature;
 use crate::lower::variant::Variant;
 use crate::model::Quadrature;
-use crate::symbolic::Invariant;
-use crate::symbolic::{Graph, Id, linear::Vector};
+use crate::symbolic::{Array, Graph, Id, Invariant, linear::Vector};
 use crate::tensors::gauss_rule;
 
 /// How the strain energy is integrated.
@@ -163,6 +162,8 @@ struct Builder<'a> {
     viscosity: Option<Blocks>,
     energy: Id,
     references: Vec<Id>,
+    /// Constant tensors that the kernel reads.
+    arrays: Vec<Array>,
     /// Number of points of the rule whose terms are integrated.
     rule: usize,
     /// Measures at the points before.
@@ -206,6 +207,7 @@ impl<'a> Builder<'a> {
             viscosity: None,
             energy: graph.zero(),
             references: Vec::new(),
+            arrays: Vec::new(),
             rule: 0,
             passed: 0,
             points: None,
@@ -303,6 +305,14 @@ impl<'a> Builder<'a> {
         self.references[index]
     }
 
+    /// Has the numbers of the tensors read from their arrays; the lengths of vectors are no such numbers.
+    fn read_arrays(&mut self) {
+        let lengths = self.relative_lengths();
+        let products = lengths.iter().flat_map(|a| lengths.iter().map(move |b| a * b));
+        let arrays = std::mem::take(&mut self.arrays);
+        self.graph.read_from(arrays, &products.collect::<Vec<f64>>());
+    }
+
     /// Back to nodal vectors, and the function around it.
     fn finish(mut self) -> Kernel {
         let outputs = match self.quantity {
@@ -324,6 +334,7 @@ impl<'a> Builder<'a> {
                 outputs
             }
         };
+        self.read_arrays();
         let signature = Signature {
             variant: self.variant,
             library: self.library,

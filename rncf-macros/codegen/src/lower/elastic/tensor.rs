@@ -4,8 +4,7 @@ use super::conserving::averaged_value;
 use super::{Builder, Quantity, State};
 use crate::lower::invariants::Response;
 use crate::lower::quadratic::{TensorTerm, tensor_terms};
-use crate::symbolic::Id;
-use crate::symbolic::{Invariant, invariants};
+use crate::symbolic::{Array, Id, Invariant, invariants};
 
 /// What the tensors are multiplied with, one entry for each invariant that occurs.
 struct Strains {
@@ -43,6 +42,7 @@ impl Builder<'_> {
             self.add_tensor_term(term, &used, &strains, &mut state);
         }
         let names = self.relative_names();
+        self.arrays = terms.iter().map(|term| self.array(term, &all, &names)).collect();
         for (invariant, &stress) in state.invariants.iter().zip(&state.stress) {
             self.graph.name(stress, format!("stress_{}", invariant.name(&names)));
         }
@@ -66,6 +66,41 @@ impl Builder<'_> {
             Quantity::Energy | Quantity::Reference => {}
         }
         Some(())
+    }
+
+    /// The tensor of a term on the invariants that occur in it.
+    fn array(&self, term: &TensorTerm, all: &[Invariant], names: &[String]) -> Array {
+        let occurs = |&a: &usize| term.tensor[a].iter().any(|&value| value != 0.0);
+        let used: Vec<usize> = (0..all.len()).filter(occurs).collect();
+        let columns: Vec<String> = used.iter().map(|&a| all[a].name(names)).collect();
+        let scale = match term.coefficient {
+            "" => String::new(),
+            coefficient => format!("{coefficient} "),
+        };
+        let length = match term.power {
+            0 => String::new(),
+            1 => "length ".to_string(),
+            power => format!("length^{power} "),
+        };
+        let change = if term.is_measure {
+            "(I_A - I0_A) (I_B - I0_B)"
+        } else {
+            "I_A I_B"
+        };
+        Array {
+            name: format!("{}_{}", self.variant.name(self.library), term.name.replace(' ', "_")).to_uppercase(),
+            doc: vec![
+                format!(
+                    "Tensor T_AB of the unit element in `{}`: U = 1/2 {scale}{length}T_AB {change}.",
+                    term.name
+                ),
+                format!("Rows and columns: {}.", columns.join(", ")),
+            ],
+            rows: used
+                .iter()
+                .map(|&a| used.iter().map(|&b| term.tensor[a][b]).collect())
+                .collect(),
+        }
     }
 
     fn strains(&mut self, list: &[Invariant]) -> Strains {
