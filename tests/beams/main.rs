@@ -11,3 +11,4 @@ mod roll_up;
 mod runs;
 mod scenes;
 mod statics;
+mod timed_elements;

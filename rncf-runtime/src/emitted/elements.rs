@@ -27,6 +27,12 @@ pub trait Bodies {
     fn shares(&self) -> Vec<ShareSpec>;
     /// Frames whose bodies start in relative equilibrium.
     fn starts(&self) -> Vec<StartSpec>;
+    /// Brings strain energies that change with time to a time (s); what follows is asked for at this time.
+    fn set_time(&mut self, _t: f64) {}
+    /// A body whose strain energy changes with time, by name; `None` where there is none.
+    fn timed_energy(&self) -> Option<&'static str> {
+        None
+    }
     /// Adds the elastic forces of one element.
     fn elastic_force(&self, body: usize, element: usize, q: &[f64], v: &[f64], force: &mut [f64]);
     /// Adds their derivatives with respect to q and q', rows first.

@@ -76,6 +76,7 @@ impl MeshScene {
     pub(crate) fn load(&mut self, t: f64, turns: &[Rotation], [x, v, a]: [&[f64]; 3], regime: Regime) {
         let buffers = &mut self.buffers;
         buffers.t = t;
+        self.parts.set_time(t);
         self.parts.frames(t, &mut buffers.frames);
         if let Regime::Uniform(scale) = regime {
             for frame in &mut buffers.frames {

@@ -77,6 +77,9 @@ impl<'a> Check<'a> {
             let tie = self.frame_tie(item, statements, known.frame, known.space);
             (self.fidelity(statements), tie)
         };
+        if let (Some(mesh), Some(space)) = (&mesh, known.space) {
+            self.modes_of_timed(statements, mesh, space);
+        }
         let initial = self.initial(item, statements, known.space);
         if tie != FrameTie::Joints {
             // In a prescribed frame that is a mistake of its own.

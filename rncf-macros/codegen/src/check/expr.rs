@@ -549,6 +549,11 @@ impl<'a> Check<'a> {
             self.errors.at(area, say::CONDITION_OF_STRAIN);
             return None;
         }
+        if fold::has_element(&left.value) || fold::has_element(&right.value) {
+            let area = inner.left.area.to(inner.right.area);
+            self.errors.at(area, say::CONDITION_OF_ELEMENT);
+            return None;
+        }
         let of_state = fold::has_state(&left.value) || fold::has_state(&right.value);
         if (Scope::Prescribed..=Scope::Force).contains(&scope) && of_state {
             self.errors.at(inner.left.area.to(inner.right.area), say::CONDITION);

@@ -1,5 +1,6 @@
 //! How finely a body deforms, and what of it its frame follows.
 
+use super::mesh::Mesh;
 use super::{Check, say};
 use crate::errors::Area;
 use crate::model::{Fidelity, FrameId, FrameTie, Motions, Space};
@@ -30,6 +31,20 @@ impl<'a> Check<'a> {
             found = Some((fidelity, word.line()));
         }
         found.map_or(Some(Fidelity::Full), |(fidelity, _)| fidelity)
+    }
+
+    /// Refuses modes of a body whose strain energy changes with time.
+    pub(super) fn modes_of_timed(&mut self, statements: &[Statement], mesh: &Mesh, space: Space) {
+        let element = &self.library.elements[mesh.element.0];
+        if !element.is_timed(space.dimension(), &mesh.options) {
+            return;
+        }
+        let name = element.names[0];
+        for statement in statements {
+            if let Statement::Fidelity { word, count: Some(_) } = statement {
+                self.errors.at(word.span, say::modes_of_timed(&word.text, name));
+            }
+        }
     }
 
     /// Refuses what repeated bodies cannot be yet.

@@ -9,7 +9,8 @@ pub use crate::messages::{
 pub const IMPORT_REPEATED: &str = "a body from a file is not repeated yet: declare it once for each place";
 pub const NEGATIVE_DAMPING: &str = "damping is not negative";
 pub const LONG_CHAIN: &str = "too many names are defined by each other: shorten the chain";
-pub const NO_TIME: &str = "`t` has no meaning here: only motions, frames, loads and outputs change with time";
+pub const NO_TIME: &str =
+    "`t` has no meaning here: only motions, frames, loads, outputs and the energies of elements change with time";
 pub const LONE_T: &str = "`t` is time: a product is written `2*t`; tonnes stand in brackets, `2 [t]`";
 pub const DIVISION_BY_ZERO: &str = "this is zero, and nothing can be divided by it";
 pub const TOO_DEEP: &str = "this is nested too deeply together with the names that it uses: shorten it";
@@ -51,6 +52,7 @@ pub const THICKNESS: &str = "the wall of a tube must be thinner than its radius:
 pub const ENERGY_WITHOUT_TIME: &str = "the energy of a material is a function of the strain alone: leave out motions";
 pub const CONDITION_OF_STRAIN: &str =
     "the energy of a material is one smooth function of the strain: its cases cannot depend on it, only on parameters";
+pub const CONDITION_OF_ELEMENT: &str = "`t` and params decide the cases of an element's energy: write a law of the strain as one formula, e.g. with `sqrt(e^2 + d^2)`";
 pub const WHOLE_STRAIN: &str =
     "`E` is the strain: take a component of it, `E.xx`, `E.yy`, `E.zz`, `E.xy`, `E.xz` or `E.yz`";
 pub const GAUSS_POINTS: &str = "`gauss` takes a literal number of points, from 1 to 20: `gauss(3)`";
@@ -163,6 +165,7 @@ pub const SHARED_INSIDE: &str = "only the ends of bodies are shared: use `start`
 pub const SAME_END: &str = "both are the same end: two different ends become one node";
 
 messages! {
+    modes_of_timed(word, element) = "`{word}` describes a body by its stiffness at one time, and the energy of `{element}` changes with `t`: leave `{word}` out, so that all nodal vectors describe the body";
     quantity_as_repetitions(name) = "`{name}` is a quantity; a loop needs a count: declare `param {name}: count = 6;`";
     index_in_constant(name) = "`{name}` is the index of a loop and has no place here: this is the same for all repetitions";
     repeated(name) = "`{name}` is repeated: write the number of the repetition, e.g. `{name}[0]`";

@@ -9,7 +9,7 @@ mod written;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use crate::model::{Expr, Function};
+use crate::model::{Expr, Function, fold};
 use crate::symbolic::{Graph, Id, Invariant, Product, invariants};
 use crate::tensors::{Polynomial, Rational};
 
@@ -84,6 +84,13 @@ pub struct Coefficient {
     pub factors: Vec<&'static str>,
     /// A further factor in SI, which is the same along the body; `None`: one.
     pub scale: Option<Expr>,
+}
+
+impl Coefficient {
+    /// Whether it changes with time.
+    pub fn is_timed(&self) -> bool {
+        self.scale.as_ref().is_some_and(|scale| !fold::is_free_of_time(scale))
+    }
 }
 
 /// An option of the element that the user chooses in the mesh statement, `name = value`.
@@ -315,6 +322,13 @@ impl Element {
                 || inputs(one.name)
         };
         self.coefficients.iter().filter(is_used).collect()
+    }
+
+    /// Whether its strain energy changes with time, for the chosen values of the options.
+    pub fn is_timed(&self, dimension: usize, options: &[usize]) -> bool {
+        self.coefficients_in(dimension, options)
+            .into_iter()
+            .any(Coefficient::is_timed)
     }
 
     /// Whether an axis that is curved without stress can be told apart from a bent one: only where every part of the energy

@@ -180,6 +180,10 @@ impl Parts<'_> {
         );
         let damping = body.properties.get("damping").filter(|_| variant.damped);
         let damping = damping.map_or(String::new(), |value| format!(", damping: {}", self.expr(value)));
+        text += self.at_start(body);
+        let timed = variant.coefficients(self.library).into_iter();
+        let timed = timed.map(|one| format!(", {}: {}", one.name, self.coefficient(body, one)));
+        let timed: String = timed.collect();
         let reference = match &kernels.elastic.reference {
             Some(kernel) => format!(
                 "{}(&row, ::rncf::emitted::array(shape), &mut reference);\n",
@@ -203,7 +207,7 @@ impl Parts<'_> {
             text,
             "let (mut rows, mut references, mut masses) = (::std::vec::Vec::new(), ::std::vec::Vec::new(), ::std::vec::Vec::new());\n\
              for (nodes, shape) in nodes.windows(2).zip(shape.chunks_exact({size})) {{\n\
-             let row = {row} {{ length: nodes[1] - nodes[0]{damping} }};\n\
+             let row = {row} {{ length: nodes[1] - nodes[0]{damping}{timed} }};\n\
              let mut reference = [0.0; {kept}];\n\
              for (place, xi) in [{points}] {{\n\
              let (coefficients, _) = at(nodes[0] + xi * row.length)?;\n\

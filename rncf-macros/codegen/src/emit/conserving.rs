@@ -54,13 +54,22 @@ impl Conserving {
 
 /// Why energy is not conserved, naming what moves or acts in a prescribed way, or damps; `None` where it is. Moments
 /// have no potential in general.
-pub fn not_conservative(model: &Model, variants: &[VariantKernels], variant_of: &[usize]) -> Option<String> {
+pub fn not_conservative(
+    model: &Model,
+    library: &Library,
+    (variants, variant_of): (&[VariantKernels], &[usize]),
+) -> Option<String> {
     let bodies = model.bodies.iter().zip(variant_of);
     let mut damped = bodies
         .filter(|&(body, &variant)| body.fidelity.deforms() && variants[variant].variant.damped)
         .map(|(body, _)| format!("body `{}` is damped", body.name));
+    let timed = model
+        .bodies
+        .iter()
+        .find(|body| body.fidelity.deforms() && !motions::timed_coefficients(body, library).is_empty());
     damped
         .next()
+        .or_else(|| timed.map(|body| format!("the strain energy of body `{}` changes with time", body.name)))
         .or_else(|| load_that_works(model))
         .or_else(|| force_that_works(model))
         .or_else(|| frame_that_moves(model))

@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use super::kernel::documentation;
 use super::parts::Parts;
-use crate::lower::{Kernel, camel_case};
+use crate::lower::{Kernel, camel_case, motions};
 use crate::model::Body;
 
 /// Arguments of the functions of four elements.
@@ -95,6 +95,45 @@ impl Parts<'_> {
         } else {
             ""
         }
+    }
+
+    /// The time that coefficients have before a scene has one.
+    pub(super) fn at_start(&self, body: &Body) -> &'static str {
+        match motions::timed_coefficients(body, self.library).is_empty() {
+            true => "",
+            false => "let t = 0.0;\n",
+        }
+    }
+
+    /// The functions that bring coefficients to a time; nothing where none changes.
+    pub(super) fn timed_energies(&self) -> String {
+        let timed = |body: &Body| motions::timed_coefficients(body, self.library);
+        let mut statements = String::new();
+        for body in &self.model.bodies {
+            for one in timed(body) {
+                let (row, name) = (format!("self.row_{}", body.identifier()), one.name);
+                let value = self.coefficient(body, one);
+                let _ = match (body.repeat.is_some(), body.varies()) {
+                    (false, false) => writeln!(statements, "{row}.{name} = {value};"),
+                    (true, true) => writeln!(
+                        statements,
+                        "let value = {value};\n{row}.iter_mut().flatten().for_each(|row| row.{name} = value);"
+                    ),
+                    _ => writeln!(
+                        statements,
+                        "let value = {value};\n{row}.iter_mut().for_each(|row| row.{name} = value);"
+                    ),
+                };
+            }
+        }
+        let Some(first) = self.model.bodies.iter().find(|body| !timed(body).is_empty()) else {
+            return String::new();
+        };
+        format!(
+            "fn set_time(&mut self, t: f64) {{\nlet model = &self.model;\n{statements}}}\n\
+             fn timed_energy(&self) -> ::std::option::Option<&'static str> {{ Some({:?}) }}\n",
+            first.name
+        )
     }
 
     /// The functions of one element, and of four.

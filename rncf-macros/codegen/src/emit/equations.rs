@@ -135,7 +135,7 @@ impl Equations {
         let outputs = loads::outputs_kernel(model);
         let mut constraints = constraint_kernels(model);
         constraints.iter_mut().for_each(|kernels| document_rows(kernels, model));
-        let dissipation = not_conservative(model, &variants, &variant_of);
+        let dissipation = not_conservative(model, library, (&variants, &variant_of));
         Self {
             conserving: Conserving::derive(model, library, (&variants, &variant_of), dissipation.as_deref()),
             conservative: dissipation.is_none(),
@@ -161,7 +161,7 @@ impl Equations {
             fields: field_kernels(model),
             moments,
             section_moments,
-            switches: motions::switches(model),
+            switches: motions::switches(model, library),
             reduced: loads::reductions(model, &outputs.1),
             outputs,
             run: loads::run_kernel(model),
@@ -337,7 +337,12 @@ fn row(variant: &Variant, name: &str, elastic: &ElasticKernels, library: &Librar
     );
     let coefficients = variant.coefficients(library);
     for coefficient in &coefficients {
-        let scale = coefficient.scale.as_ref().map(|_| "what params give");
+        let given = if coefficient.is_timed() {
+            "what params and the time give"
+        } else {
+            "what params give"
+        };
+        let scale = coefficient.scale.as_ref().map(|_| given);
         let factors: Vec<&str> = scale.into_iter().chain(coefficient.factors.iter().copied()).collect();
         text += &format!(
             "/// {}, {}.\npub {}: {number},\n",

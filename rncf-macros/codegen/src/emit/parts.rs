@@ -152,6 +152,7 @@ impl Parts<'_> {
             self.varies(),
             self.read_tables(),
             self.element_functions(),
+            self.timed_energies(),
             self.sections(),
         ]
         .concat()
@@ -404,6 +405,7 @@ impl Parts<'_> {
             let element = variant.variant.declaration(self.library);
             let mut text = "let length = nodes[1] - nodes[0];\n".to_string();
             text += &self.properties(body);
+            text += self.at_start(body);
             let mut fields = vec!["length".to_string()];
             for coefficient in variant.variant.coefficients(self.library) {
                 fields.push(format!("{}: {}", coefficient.name, self.coefficient(body, coefficient)));

@@ -3,7 +3,8 @@
 use std::collections::HashMap;
 
 use super::kernel::Kernel;
-use crate::model::{Expr, FrameId, FrameTie, Model, Motions, RepeatId};
+use crate::elements::{Coefficient, Library};
+use crate::model::{Body, Expr, FrameId, FrameTie, Model, Motions, RepeatId};
 use crate::symbolic::{Id, Node, Time};
 
 /// How often what moves in a prescribed way is differentiated: the jerk is read by constraints on markers, on their
@@ -117,9 +118,16 @@ impl Switches {
 
 /// Finds all conditions that change with time. Those linear in t switch at `-g(0) / g'`; the others where an
 /// integrator finds a root of their gap.
-pub fn switches(model: &Model) -> Switches {
+pub fn switches(model: &Model, library: &Library) -> Switches {
     let mut time = Time::new(model);
-    let roots = timed_roots(&mut time);
+    let mut roots = timed_roots(&mut time);
+    let bodies = model.bodies.iter();
+    let timed = bodies.flat_map(|body| timed_coefficients(body, library));
+    roots.extend(
+        timed
+            .filter_map(|one| one.scale.as_ref())
+            .map(|scale| time.expression(scale)),
+    );
     let of_time = time.gaps(&roots);
     let zero = time.graph.zero();
     let start = HashMap::from([(time.t, zero)]);
@@ -189,7 +197,15 @@ fn repeated_switches(model: &Model) -> Vec<(RepeatId, Kernel, usize)> {
     kernels
 }
 
-/// All that time may act on.
+/// Coefficients of a body's strain energy that change with time.
+pub fn timed_coefficients<'l>(body: &Body, library: &'l Library) -> Vec<&'l Coefficient> {
+    let element = &library.elements[body.element.0];
+    let mut list = element.coefficients_in(body.space.dimension(), &body.options);
+    list.retain(|one| one.is_timed());
+    list
+}
+
+/// All that time may act on beside strain energies.
 fn timed_roots(time: &mut Time<'_>) -> Vec<Id> {
     let model = time.model;
     let mut roots = Vec::new();

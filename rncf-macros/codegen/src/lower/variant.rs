@@ -58,10 +58,11 @@ impl Variant {
     /// Coefficients of the element that its kernels use.
     pub fn coefficients<'l>(&self, library: &'l Library) -> Vec<&'l Coefficient> {
         let element = self.declaration(library);
-        if self.varying {
-            return Vec::new();
-        }
         let mut list = element.coefficients_in(self.dimension, &self.options);
+        if self.varying {
+            // What changes with time is the same at all points.
+            list.retain(|one| one.is_timed());
+        }
         if self.material.is_some() {
             list.retain(|one| element.inertia.iter().any(|inertia| inertia.coefficient == one.name));
         }
@@ -117,8 +118,11 @@ impl Variant {
         if !self.varying {
             return Vec::new();
         }
-        self.declaration(library)
-            .elastic_coefficients(self.dimension, &self.options)
+        let mut list = self
+            .declaration(library)
+            .elastic_coefficients(self.dimension, &self.options);
+        list.retain(|one| !one.is_timed());
+        list
     }
 
     /// Whether elements have numbers of their own.

@@ -160,6 +160,11 @@ pub fn has_strain(expr: &Expr) -> bool {
     expr.contains(&|expr| matches!(expr, Expr::Strain(_)))
 }
 
+/// Whether something that has a meaning inside of an element alone stands in the expression.
+pub fn has_element(expr: &Expr) -> bool {
+    expr.contains(&|expr| matches!(expr, Expr::Element(_)))
+}
+
 /// Whether a motion stands in the expression.
 pub fn has_motion(expr: &Expr) -> bool {
     expr.contains(&|expr| matches!(expr, Expr::Motion(..)))

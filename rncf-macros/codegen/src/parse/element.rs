@@ -141,7 +141,7 @@ fn statement(cursor: &mut Cursor, doc: String) -> Parsed<ElementStatement> {
     Ok(ElementStatement { doc, word, kind })
 }
 
-/// `name [when ..] = value [, stress value] [, points count]`
+/// `name [when ..] = value [, stress value] [, points count] [, active]`
 fn energy(cursor: &mut Cursor) -> Parsed<ElementKind> {
     let name = name(cursor, "the name of a part of the energy")?;
     let when = when(cursor)?;
@@ -156,12 +156,18 @@ fn energy(cursor: &mut Cursor) -> Parsed<ElementKind> {
         Ok(None)
     };
     let (stress, points) = (tail("stress")?, tail("points")?);
+    let mut active = None;
+    if cursor.is_punct(',') && cursor.is_second_word("active") {
+        cursor.next();
+        active = Some(Box::new(cursor.expect_name("`active`")?));
+    }
     Ok(ElementKind::Energy {
         name,
         when,
         value,
         stress,
         points,
+        active,
     })
 }
 

@@ -448,7 +448,7 @@ pub enum ElementKind {
         /// Its value.
         value: Expr,
     },
-    /// `energy name = value, stress value, points count;`
+    /// `energy name = value, stress value, points count, active;`
     Energy {
         /// Its name.
         name: Name,
@@ -460,6 +460,8 @@ pub enum ElementKind {
         stress: Option<Expr>,
         /// Gauss points of its own.
         points: Option<Expr>,
+        /// The word `active`: it has a stress in the shape that a body declares.
+        active: Option<Box<Name>>,
     },
     /// `points 5;`
     Points(Expr),

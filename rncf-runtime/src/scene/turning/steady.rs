@@ -104,6 +104,11 @@ impl MeshScene {
                 self.loads[index].name
             ));
         }
+        if let Some(name) = self.parts.timed_energy() {
+            return Some(format!(
+                "the strain energy of body `{name}` changes with time: give it a constant value"
+            ));
+        }
         if let Some(name) = self.timed_load(at.t) {
             return Some(format!("load `{name}` varies with time: give it a constant value"));
         }

@@ -5,7 +5,7 @@ use crate::check::Check;
 use crate::check::expr::Scope;
 use crate::check::quantity::Typed;
 use crate::elements::{Coefficient, Definition, Interpolant, When, WrittenTerm, word};
-use crate::model::{Binary, ElementQuantity, Expr as Value, Function};
+use crate::model::{Binary, ElementQuantity, Expr as Value, Function, fold};
 use crate::parse::tree::{self, Call, ElementKind, ElementStatement, Expr, ExprKind, Name};
 use crate::suggest;
 use crate::units::{Dimension, Fraction};
@@ -21,6 +21,9 @@ pub struct FieldOfElement {
 
 /// Products of fields.
 const PRODUCTS: [(&str, usize); 3] = [("dot", 2), ("cross", 2), ("norm", 1)];
+
+/// What names of coefficients that params and the time give begin with.
+pub(super) const GIVEN: &str = "given_";
 
 /// Energy per length, N.
 const ENERGY: Dimension = Dimension([
@@ -46,8 +49,15 @@ impl<'a> Check<'a> {
             })
             .collect();
         self.lost_fields = draft.lost_fields.iter().map(ToString::to_string).collect();
-        for (_, one, dimension) in &draft.coefficients {
-            let value = Value::Element(ElementQuantity::Coefficient(one.name));
+        for (_, one, dimension) in draft
+            .coefficients
+            .iter()
+            .filter(|(_, one, _)| !one.name.starts_with(GIVEN))
+        {
+            let mut value = Value::Element(ElementQuantity::Coefficient(one.name));
+            if let Some(factor) = draft.timed.get(one.name) {
+                value = Value::Binary(Binary::Multiply, Box::new(value), Box::new(factor.clone()));
+            }
             self.locals.insert(one.name, Typed::new(value, *dimension));
         }
         let in_plane = |at: usize| {
@@ -69,14 +79,17 @@ impl<'a> Check<'a> {
                     value,
                     stress,
                     points,
+                    active,
                 } => {
                     let points = points.as_ref().map(|points| self.point_count(points));
                     let term = self.term(name, when, value, stress.as_ref(), draft);
+                    draft.is_formula_lost |= term.is_none();
                     if let (Some(mut term), Some(points)) = (term, points.map_or(Some(None), |points| points.map(Some)))
                     {
                         term.points = points;
                         draft.written.terms.push(term);
                         draft.terms.push(name);
+                        draft.active.push(active.as_deref());
                     }
                 }
                 _ => {}
@@ -93,11 +106,12 @@ impl<'a> Check<'a> {
         draft: &mut Draft<'a>,
     ) {
         let when = self.when(when, draft);
-        let typed = self.expr(value, Scope::Parameter);
+        let typed = self.expr(value, Scope::Prescribed);
         let text = name.text.as_str();
         let (Some(when), Some(typed)) = (when, typed) else {
             // What it is used for is not to blame.
             self.unknown.insert(text.to_string());
+            draft.is_formula_lost = true;
             return;
         };
         let number = draft.names.iter().position(|(other, _)| *other == text);
@@ -114,7 +128,11 @@ impl<'a> Check<'a> {
                 draft.names.len() - 1
             }
         };
+        let area = value.area;
         let value = self.without_params(typed.value, draft);
+        if is_strain && draft.is_timed(&value) {
+            self.errors.at(area, say::timed_strain(text));
+        }
         draft.written.definitions.push(Definition {
             name: number,
             is_strain,
@@ -134,8 +152,8 @@ impl<'a> Check<'a> {
         draft: &mut Draft<'a>,
     ) -> Option<WrittenTerm> {
         let when = self.when(when, draft);
-        let energy = self.expr(value, Scope::Parameter);
-        let stress = stress.map(|stress| (stress, self.expr(stress, Scope::Parameter)));
+        let energy = self.expr(value, Scope::Prescribed);
+        let stress = stress.map(|stress| (stress, self.expr(stress, Scope::Prescribed)));
         let (when, energy) = (when?, energy?);
         if energy.dimension != ENERGY {
             self.errors.at(value.area, say::energy_unit(&energy.describe()));
@@ -198,8 +216,12 @@ impl<'a> Check<'a> {
         is_whole.then_some(found)
     }
 
-    /// Lets params be coefficients of the element, so that formulas are of coefficients and inner products alone.
+    /// Lets params, and what they and the time give, be coefficients of the element, so that formulas are of coefficients and
+    /// inner products alone.
     fn without_params(&mut self, value: Value, draft: &mut Draft<'a>) -> Value {
+        if is_given(&value) {
+            return given(&value, draft);
+        }
         let mut walk = |inner: Box<Value>| Box::new(self.without_params(*inner, draft));
         match value {
             Value::Negate(a) => Value::Negate(walk(a)),
@@ -208,6 +230,20 @@ impl<'a> Check<'a> {
             Value::Call(function, arguments) => {
                 let arguments = arguments.into_iter().map(|one| *walk(Box::new(one))).collect();
                 Value::Call(function, arguments)
+            }
+            // What decides is given; both cases have a value.
+            Value::If(comparison, left, right, then, otherwise) => {
+                let [zero, one] = [0.0, 1.0].map(|value| Box::new(Value::Number(value)));
+                let [then, otherwise] = [then, otherwise].map(walk);
+                let [on, off] = [[&one, &zero], [&zero, &one]].map(|[then, otherwise]| {
+                    let (left, right) = (left.clone(), right.clone());
+                    Box::new(given(
+                        &Value::If(comparison, left, right, then.clone(), otherwise.clone()),
+                        draft,
+                    ))
+                });
+                let part = |factor, of| Box::new(Value::Binary(Binary::Multiply, factor, of));
+                Value::Binary(Binary::Add, part(on, then), part(off, otherwise))
             }
             Value::Param(id) => {
                 let param = &self.model.params[id.0];
@@ -219,8 +255,7 @@ impl<'a> Check<'a> {
                         factors: Vec::new(),
                         scale: Some(Value::Param(id)),
                     };
-                    let (place, _) = draft.vectors[0];
-                    draft.coefficients.push((place, one, Dimension::NONE));
+                    draft.coefficients.push((draft.place, one, Dimension::NONE));
                 }
                 Value::Element(ElementQuantity::Coefficient(name))
             }
@@ -307,6 +342,62 @@ impl<'a> Check<'a> {
             self.errors.at(name.span, say::field_as_number(&name.text));
         }
         is_field
+    }
+}
+
+/// Whether a value is of params, motions and the time alone, and no plain arithmetic of params.
+fn is_given(value: &Value) -> bool {
+    let is_more = |part: &Value| {
+        matches!(
+            part,
+            Value::Time | Value::Motion(..) | Value::If(..) | Value::Lookup { .. }
+        )
+    };
+    value.contains(&is_more) && !fold::has_element(value)
+}
+
+/// The coefficient that stands for such a value.
+pub(super) fn given(value: &Value, draft: &mut Draft) -> Value {
+    let known = draft.coefficients.iter().find(|(_, one, _)| {
+        let is_alone = one.factors.is_empty() && one.name.starts_with(GIVEN);
+        is_alone && one.scale.as_ref() == Some(value)
+    });
+    let name = match known {
+        Some((_, one, _)) => one.name,
+        None => {
+            let number = draft
+                .coefficients
+                .iter()
+                .filter(|(_, one, _)| one.name.starts_with(GIVEN));
+            let name = word(&format!("{GIVEN}{}", number.count() + 1));
+            let one = Coefficient {
+                name,
+                unit: "SI",
+                factors: Vec::new(),
+                scale: Some(value.clone()),
+            };
+            draft.coefficients.push((draft.place, one, Dimension::NONE));
+            name
+        }
+    };
+    Value::Element(ElementQuantity::Coefficient(name))
+}
+
+impl Draft<'_> {
+    /// Whether a value of coefficients, inner products and names changes with time at a fixed shape.
+    fn is_timed(&self, value: &Value) -> bool {
+        let is_coefficient = |name: &str| {
+            let one = self.coefficients.iter().find(|(_, one, _)| one.name == name);
+            one.is_some_and(|(_, one, _)| one.is_timed())
+        };
+        value.contains(&|part| match part {
+            Value::Element(ElementQuantity::Coefficient(name)) => is_coefficient(name),
+            Value::Element(ElementQuantity::Named(name)) => {
+                let own = self.written.definitions.iter().filter(|one| one.name == *name);
+                own.into_iter().any(|one| self.is_timed(&one.value))
+            }
+            _ => false,
+        })
     }
 }
 

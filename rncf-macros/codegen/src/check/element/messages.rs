@@ -10,11 +10,16 @@ pub const POINTS_OF_SOME: &str =
 pub const PLACE: &str = "a nodal vector sits at a fraction of the unit element: `at 0`, `at 1/2`, `at 1`";
 pub const NO_POSITION: &str = "the first nodal vector at 0 and at 1 is the position: `vector r0 = r at 0, shape ..;`";
 pub const COEFFICIENT_PRODUCT: &str = "a coefficient is a product of properties, numbers and params: write `material.young * section.area`, and sums of products as coefficients of their own";
+pub const STRESSED: &str = "with `t` this part has a stress in the shape that a body declares: subtract it, or, if it is meant (heated, drawn together, prestressed), write `, active` behind it";
+pub const NOT_ACTIVE: &str =
+    "this part is free of stress in the shape that a body declares, at every time: leave out `active`";
 pub const PRODUCT_OF: &str = "the fields of the element are multiplied: write e.g. `dot(a, b)` with `field a = r_x;`";
 pub const NOT_FINITE_AT_REST: &str = "this has no finite value, stress or stiffness where nothing is deformed";
 pub const CROSS_IN_SPACE: &str = "`cross(a, b)` is a number in the plane alone: write this part `in plane`, and in space its square, `dot(a, a)*dot(b, b) - dot(a, b)^2`";
 
 messages! {
+    timed_strain(name) = "`{name}` counts from the stress-free shape at every time, so that `t` would cancel: let `t` stand in the energy, e.g. `1/2*EA*({name} - heat)^2` with `let heat = ..;`";
+    timed_inertia(name) = "`{name}` changes with time, and mass does not: leave out `t`";
     of_library(name) = "`{name}` is an element of the library: choose another name";
     missing(what, example) = "this element has no `{what}`: write e.g. `{example}`";
     taken(name) = "`{name}` has a meaning of its own in elements: choose another name";

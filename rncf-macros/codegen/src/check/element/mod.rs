@@ -5,11 +5,12 @@ mod messages;
 mod shapes;
 mod sound;
 
+use std::collections::HashMap;
 use std::sync::Arc;
 
 use super::expr::Scope;
 use super::quantity::Typed;
-use super::{Check, say as common};
+use super::{Check, fold, say as common};
 use crate::elements::{
     Coefficient, Element, ElementOption, Field, Inertia, Interpolant, Library, NodalVector, Written, points_for, word,
 };
@@ -55,8 +56,9 @@ pub fn elements(tree: &Tree, library: &Library, errors: &mut Errors) -> Library 
 }
 
 /// What has been read of an element.
-#[derive(Default)]
 struct Draft<'a> {
+    /// The element's name.
+    place: &'a Name,
     /// Coordinate of the unit element.
     coordinate: Option<&'a Name>,
     vectors: Vec<(&'a Name, NodalVector)>,
@@ -73,10 +75,42 @@ struct Draft<'a> {
     written: Written,
     /// Where the terms of the energy stand.
     terms: Vec<&'a Name>,
+    /// The word `active` of each term.
+    active: Vec<Option<&'a Name>>,
+    /// Factors of coefficients that change with time.
+    timed: HashMap<&'static str, Value>,
+    /// Whether a formula could not be read.
+    is_formula_lost: bool,
     /// Names of definitions, by their numbers, with their dimensions.
     names: Vec<(&'a str, Dimension)>,
     /// Where these stand first.
     definitions: Vec<&'a Name>,
+}
+
+impl<'a> Draft<'a> {
+    /// Of an element of which nothing has been read.
+    fn new(place: &'a Name) -> Self {
+        Self {
+            place,
+            coordinate: None,
+            vectors: Vec::new(),
+            is_vector_lost: false,
+            lost_fields: Vec::new(),
+            fields: Vec::new(),
+            coefficients: Vec::new(),
+            inertia: Vec::new(),
+            damping: None,
+            options: Vec::new(),
+            points: None,
+            written: Written::default(),
+            terms: Vec::new(),
+            active: Vec::new(),
+            timed: HashMap::new(),
+            is_formula_lost: false,
+            names: Vec::new(),
+            definitions: Vec::new(),
+        }
+    }
 }
 
 /// Order of the derivative of an interpolant: `r_xx`, `r_yx`.
@@ -124,7 +158,7 @@ impl<'a> Check<'a> {
 
     fn element(&mut self, item: &'a Item, statements: &'a [ElementStatement], complete: bool) -> Option<Element> {
         let before = self.errors.len();
-        let mut draft = Draft::default();
+        let mut draft = Draft::new(&item.name);
         let mut names = vec![word(&item.name.text)];
         self.own_names(statements);
         for statement in statements {
@@ -168,7 +202,8 @@ impl<'a> Check<'a> {
             self.shapes(&draft);
         }
         self.formulas(statements, &mut draft);
-        (self.errors.len() == before).then(|| self.finished(item, names, draft))?
+        // Of what is lost others may be to blame, and have been told.
+        (self.errors.len() == before && !draft.is_formula_lost).then(|| self.finished(item, names, draft))?
     }
 
     /// The element, once all of it is understood.
@@ -230,7 +265,11 @@ impl<'a> Check<'a> {
                 .any(|&(other, other_definition)| other == text && !(is_definition && other_definition));
             if is_known {
                 self.errors.at(name.span, common::twice(text));
-            } else if TAKEN.contains(&text) || derivative(text).is_some() || self.is_word(text) {
+            } else if TAKEN.contains(&text)
+                || text.starts_with(formula::GIVEN)
+                || derivative(text).is_some()
+                || self.is_word(text)
+            {
                 self.errors.at(name.span, say::taken(text));
             }
             seen.push((text, is_definition));
@@ -256,7 +295,7 @@ impl<'a> Check<'a> {
                 draft.fields.extend(field.map(|field| (name, field)));
             }
             ElementKind::Coefficient { name, unit, value } => {
-                let coefficient = self.coefficient(name, unit, value);
+                let coefficient = self.coefficient(name, unit, value, draft);
                 if coefficient.is_none() {
                     // What it is used for is not to blame.
                     self.unknown.insert(name.text.clone());
@@ -297,10 +336,16 @@ impl<'a> Check<'a> {
     }
 
     /// A product of properties and of what is the same along the body.
-    fn coefficient(&mut self, name: &'a Name, unit: &'a UnitText, value: &'a Expr) -> Option<(Coefficient, Dimension)> {
+    fn coefficient(
+        &mut self,
+        name: &'a Name,
+        unit: &'a UnitText,
+        value: &'a Expr,
+        draft: &mut Draft<'a>,
+    ) -> Option<(Coefficient, Dimension)> {
         let compound = self.unit(unit)?;
         self.property_names();
-        let typed = self.expr(value, Scope::Parameter);
+        let typed = self.expr(value, Scope::Prescribed);
         self.locals.clear();
         let typed = typed?;
         let wanted = Dimension::of(compound.dimension);
@@ -315,10 +360,15 @@ impl<'a> Check<'a> {
             return None;
         }
         let mut factors = Vec::new();
-        let rest = without_properties(typed.value, &mut factors);
-        if rest.contains(&|part| matches!(part, Value::Element(_))) {
+        let mut rest = without_properties(typed.value, &mut factors);
+        if fold::has_element(&rest) {
             self.errors.at(value.area, say::COEFFICIENT_PRODUCT);
             return None;
+        }
+        if !fold::is_free_of_time(&rest) {
+            let factor = formula::given(&rest, draft);
+            draft.timed.insert(word(&name.text), factor);
+            rest = Value::Number(1.0);
         }
         let coefficient = Coefficient {
             name: word(&name.text),
@@ -390,6 +440,10 @@ impl<'a> Check<'a> {
                 .at(coefficient.span, suggest::unknown("coefficient", text, known));
             return None;
         };
+        if draft.timed.contains_key(text) {
+            self.errors.at(coefficient.span, say::timed_inertia(text));
+            return None;
+        }
         let exponent = if interpolant == Interpolant::Position { -1 } else { 1 };
         let wanted = Dimension::of([exponent, 1, 0, 0, 0, 0]);
         if *dimension != wanted {

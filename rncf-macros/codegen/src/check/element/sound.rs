@@ -6,7 +6,6 @@ use std::collections::HashMap;
 use super::{Draft, say};
 use crate::check::{Check, fold};
 use crate::elements::{Coefficients, Density, Element, Interpolant, Rules, STRETCHES, Term, field_invariants};
-use crate::errors::Area;
 use crate::model::{ElementQuantity, Expr as Value};
 use crate::parse::tree::Item;
 use crate::symbolic::{Graph, Id, Invariant};
@@ -16,6 +15,9 @@ const OFF_REST: f64 = 1e-5;
 
 /// Strains at which a written stress is compared with the derivative of its energy.
 const PROBES: [f64; 4] = [-0.03, -0.002, 0.004, 0.05];
+
+/// By how much what changes with time is more than at the start, when a law is looked at.
+const LATER: [f64; 2] = [0.011, 0.3];
 
 /// Relative difference of these that is round-off.
 const ROUND_OFF: f64 = 1e-7;
@@ -122,89 +124,36 @@ impl<'a> Check<'a> {
         }
         let places: Vec<usize> = built.iter().map(|one| one.term).collect();
         let terms = draft.written.terms(&mut graph, &fields, options);
-        let mut inputs: HashMap<Id, f64> = HashMap::new();
-        for (name, value) in values {
-            inputs.insert(graph.input(*name), *value);
-        }
-        for &(one, symbol) in &symbols {
-            inputs.insert(symbol, at_rest(element, one, dimension));
+        // What changes with time has its value at the start, and others.
+        let mut times = vec![HashMap::new(); 1 + LATER.len()];
+        for (inputs, later) in times.iter_mut().zip([0.0].into_iter().chain(LATER)) {
+            for one in &element.coefficients {
+                let value = values.get(one.name).copied().unwrap_or(1.0);
+                let value = if one.is_timed() { value + later } else { value };
+                inputs.insert(graph.input(one.name), value);
+            }
+            for &(one, symbol) in &symbols {
+                inputs.insert(symbol, at_rest(element, one, dimension));
+            }
         }
         for (&at, term) in places.iter().zip(&terms) {
-            let area = draft.terms[at].span.into();
-            self.stationary(element, dimension, &mut graph, &symbols, &inputs, (term, area));
+            let (span, mut graph) = (draft.terms[at].span, graph.clone());
+            let mut look = Look {
+                element,
+                dimension,
+                graph: &mut graph,
+                symbols: &symbols,
+                term,
+            };
+            let active = draft.active[at];
+            if let Some(message) = look.wrong(&times, active.is_some()) {
+                let is_word = message == say::NOT_ACTIVE;
+                let span = active.filter(|_| is_word).map_or(span, |word| word.span);
+                self.errors.at(span, message);
+            }
         }
         if self.errors.is_empty() {
             self.resisting(item, element, (dimension, options, place), values);
-        }
-    }
-
-    /// Without stress where nothing is deformed.
-    fn stationary(
-        &mut self,
-        element: &Element,
-        dimension: usize,
-        graph: &mut Graph,
-        symbols: &[(Invariant, Id)],
-        inputs: &HashMap<Id, f64>,
-        (term, area): (&Term, Area),
-    ) {
-        match term.density {
-            Density::Law {
-                measure,
-                change,
-                energy,
-                stress,
-            } => {
-                let derivative = graph.partial(energy, change);
-                let stiffness = graph.partial(stress, change);
-                let at = |change_now: f64, ids: &[Id]| {
-                    let mut inputs = inputs.clone();
-                    inputs.insert(change, change_now);
-                    graph.evaluate(ids, &inputs)
-                };
-                let rest = at(0.0, &[stress, stiffness, measure]);
-                if rest.iter().any(|value| !value.is_finite()) {
-                    self.errors.at(area, say::NOT_FINITE_AT_REST);
-                } else if rest[1] <= 0.0 {
-                    self.errors.at(area, say::not_stiff(&format!("{:.3}", rest[1])));
-                } else if rest[0].abs() > OFF_REST * rest[1] {
-                    self.errors.at(area, say::not_stationary(&format!("{:.3}", rest[0])));
-                } else if stress != derivative {
-                    for probe in PROBES {
-                        let both = at(probe, &[stress, derivative]);
-                        if (both[0] - both[1]).abs()
-                            > ROUND_OFF * (both[0].abs() + both[1].abs() + rest[1] * probe.abs())
-                        {
-                            self.errors.at(area, say::wrong_stress(&format!("{probe}")));
-                            return;
-                        }
-                    }
-                }
-            }
-            Density::Energy(energy) => {
-                // The force on each field: the sum of dW/dI times the fields that it is multiplied with.
-                let slopes: Vec<Id> = symbols
-                    .iter()
-                    .map(|&(_, symbol)| graph.partial(energy, symbol))
-                    .collect();
-                let slopes = graph.evaluate(&slopes, inputs);
-                if slopes.iter().any(|value| !value.is_finite()) {
-                    self.errors.at(area, say::NOT_FINITE_AT_REST);
-                    return;
-                }
-                let is_unit: Vec<bool> = element
-                    .fields_in(dimension)
-                    .map(|field| field.order == usize::from(field.of == Interpolant::Position))
-                    .collect();
-                let pulls = symbols
-                    .iter()
-                    .zip(&slopes)
-                    .find(|((one, _), slope)| slope.abs() > 1e-9 && (is_unit[one.i] || is_unit[one.j]));
-                if let Some((_, slope)) = pulls {
-                    self.errors.at(area, say::not_stationary(&format!("{slope:.3}")));
-                }
-            }
-            _ => {}
         }
     }
 
@@ -239,6 +188,132 @@ impl<'a> Check<'a> {
                 return;
             }
         }
+    }
+}
+
+/// One part of the energy where nothing is deformed.
+struct Look<'l> {
+    element: &'l Element,
+    dimension: usize,
+    graph: &'l mut Graph,
+    symbols: &'l [(Invariant, Id)],
+    term: &'l Term,
+}
+
+impl Look<'_> {
+    /// What is wrong with it at some times, each with the values of coefficients and inner products; the first is the start.
+    fn wrong(&mut self, times: &[HashMap<Id, f64>], is_active: bool) -> Option<String> {
+        let mut is_still = true;
+        for (at, inputs) in times.iter().enumerate() {
+            let stress = match self.stress(inputs, is_active) {
+                Ok(stress) => stress,
+                // At other times a law may have no value at these numbers.
+                Err(message) if at == 0 => return Some(message),
+                Err(_) => continue,
+            };
+            if let Some(stress) = stress {
+                if at == 0 && !is_active && !self.is_timed(times) {
+                    return Some(say::not_stationary(&format!("{stress:.3}")));
+                }
+                is_still = false;
+            }
+        }
+        match (is_still, is_active) {
+            (false, false) => return Some(say::STRESSED.into()),
+            (true, true) => return Some(say::NOT_ACTIVE.into()),
+            _ => {}
+        }
+        times.iter().find_map(|inputs| self.other_stress(inputs))
+    }
+
+    /// Whether something in it changes with time.
+    fn is_timed(&mut self, times: &[HashMap<Id, f64>]) -> bool {
+        let [first, second, ..] = times else {
+            return false;
+        };
+        let timed: Vec<Id> = first
+            .iter()
+            .filter(|(id, value)| second[*id] != **value)
+            .map(|(id, _)| *id)
+            .collect();
+        let expressions = self.term.density.expressions();
+        let own = self.graph.input(self.term.coefficient);
+        timed.contains(&own) || expressions.into_iter().any(|id| self.graph.depends_on(id, &timed))
+    }
+
+    /// Its stress where nothing is deformed, `None` where there is none.
+    ///
+    /// # Errors
+    /// No value, or a strain that nothing resists.
+    fn stress(&mut self, inputs: &HashMap<Id, f64>, is_active: bool) -> Result<Option<f64>, String> {
+        match self.term.density {
+            Density::Law {
+                measure,
+                change,
+                stress,
+                ..
+            } => {
+                let stiffness = self.graph.partial(stress, change);
+                let rest = self.law([stress, stiffness, measure], change, 0.0, inputs);
+                let is_soft = if is_active { rest[1] < 0.0 } else { rest[1] <= 0.0 };
+                if rest.iter().any(|value| !value.is_finite()) {
+                    Err(say::NOT_FINITE_AT_REST.into())
+                } else if is_soft {
+                    Err(say::not_stiff(&format!("{:.3}", rest[1])))
+                } else {
+                    Ok((rest[0].abs() > OFF_REST * rest[1]).then_some(rest[0]))
+                }
+            }
+            Density::Energy(energy) => {
+                // The force on each field: the sum of dW/dI times the fields that it is multiplied with.
+                let symbols = self.symbols.iter();
+                let slopes: Vec<Id> = symbols.map(|&(_, symbol)| self.graph.partial(energy, symbol)).collect();
+                let slopes = self.graph.evaluate(&slopes, inputs);
+                if slopes.iter().any(|value| !value.is_finite()) {
+                    return Err(say::NOT_FINITE_AT_REST.into());
+                }
+                let fields = self.element.fields_in(self.dimension);
+                let is_unit: Vec<bool> = fields
+                    .map(|field| field.order == usize::from(field.of == Interpolant::Position))
+                    .collect();
+                let mut pulls = self
+                    .symbols
+                    .iter()
+                    .zip(slopes)
+                    .filter(|((one, _), slope)| slope.abs() > 1e-9 && (is_unit[one.i] || is_unit[one.j]));
+                Ok(pulls.next().map(|(_, slope)| slope))
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// A stress that is written and is not the derivative of the energy.
+    fn other_stress(&mut self, inputs: &HashMap<Id, f64>) -> Option<String> {
+        let Density::Law {
+            change, energy, stress, ..
+        } = self.term.density
+        else {
+            return None;
+        };
+        let derivative = self.graph.partial(energy, change);
+        if stress == derivative {
+            return None;
+        }
+        let stiffness = self.graph.partial(stress, change);
+        let [_, _, stiff] = self.law([stress, derivative, stiffness], change, 0.0, inputs);
+        PROBES.into_iter().find_map(|probe| {
+            let [own, derived, _] = self.law([stress, derivative, stiffness], change, probe, inputs);
+            let size = own.abs() + derived.abs() + stiff.abs() * probe.abs();
+            ((own - derived).abs() > ROUND_OFF * size).then(|| say::wrong_stress(&format!("{probe}")))
+        })
+    }
+
+    /// Expressions of a law at a change of its strain.
+    fn law(&mut self, ids: [Id; 3], change: Id, value: f64, inputs: &HashMap<Id, f64>) -> [f64; 3] {
+        let mut inputs = inputs.clone();
+        inputs.insert(change, value);
+        let values = self.graph.evaluate(&ids, &inputs);
+        [values[0], values[1], values[2]]
     }
 }
 

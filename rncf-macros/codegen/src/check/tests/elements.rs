@@ -43,6 +43,39 @@ fn an_element_of_a_model_is_known_to_it() {
     }
 }
 
+/// Time may stand in coefficients, names, conditions and parts of the energy; a stress at rest is said.
+#[test]
+fn time_may_stand_in_an_energy() {
+    let straight = "energy axial_strain when law is straight       = 1/2*EA*e^2;";
+    let laws = [
+        "energy axial_strain when law is straight = 1/2*EA*e^2*exp(-t/(1 h));",
+        "let heat = 1e-3*sin(t/(1 s)); energy axial_strain when law is straight = 1/2*EA*(e - heat)^2, active;",
+        "motion warm(t) = stiffening*t/(1 s); energy axial_strain when law is straight = 1/2*EA*(e - warm(t))^2, active;",
+        "energy axial_strain when law is straight = if t < 1 s { 1/2*EA*e^2 } else { 1/2*EA*e^2/10 };",
+        "energy axial_strain when law is straight = 1/2*EA*(e + 1e-3)^2, active;",
+    ];
+    for law in laws {
+        let (motion, law) = match law.split_once("; energy") {
+            Some((motion, law)) if motion.starts_with("motion") => (format!("{motion};"), format!("energy{law}")),
+            _ => (String::new(), law.to_string()),
+        };
+        let text = ELEMENTS
+            .replace(straight, &law)
+            .replace("    element rope", &format!("{motion} element rope"));
+        let text = text.replace("rope(wire, steel, law = stiffening_one)", "rope(wire, steel)");
+        let (model, mistakes) = super::run(&text);
+        assert!(mistakes.is_empty(), "{law}: {mistakes:?}");
+        assert!(model.is_some(), "{law}");
+    }
+    let ageing = ELEMENTS.replace(
+        "* section.area;\n        coefficient EI",
+        "* section.area*exp(-t/(1 h));\n        coefficient EI",
+    );
+    assert_ne!(ageing, ELEMENTS);
+    let (_, mistakes) = super::run(&ageing);
+    assert!(mistakes.is_empty(), "{mistakes:?}");
+}
+
 /// An element of a shared library is known to the model that uses it.
 #[test]
 fn an_element_of_a_library_is_known() {

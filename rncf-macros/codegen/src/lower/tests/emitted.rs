@@ -96,7 +96,7 @@ fn kinks_of_constraints_and_forces_are_known() {
     model.frames.remove(1);
     // Without the rotor only the constraint knows the motion.
     model.frames.insert(1, model.frames[0].clone());
-    let found = switches(&model);
+    let found = switches(&model, &Library::standard());
     let (kernel, count) = found.kinks;
     assert_eq!((found.gaps.1, found.repeated.len()), (0, 0));
     assert_eq!(count, 1);
@@ -121,7 +121,7 @@ fn conditions_that_are_not_linear_in_time_are_written_as_gaps() {
         energy: None,
         is_load: true,
     });
-    let (kernel, count) = switches(&model).gaps;
+    let (kernel, count) = switches(&model, &Library::standard()).gaps;
     assert_eq!(count, 1);
     let values = evaluate(&kernel, &Inputs::from([("t".to_string(), 0.2)]));
     assert!((values["gaps[0][0]"] - (0.6_f64.sin() - 0.5)).abs() < 1e-15);
