@@ -1,6 +1,8 @@
 //! A user's crate with a scene of its own: it builds against the facade, runs from the command line, and moves as
 //! formulas that were written by hand.
 
+use rncf::equilibrium::{Kind, Uniform, follow};
+use rncf::{Formulation, Joints, Model};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -38,6 +40,65 @@ fn reference() -> RotatingBeam<Swing> {
     };
     let motion = Swing::new(1.5, 3.0_f64.to_radians(), 11.0).expect("finite values");
     RotatingBeam::new(beam, motion).expect("a beam")
+}
+
+rncf::model! {
+    use swing::cords::cords;
+    /// Cords of another crate, and an element of its own.
+    pub model Hung {
+        /// Bar of this model.
+        element bar(section, material) {
+            domain xi in 0..1;
+            vector r0 = r at 0, shape 1 - xi;
+            vector r1 = r at 1, shape xi;
+            field a = r_x;
+            coefficient rhoA: kg/m = material.density * section.area;
+            inertia r = rhoA;
+            strain l = norm(a) - 1;
+            energy stretching = 1/2*300 [N]*l^2;
+        }
+        body line in inertial { spatial; line from [-1, 0, 0] m to [-1, 0, -1] m; mesh 1 * cord(thin, light); }
+        joint top = pin(line.start, inertial);
+        joint guide_x = hold(line.end.x);
+        joint guide_y = hold(line.end.y);
+        fixture stone on line.end { mass = 10 kg; }
+        body rod in inertial { spatial; line from [-2, 0, 0] m to [-2, 0, -1] m; mesh 1 * bar(thin, light); }
+        joint roof = pin(rod.start, inertial);
+        joint rod_x = hold(rod.end.x);
+        joint rod_y = hold(rod.end.y);
+        fixture block on rod.end { mass = 10 kg; }
+        for i in 0..2 { part plumb[i] = Plumb(stiffness = 300 N * (1 + i), side = 1 m * i, ageing = 2 s); }
+        load weight = gravity([0, 0, -9.81] m/s^2);
+        output of_cord = -line.end.z - 1 m;
+        output of_bar = -rod.end.z - 1 m;
+    }
+}
+
+/// Stretches under the weight of the stone and half of the cord solve the laws of their elements, wherever these are declared.
+#[test]
+fn elements_go_from_crate_to_crate() {
+    let mut scene = Hung::default()
+        .build(Formulation::Rncf, Joints::Eliminated)
+        .expect("a scene");
+    for t in [0.0, 1.0_f64] {
+        let at = Uniform {
+            kind: Kind::Static,
+            ..Uniform::steady(t)
+        };
+        let found = follow(scene.as_mut(), &at, 0.25, |_, _| ()).expect("an equilibrium");
+        let state = found.state().expect("an equilibrium").clone();
+        let mut row = vec![0.0; scene.output_columns()];
+        scene.uniform_outputs(&at, &state, &mut row);
+        let weight = 10.15 * 9.81;
+        let age = (-t / 2.0).exp();
+        // Outputs of parts come first.
+        let laws = [(300.0 * age, 2.0), (600.0 * age, 2.0), (300.0, 2.0), (300.0, 0.0)];
+        assert_eq!(row.len(), laws.len());
+        for (l, (stiffness, stiffening)) in row.iter().zip(laws) {
+            let tension = stiffness * (l + stiffening * l.powi(3));
+            assert!((tension / weight - 1.0).abs() < 1e-9, "{t} s: {row:?}");
+        }
+    }
 }
 
 /// A folder for files of these tests.

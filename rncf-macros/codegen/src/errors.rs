@@ -149,6 +149,21 @@ impl Errors {
     pub fn into_tokens(self) -> TokenStream {
         self.finish().iter().map(Mistake::to_tokens).collect()
     }
+
+    /// The same of a declaration that takes in what stands in other files. The compiler shows no places in other crates, so
+    /// that the messages say them.
+    pub fn into_tokens_beside(self, declaration: Span) -> TokenStream {
+        let (own, mut mistakes) = (declaration.file(), self.finish());
+        for mistake in &mut mistakes {
+            let start = mistake.area.start;
+            let file = start.file();
+            if file != own {
+                let (line, column) = (start.start().line, start.start().column + 1);
+                mistake.message += &format!(" (in {file}:{line}:{column})");
+            }
+        }
+        mistakes.iter().map(Mistake::to_tokens).collect()
+    }
 }
 
 /// The first mistake at each place in the text.

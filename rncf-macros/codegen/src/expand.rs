@@ -54,7 +54,7 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
             }
         }
         (Some(tree), _) => {
-            let mut tokens = errors.into_tokens();
+            let mut tokens = errors.into_tokens_beside(tree.name.span);
             tokens.extend(stub::stub(&tree));
             tokens
         }

@@ -17,6 +17,7 @@
 #![deny(clippy::all)]
 #![forbid(unsafe_code)]
 
+pub mod cords;
 pub mod everything;
 
 rncf::model! {

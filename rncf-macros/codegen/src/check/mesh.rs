@@ -57,7 +57,7 @@ impl<'a> Check<'a> {
         };
         let word = call.name.text.as_str();
         let Some(id) = self.library.find(word) else {
-            if self.is_declared_element(word) {
+            if self.is_declared_element(word) || !self.is_news(word) {
                 return None;
             }
             let known = self
@@ -66,7 +66,7 @@ impl<'a> Check<'a> {
                 .iter()
                 .filter(|element| !element.of_stiffness)
                 .flat_map(|element| element.names.iter().copied())
-                .filter(|name| *name != BETWEEN_INTERFACES);
+                .filter(|name| *name != BETWEEN_INTERFACES && !name.contains('.'));
             self.errors.at(call.name.span, suggest::unknown("element", word, known));
             return None;
         };

@@ -101,7 +101,7 @@ impl Parts<'_> {
     pub(super) fn at_start(&self, body: &Body) -> &'static str {
         match motions::timed_coefficients(body, self.library).is_empty() {
             true => "",
-            false => "let t = 0.0;\n",
+            false => "let t = 0.0_f64;\n",
         }
     }
 

@@ -48,10 +48,12 @@ pub fn items(cursor: &mut Cursor, tree: &mut Tree, repeat: Option<usize>, errors
                 let item = item(cursor, doc, keyword, name, errors);
                 if tree.is_component && keyword == Keyword::Param {
                     errors.at(at, say::PARAM_INSIDE);
-                } else if tree.is_component && keyword == Keyword::Element {
-                    errors.at(at, say::ELEMENT_INSIDE);
                 } else if repeat.is_some() {
                     super::repeat::may_be_repeated(&item, at, errors);
+                    if keyword == Keyword::Element {
+                        tree.lost.push(item.name.text);
+                        continue;
+                    }
                 }
                 tree.items.push(Item { repeat, ..item });
             }

@@ -26,7 +26,6 @@ pub const PARAM_INSIDE: &str = "params belong to the model: let the component be
 pub const USE_IN_LIBRARY: &str =
     "a library uses no other one: let the model use both, then each finds the names of the other";
 pub const USE: &str = "a library is used by its path: `use crate::blades;`, in front of `model`, each by itself";
-pub const ELEMENT_INSIDE: &str = "an element is declared beside components, not in them: take it out";
 pub const RUN_INSIDE: &str = "a `run` belongs to the model: write it outside of components";
 pub const RANGE: &str = "a loop needs its range: write `0..` and the number of repetitions, e.g. `0..n`";
 pub const RANGE_START: &str = "repetitions are numbered from 0: write `0..` and their number, e.g. `0..n`";
@@ -38,7 +37,7 @@ pub const ELEMENT_DOMAIN: &str =
 
 messages! {
     coefficient_without_unit(name) = "the unit of `{name}` is missing: write e.g. `coefficient {name}: N = ..;`";
-    outside_of_loops(word) = "a `{word}` stands outside of loops: it is the same for all repetitions";
+    outside_of_loops(word) = "`{word}` stands outside of loops: it is the same for all repetitions";
     not_shared(word) = "a `{word}` belongs to a model: in a library there are `component`, `material`, `section`, `table`, `const`, `let` and `motion`";
     after_library(found) = "one `library!` declares one library: nothing may follow its braces, found {found}";
     library_twice(name) = "the library `{name}` is used twice: leave one out";

@@ -125,7 +125,7 @@ fn is_only(group: &Group, word: &str) -> bool {
 
 /// Refuses an item that is not repeated; `keyword` is where its keyword stands.
 pub fn may_be_repeated(item: &Item, keyword: Span, errors: &mut Errors) {
-    if item.keyword == Keyword::Param {
+    if matches!(item.keyword, Keyword::Param | Keyword::Element) {
         errors.at(keyword, say::outside_of_loops(item.keyword.word()));
     }
 }

@@ -150,7 +150,7 @@ struct Unfold<'t, 'e> {
     /// Names that could not be read, or whose parts could not be placed.
     lost: Vec<String>,
     /// Names that have a meaning of their own in the expression that is being written.
-    local: &'static [&'static str],
+    local: Vec<&'t str>,
     /// Height of what stands for names in the expression that is being written.
     depth: usize,
     is_copied: bool,
@@ -174,7 +174,7 @@ impl<'t, 'e> Unfold<'t, 'e> {
             counted: HashSet::new(),
             fixed: HashSet::new(),
             lost: Vec::new(),
-            local: &[],
+            local: Vec::new(),
             depth: 0,
             is_copied: false,
             is_full: false,

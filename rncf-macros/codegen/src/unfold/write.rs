@@ -3,8 +3,8 @@
 use super::{Place, Planned, Reached, Step, Unfold, say};
 use crate::errors::Area;
 use crate::parse::tree::{
-    Argument, Call, Caution, Expr, ExprKind, Field, Fields, Given, If, Item, ItemKind, Keyword, Loop, Name, Parameter,
-    Statement, Tree,
+    Argument, Call, Caution, ElementKind, ElementStatement, Expr, ExprKind, Field, Fields, Given, If, Item, ItemKind,
+    Keyword, Loop, Name, Parameter, Statement, Tree,
 };
 
 /// Deepest expression that becomes of those that stand for each other.
@@ -128,15 +128,23 @@ impl<'t> Unfold<'t, '_> {
             },
             ItemKind::Material(fields) => {
                 // The strain in an energy.
-                self.local = &["E"];
+                self.local = vec!["E"];
                 let fields = self.fields(at, fields);
-                self.local = &[];
+                self.local.clear();
                 ItemKind::Material(fields)
             }
             ItemKind::Section(fields) => ItemKind::Section(self.fields(at, fields)),
             ItemKind::NamedSection(call) => ItemKind::NamedSection(self.call(at, call)),
-            // It stands outside of components and loops: its names are the model's or its own.
-            ItemKind::Element { .. } => kind.clone(),
+            ItemKind::Element { statements, complete } => {
+                self.local = own_names(statements);
+                let statements = statements.iter().map(|statement| self.of_element(at, statement));
+                let statements = statements.collect();
+                self.local.clear();
+                ItemKind::Element {
+                    statements,
+                    complete: *complete,
+                }
+            }
             ItemKind::Motion(value) => ItemKind::Motion(self.expr(at, value)),
             ItemKind::Frame { parent, call } => ItemKind::Frame {
                 parent: parent.as_ref().map(|parent| self.name(at, parent)),
@@ -282,9 +290,13 @@ impl<'t> Unfold<'t, '_> {
                 .name
                 .as_ref()
                 .is_some_and(|name| name.text == "force" || name.text == "moment");
-            self.local = if is_law { &["length", "rate", "angle"] } else { &[] };
+            self.local = if is_law {
+                vec!["length", "rate", "angle"]
+            } else {
+                Vec::new()
+            };
             let value = self.expr(at, &argument.value);
-            self.local = &[];
+            self.local.clear();
             let name = argument.name.clone();
             Argument { name, value }
         };
@@ -357,8 +369,64 @@ impl<'t> Unfold<'t, '_> {
                 area: *area,
                 count: self.expr(at, count),
                 stations: stations.as_ref().map(|table| self.name(at, table)),
-                element: self.call(at, element),
+                element: Call {
+                    name: self.element(at, &element.name),
+                    ..self.call(at, element)
+                },
             },
+        }
+    }
+
+    /// A statement of an element: its formulas may read what stands around it.
+    fn of_element(&mut self, at: &Place, statement: &'t ElementStatement) -> ElementStatement {
+        let kind = match &statement.kind {
+            ElementKind::Coefficient { name, unit, value } => ElementKind::Coefficient {
+                name: name.clone(),
+                unit: unit.clone(),
+                value: self.expr(at, value),
+            },
+            ElementKind::Definition {
+                is_strain,
+                name,
+                when,
+                value,
+            } => ElementKind::Definition {
+                is_strain: *is_strain,
+                name: name.clone(),
+                when: when.clone(),
+                value: self.expr(at, value),
+            },
+            ElementKind::Energy {
+                name,
+                when,
+                value,
+                stress,
+                points,
+                active,
+            } => ElementKind::Energy {
+                name: name.clone(),
+                when: when.clone(),
+                value: self.expr(at, value),
+                stress: stress.as_ref().map(|stress| self.expr(at, stress)),
+                points: points.clone(),
+                active: active.clone(),
+            },
+            other => other.clone(),
+        };
+        ElementStatement {
+            doc: statement.doc.clone(),
+            word: statement.word.clone(),
+            kind,
+        }
+    }
+
+    /// The element of a mesh as it is written: that of the component, or of the model.
+    fn element(&mut self, at: &Place, name: &'t Name) -> Name {
+        match self.scope_of(at, &name.text) {
+            Some(scope) if self.scopes[scope].names[name.text.as_str()].item.keyword == Keyword::Element => {
+                self.renamed(scope, name)
+            }
+            _ => name.clone(),
         }
     }
 
@@ -507,4 +575,17 @@ impl<'t> Unfold<'t, '_> {
         self.depth -= height;
         found
     }
+}
+
+/// Names that an element gives to what is in it, and those of what it is made of.
+fn own_names(statements: &[ElementStatement]) -> Vec<&str> {
+    let own = statements.iter().filter_map(|statement| match &statement.kind {
+        ElementKind::Domain { coordinate: name }
+        | ElementKind::Vector { name, .. }
+        | ElementKind::Field { name, .. }
+        | ElementKind::Coefficient { name, .. }
+        | ElementKind::Definition { name, .. } => Some(name.text.as_str()),
+        _ => None,
+    });
+    own.chain(["material", "section"]).collect()
 }

@@ -15,7 +15,7 @@ use crate::elements::{
     Coefficient, Element, ElementOption, Field, Inertia, Interpolant, Library, NodalVector, Written, points_for, word,
 };
 use crate::errors::Errors;
-use crate::model::{ElementQuantity, Expr as Value};
+use crate::model::{ElementQuantity, Expr as Value, identifier};
 use crate::parse::tree::{
     ElementKind, ElementStatement, Expr, ExprKind, Item, ItemKind, Keyword, Name, Tree, UnitText,
 };
@@ -130,13 +130,28 @@ fn derivative(text: &str) -> Option<(Interpolant, usize)> {
 impl<'a> Check<'a> {
     /// Adds the elements of the declaration to the library.
     pub(super) fn elements(&mut self) {
+        // Those of parts that say the same are one element.
+        let mut written: HashMap<String, usize> = HashMap::new();
         for item in self.items(Keyword::Element) {
             let ItemKind::Element { statements, complete } = &item.kind else {
                 continue;
             };
-            let name = item.name.text.as_str();
-            if self.library.find(name).is_some() {
-                self.errors.at(item.name.span, say::of_library(name));
+            let (name, plain) = (item.name.text.as_str(), item.name.word());
+            let is_known = self.library.find(name).is_some();
+            let of_library = self
+                .library
+                .find(plain)
+                .filter(|&at| self.library.elements[at].is_of_library);
+            if is_known || of_library.is_some() {
+                self.errors.at(item.name.span, say::of_library(plain));
+                continue;
+            }
+            let text = match name == plain {
+                true => None,
+                false => Some(format!("{statements:?}")),
+            };
+            if let Some(&first) = text.as_ref().and_then(|text| written.get(text)) {
+                Arc::make_mut(&mut self.library).elements[first].names.push(word(name));
                 continue;
             }
             let before = self.errors.len();
@@ -145,7 +160,9 @@ impl<'a> Check<'a> {
             self.element_fields.clear();
             self.lost_fields.clear();
             if let Some(element) = element.filter(|_| self.errors.len() == before && *complete) {
-                Arc::make_mut(&mut self.library).elements.push(element);
+                let elements = &mut Arc::make_mut(&mut self.library).elements;
+                written.extend(text.map(|text| (text, elements.len())));
+                elements.push(element);
             }
         }
     }
@@ -221,7 +238,7 @@ impl<'a> Check<'a> {
         });
         let written = draft.written.clone();
         let element = Element {
-            kernel: names[0],
+            kernel: word(&identifier(names[0])),
             names,
             of_stiffness: false,
             doc: first_line(&item.doc),

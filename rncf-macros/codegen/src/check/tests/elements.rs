@@ -90,6 +90,88 @@ fn an_element_of_a_library_is_known() {
     assert_eq!(model.expect("a model").bodies[0].options, [1]);
 }
 
+/// A string of a component, with what the component is told in its law.
+const OF_COMPONENT: &str = "pub model Ropes {
+    param stiffening = 2;
+    material steel { density = 7850 kg/m^3; }
+    section wire { area = 1 mm^2; }
+    component Hanging(stiffness: N, side: m) {
+        let soft = stiffness/2;
+        element string(section, material) {
+            domain xi in 0..1;
+            vector r0 = r at 0, shape 1 - xi;
+            vector r1 = r at 1, shape xi;
+            field a = r_x;
+            coefficient rhoA: kg/m = material.density * section.area;
+            inertia r = rhoA;
+            strain l = norm(a) - 1;
+            energy stretching = soft*(l^2/2 + stiffening*l^4/4);
+        }
+        body line in inertial { spatial; line from [side, 0 m, 0 m] to [side, 0 m, -1 m]; mesh 1 * string(wire, steel); }
+        joint top = pin(line.start, inertial);
+        output z = line.end.z;
+    }
+    part left = Hanging(stiffness = 2 N, side = 0 m);
+    for i in 0..2 { part others[i] = Hanging(stiffness = 3 N * (1 + i), side = 1 m * i); }
+}";
+
+/// Parts have elements of their own.
+#[test]
+fn an_element_of_a_component_is_that_of_its_part() {
+    let elements = |text: &str| {
+        let (model, mistakes) = super::run(text);
+        assert!(mistakes.is_empty(), "{mistakes:?}");
+        let mut elements: Vec<usize> = model
+            .expect("a model")
+            .bodies
+            .iter()
+            .map(|body| body.element.0)
+            .collect();
+        elements.dedup();
+        elements.len()
+    };
+    assert_eq!(elements(OF_COMPONENT), 3);
+    // What reads nothing of the part is one element, whose kernels are written once.
+    assert_eq!(
+        elements(
+            &OF_COMPONENT
+                .replace("= soft*(", "= 1 [N]*stiffening*(")
+                .replace("        let soft = stiffness/2;\n", "")
+        ),
+        1
+    );
+}
+
+#[test]
+fn mistakes_in_elements_of_components_are_told_once_and_there() {
+    for (from, to, word, text) in [
+        (
+            "energy stretching = soft*(",
+            "energy stretching = softt*(",
+            "softt",
+            "unknown name `softt`: did you mean `soft`?",
+        ),
+        (
+            "string(",
+            "cable(",
+            "cable",
+            "`cable` is an element of the library: choose another name",
+        ),
+        ("1 * string(", "1 * strin(", "strin", "unknown element `strin`"),
+        (
+            "strain l = norm(a) - 1",
+            "strain l = a.x - 1",
+            "a.x",
+            "`a.x` changes when the body is turned",
+        ),
+    ] {
+        let (_, mistakes) = super::run(&OF_COMPONENT.replace(from, to));
+        assert_eq!(mistakes.len(), 1, "{mistakes:?}");
+        assert!(mistakes[0].message.starts_with(text), "{mistakes:?}");
+        assert_eq!(mistakes[0].area.source_text().unwrap_or_default(), word);
+    }
+}
+
 /// The elements of the library pass the checks of those of a model, and need the points that are known of them.
 #[test]
 fn elements_of_the_library_make_sense() {
