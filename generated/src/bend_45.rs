@@ -48,6 +48,141 @@ impl ::rncf::Model for Bend45 {
         "Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.",
         "Energy-momentum integration: forces between two states that conserve energy are derived.",
     ];
+    const CONSTANTS: &'static [::rncf::model::ConstantArray] = &[
+        ::rncf::model::ConstantArray {
+            name: "BEAM_SPATIAL_CURVED_MASS_MATRIX",
+            size: [10, 10],
+            doc: "Mass matrix M_ab of the unit element, the integrals of s_a s_b over xi from 0 to 1.",
+        },
+    ];
+    const KERNELS: &'static [::rncf::model::KernelCount] = &[
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_curved_points3_force",
+            additions: 39,
+            multiplications: 70,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_curved_points3_tangent",
+            additions: 75,
+            multiplications: 156,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_curved_points3_energy",
+            additions: 26,
+            multiplications: 41,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_curved_points2_force",
+            additions: 43,
+            multiplications: 81,
+            divisions: 1,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_curved_points2_tangent",
+            additions: 149,
+            multiplications: 342,
+            divisions: 1,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_curved_points2_energy",
+            additions: 25,
+            multiplications: 49,
+            divisions: 1,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_curved_reference",
+            additions: 178,
+            multiplications: 251,
+            divisions: 1,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_curved_mass",
+            additions: 0,
+            multiplications: 22,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_curved_points3_conserving_force",
+            additions: 66,
+            multiplications: 103,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_curved_points3_conserving_tangent",
+            additions: 129,
+            multiplications: 252,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_curved_points2_conserving_force",
+            additions: 76,
+            multiplications: 126,
+            divisions: 1,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_curved_points2_conserving_tangent",
+            additions: 194,
+            multiplications: 441,
+            divisions: 1,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "load_pull",
+            additions: 0,
+            multiplications: 0,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "joint_root_absolute_position",
+            additions: 15,
+            multiplications: 19,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "joint_root_absolute_jacobian",
+            additions: 3,
+            multiplications: 12,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "joint_root_absolute_prescribed",
+            additions: 0,
+            multiplications: 0,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "outputs",
+            additions: 0,
+            multiplications: 0,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "run_defaults",
+            additions: 0,
+            multiplications: 0,
+            divisions: 0,
+            functions: 0,
+        },
+    ];
     fn params() -> &'static [::rncf::Param] {
         &[
             ::rncf::Param {

@@ -60,6 +60,134 @@ impl ::rncf::Model for Elastica {
         "Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.",
         "Energy-momentum integration: forces between two states that conserve energy are derived.",
     ];
+    const CONSTANTS: &'static [::rncf::model::ConstantArray] = &[
+        ::rncf::model::ConstantArray {
+            name: "BEAM_PLANAR_MASS_MATRIX",
+            size: [7, 7],
+            doc: "Mass matrix M_ab of the unit element, the integrals of s_a s_b over xi from 0 to 1.",
+        },
+    ];
+    const KERNELS: &'static [::rncf::model::KernelCount] = &[
+        ::rncf::model::KernelCount {
+            name: "beam_planar_points3_force",
+            additions: 9,
+            multiplications: 27,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_planar_points3_tangent",
+            additions: 17,
+            multiplications: 47,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_planar_points3_energy",
+            additions: 7,
+            multiplications: 18,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_planar_points2_force",
+            additions: 4,
+            multiplications: 20,
+            divisions: 1,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_planar_points2_tangent",
+            additions: 9,
+            multiplications: 43,
+            divisions: 1,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_planar_points2_energy",
+            additions: 3,
+            multiplications: 14,
+            divisions: 1,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_planar_mass",
+            additions: 0,
+            multiplications: 17,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_planar_points3_conserving_force",
+            additions: 19,
+            multiplications: 40,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_planar_points3_conserving_tangent",
+            additions: 31,
+            multiplications: 72,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_planar_points2_conserving_force",
+            additions: 14,
+            multiplications: 34,
+            divisions: 1,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_planar_points2_conserving_tangent",
+            additions: 24,
+            multiplications: 69,
+            divisions: 1,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "load_pull",
+            additions: 0,
+            multiplications: 5,
+            divisions: 1,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "joint_root_absolute_position",
+            additions: 3,
+            multiplications: 2,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "joint_root_absolute_jacobian",
+            additions: 0,
+            multiplications: 0,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "joint_root_absolute_prescribed",
+            additions: 0,
+            multiplications: 0,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "outputs",
+            additions: 1,
+            multiplications: 0,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "run_defaults",
+            additions: 0,
+            multiplications: 0,
+            divisions: 0,
+            functions: 0,
+        },
+    ];
     fn params() -> &'static [::rncf::Param] {
         &[
             ::rncf::Param {

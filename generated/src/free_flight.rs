@@ -71,6 +71,95 @@ impl ::rncf::Model for FreeFlight {
         "Not declared, so that no function is written for it: constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, starts in equilibrium, kinks of motions, cautions.",
         "Energy-momentum integration: forces between two states that conserve energy are derived.",
     ];
+    const CONSTANTS: &'static [::rncf::model::ConstantArray] = &[
+        ::rncf::model::ConstantArray {
+            name: "CABLE_SPATIAL_MASS_MATRIX",
+            size: [4, 4],
+            doc: "Mass matrix M_ab of the unit element, the integrals of s_a s_b over xi from 0 to 1.",
+        },
+        ::rncf::model::ConstantArray {
+            name: "CABLE_SPATIAL_AXIAL_STRAIN",
+            size: [6, 6],
+            doc: "Tensor T_AB of the unit element in `axial strain`: U = 1/2 EA length T_AB (I_A - I0_A) (I_B - I0_B).",
+        },
+        ::rncf::model::ConstantArray {
+            name: "CABLE_SPATIAL_BENDING",
+            size: [6, 6],
+            doc: "Tensor T_AB of the unit element in `bending`: U = 1/2 EI length^-1 T_AB I_A I_B.",
+        },
+    ];
+    const KERNELS: &'static [::rncf::model::KernelCount] = &[
+        ::rncf::model::KernelCount {
+            name: "cable_spatial_elastic_force",
+            additions: 98,
+            multiplications: 118,
+            divisions: 1,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_spatial_elastic_tangent",
+            additions: 410,
+            multiplications: 370,
+            divisions: 1,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_spatial_strain_energy",
+            additions: 74,
+            multiplications: 93,
+            divisions: 1,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_spatial_mass",
+            additions: 0,
+            multiplications: 12,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_spatial_conserving_force",
+            additions: 128,
+            multiplications: 154,
+            divisions: 1,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_spatial_conserving_tangent",
+            additions: 545,
+            multiplications: 562,
+            divisions: 1,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "free_f",
+            additions: 0,
+            multiplications: 0,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "initial_cable",
+            additions: 1,
+            multiplications: 6,
+            divisions: 2,
+            functions: 2,
+        },
+        ::rncf::model::KernelCount {
+            name: "outputs",
+            additions: 5,
+            multiplications: 3,
+            divisions: 0,
+            functions: 1,
+        },
+        ::rncf::model::KernelCount {
+            name: "run_defaults",
+            additions: 0,
+            multiplications: 0,
+            divisions: 0,
+            functions: 0,
+        },
+    ];
     fn params() -> &'static [::rncf::Param] {
         &[
             ::rncf::Param {

@@ -57,6 +57,100 @@ impl ::rncf::Model for Iea15mwBlade {
         "Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.",
         "Energy-momentum integration: no forces that conserve energy are emitted, as body `blade` has an energy that is not quadratic in the inner products of its vectors.",
     ];
+    const CONSTANTS: &'static [::rncf::model::ConstantArray] = &[];
+    const KERNELS: &'static [::rncf::model::KernelCount] = &[
+        ::rncf::model::KernelCount {
+            name: "full_beam_spatial_curved_points2_force",
+            additions: 142,
+            multiplications: 235,
+            divisions: 15,
+            functions: 1,
+        },
+        ::rncf::model::KernelCount {
+            name: "full_beam_spatial_curved_points2_tangent",
+            additions: 1134,
+            multiplications: 1669,
+            divisions: 51,
+            functions: 1,
+        },
+        ::rncf::model::KernelCount {
+            name: "full_beam_spatial_curved_points2_energy",
+            additions: 56,
+            multiplications: 84,
+            divisions: 3,
+            functions: 1,
+        },
+        ::rncf::model::KernelCount {
+            name: "full_beam_spatial_curved_points3_force",
+            additions: 49,
+            multiplications: 83,
+            divisions: 1,
+            functions: 1,
+        },
+        ::rncf::model::KernelCount {
+            name: "full_beam_spatial_curved_points3_tangent",
+            additions: 182,
+            multiplications: 306,
+            divisions: 4,
+            functions: 1,
+        },
+        ::rncf::model::KernelCount {
+            name: "full_beam_spatial_curved_points3_energy",
+            additions: 31,
+            multiplications: 47,
+            divisions: 0,
+            functions: 1,
+        },
+        ::rncf::model::KernelCount {
+            name: "full_beam_spatial_curved_reference",
+            additions: 255,
+            multiplications: 337,
+            divisions: 5,
+            functions: 5,
+        },
+        ::rncf::model::KernelCount {
+            name: "load_pull",
+            additions: 0,
+            multiplications: 0,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "joint_hub_absolute_position",
+            additions: 15,
+            multiplications: 19,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "joint_hub_absolute_jacobian",
+            additions: 3,
+            multiplications: 12,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "joint_hub_absolute_prescribed",
+            additions: 0,
+            multiplications: 0,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "outputs",
+            additions: 0,
+            multiplications: 0,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "run_defaults",
+            additions: 0,
+            multiplications: 0,
+            divisions: 0,
+            functions: 0,
+        },
+    ];
     fn params() -> &'static [::rncf::Param] {
         &[
             ::rncf::Param {

@@ -73,6 +73,102 @@ impl ::rncf::Model for PinnedPipe {
         "Not declared, so that no function is written for it: fixtures, constraints with multipliers, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, kinks of motions, cautions.",
         "Energy-momentum integration: no forces that conserve energy are emitted, as force `shake` has no potential.",
     ];
+    const CONSTANTS: &'static [::rncf::model::ConstantArray] = &[
+        ::rncf::model::ConstantArray {
+            name: "CABLE_PLANAR_MASS_MATRIX",
+            size: [4, 4],
+            doc: "Mass matrix M_ab of the unit element, the integrals of s_a s_b over xi from 0 to 1.",
+        },
+        ::rncf::model::ConstantArray {
+            name: "CABLE_PLANAR_AXIAL_STRAIN",
+            size: [6, 6],
+            doc: "Tensor T_AB of the unit element in `axial strain`: U = 1/2 EA length T_AB (I_A - I0_A) (I_B - I0_B).",
+        },
+        ::rncf::model::ConstantArray {
+            name: "CABLE_PLANAR_BENDING",
+            size: [3, 3],
+            doc: "Tensor T_AB of the unit element in `bending`: U = 1/2 EI length^-1 T_AB (I_A - I0_A) (I_B - I0_B).",
+        },
+    ];
+    const KERNELS: &'static [::rncf::model::KernelCount] = &[
+        ::rncf::model::KernelCount {
+            name: "cable_planar_elastic_force",
+            additions: 81,
+            multiplications: 103,
+            divisions: 1,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_planar_elastic_tangent",
+            additions: 277,
+            multiplications: 276,
+            divisions: 1,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_planar_strain_energy",
+            additions: 58,
+            multiplications: 76,
+            divisions: 1,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_planar_mass",
+            additions: 0,
+            multiplications: 12,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "free_own",
+            additions: 0,
+            multiplications: 0,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "force_value_support_0",
+            additions: 2,
+            multiplications: 2,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "force_tangent_support_0",
+            additions: 0,
+            multiplications: 0,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "force_energy_support_0",
+            additions: 3,
+            multiplications: 6,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "force_value_shake",
+            additions: 0,
+            multiplications: 2,
+            divisions: 0,
+            functions: 1,
+        },
+        ::rncf::model::KernelCount {
+            name: "outputs",
+            additions: 0,
+            multiplications: 0,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "run_defaults",
+            additions: 0,
+            multiplications: 0,
+            divisions: 0,
+            functions: 0,
+        },
+    ];
     fn params() -> &'static [::rncf::Param] {
         &[
             ::rncf::Param {

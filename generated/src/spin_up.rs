@@ -59,6 +59,144 @@ impl ::rncf::Model for SpinUp {
         "Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.",
         "Energy-momentum integration: no forces that conserve energy are emitted, as frame `hub` moves in a prescribed way.",
     ];
+    const CONSTANTS: &'static [::rncf::model::ConstantArray] = &[
+        ::rncf::model::ConstantArray {
+            name: "CABLE_PLANAR_MASS_MATRIX",
+            size: [4, 4],
+            doc: "Mass matrix M_ab of the unit element, the integrals of s_a s_b over xi from 0 to 1.",
+        },
+        ::rncf::model::ConstantArray {
+            name: "CABLE_PLANAR_AXIAL_STRAIN",
+            size: [6, 6],
+            doc: "Tensor T_AB of the unit element in `axial strain`: U = 1/2 EA length T_AB (I_A - I0_A) (I_B - I0_B).",
+        },
+        ::rncf::model::ConstantArray {
+            name: "CABLE_PLANAR_BENDING",
+            size: [3, 3],
+            doc: "Tensor T_AB of the unit element in `bending`: U = 1/2 EI length^-1 T_AB (I_A - I0_A) (I_B - I0_B).",
+        },
+    ];
+    const KERNELS: &'static [::rncf::model::KernelCount] = &[
+        ::rncf::model::KernelCount {
+            name: "cable_planar_elastic_force",
+            additions: 81,
+            multiplications: 103,
+            divisions: 1,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_planar_elastic_tangent",
+            additions: 277,
+            multiplications: 276,
+            divisions: 1,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_planar_strain_energy",
+            additions: 58,
+            multiplications: 76,
+            divisions: 1,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_planar_mass",
+            additions: 0,
+            multiplications: 12,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "frame_hub",
+            additions: 8,
+            multiplications: 13,
+            divisions: 6,
+            functions: 4,
+        },
+        ::rncf::model::KernelCount {
+            name: "joint_root_referenced_position",
+            additions: 3,
+            multiplications: 2,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "joint_root_referenced_jacobian",
+            additions: 0,
+            multiplications: 0,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "joint_root_referenced_prescribed",
+            additions: 0,
+            multiplications: 0,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "joint_root_absolute_position",
+            additions: 11,
+            multiplications: 16,
+            divisions: 5,
+            functions: 3,
+        },
+        ::rncf::model::KernelCount {
+            name: "joint_root_absolute_velocity",
+            additions: 11,
+            multiplications: 21,
+            divisions: 6,
+            functions: 4,
+        },
+        ::rncf::model::KernelCount {
+            name: "joint_root_absolute_acceleration",
+            additions: 21,
+            multiplications: 35,
+            divisions: 6,
+            functions: 4,
+        },
+        ::rncf::model::KernelCount {
+            name: "joint_root_absolute_jerk",
+            additions: 36,
+            multiplications: 51,
+            divisions: 6,
+            functions: 4,
+        },
+        ::rncf::model::KernelCount {
+            name: "joint_root_absolute_jacobian",
+            additions: 6,
+            multiplications: 10,
+            divisions: 5,
+            functions: 3,
+        },
+        ::rncf::model::KernelCount {
+            name: "joint_root_absolute_prescribed",
+            additions: 22,
+            multiplications: 43,
+            divisions: 6,
+            functions: 4,
+        },
+        ::rncf::model::KernelCount {
+            name: "kinks",
+            additions: 0,
+            multiplications: 0,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "outputs",
+            additions: 1,
+            multiplications: 0,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "run_defaults",
+            additions: 0,
+            multiplications: 0,
+            divisions: 0,
+            functions: 0,
+        },
+    ];
     fn params() -> &'static [::rncf::Param] {
         &[
             ::rncf::Param {

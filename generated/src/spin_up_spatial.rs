@@ -60,6 +60,144 @@ impl ::rncf::Model for SpinUpSpatial {
         "Not declared, so that no function is written for it: free frames and rigid bodies, fixtures, constraints with multipliers, springs and forces on moving places, gravity and dead loads, dead moments, gravity fields, loads per length, initial shapes, starts in equilibrium, cautions.",
         "Energy-momentum integration: no forces that conserve energy are emitted, as frame `hub` moves in a prescribed way.",
     ];
+    const CONSTANTS: &'static [::rncf::model::ConstantArray] = &[
+        ::rncf::model::ConstantArray {
+            name: "CABLE_SPATIAL_MASS_MATRIX",
+            size: [4, 4],
+            doc: "Mass matrix M_ab of the unit element, the integrals of s_a s_b over xi from 0 to 1.",
+        },
+        ::rncf::model::ConstantArray {
+            name: "CABLE_SPATIAL_AXIAL_STRAIN",
+            size: [6, 6],
+            doc: "Tensor T_AB of the unit element in `axial strain`: U = 1/2 EA length T_AB (I_A - I0_A) (I_B - I0_B).",
+        },
+        ::rncf::model::ConstantArray {
+            name: "CABLE_SPATIAL_BENDING",
+            size: [6, 6],
+            doc: "Tensor T_AB of the unit element in `bending`: U = 1/2 EI length^-1 T_AB I_A I_B.",
+        },
+    ];
+    const KERNELS: &'static [::rncf::model::KernelCount] = &[
+        ::rncf::model::KernelCount {
+            name: "cable_spatial_elastic_force",
+            additions: 98,
+            multiplications: 118,
+            divisions: 1,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_spatial_elastic_tangent",
+            additions: 410,
+            multiplications: 370,
+            divisions: 1,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_spatial_strain_energy",
+            additions: 74,
+            multiplications: 93,
+            divisions: 1,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_spatial_mass",
+            additions: 0,
+            multiplications: 12,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "frame_hub",
+            additions: 8,
+            multiplications: 13,
+            divisions: 6,
+            functions: 4,
+        },
+        ::rncf::model::KernelCount {
+            name: "joint_root_referenced_position",
+            additions: 7,
+            multiplications: 6,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "joint_root_referenced_jacobian",
+            additions: 0,
+            multiplications: 0,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "joint_root_referenced_prescribed",
+            additions: 0,
+            multiplications: 0,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "joint_root_absolute_position",
+            additions: 17,
+            multiplications: 24,
+            divisions: 5,
+            functions: 3,
+        },
+        ::rncf::model::KernelCount {
+            name: "joint_root_absolute_velocity",
+            additions: 14,
+            multiplications: 27,
+            divisions: 6,
+            functions: 4,
+        },
+        ::rncf::model::KernelCount {
+            name: "joint_root_absolute_acceleration",
+            additions: 30,
+            multiplications: 47,
+            divisions: 6,
+            functions: 4,
+        },
+        ::rncf::model::KernelCount {
+            name: "joint_root_absolute_jerk",
+            additions: 53,
+            multiplications: 69,
+            divisions: 6,
+            functions: 4,
+        },
+        ::rncf::model::KernelCount {
+            name: "joint_root_absolute_jacobian",
+            additions: 8,
+            multiplications: 14,
+            divisions: 5,
+            functions: 3,
+        },
+        ::rncf::model::KernelCount {
+            name: "joint_root_absolute_prescribed",
+            additions: 22,
+            multiplications: 43,
+            divisions: 6,
+            functions: 4,
+        },
+        ::rncf::model::KernelCount {
+            name: "kinks",
+            additions: 0,
+            multiplications: 0,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "outputs",
+            additions: 1,
+            multiplications: 0,
+            divisions: 0,
+            functions: 0,
+        },
+        ::rncf::model::KernelCount {
+            name: "run_defaults",
+            additions: 0,
+            multiplications: 0,
+            divisions: 0,
+            functions: 0,
+        },
+    ];
     fn params() -> &'static [::rncf::Param] {
         &[
             ::rncf::Param {

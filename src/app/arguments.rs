@@ -276,7 +276,7 @@ fn refuse(command: Command, of: Command, matches: &ArgMatches) -> Result<(), Str
             return Err(refusal);
         }
     }
-    if !of.runs() && text(matches, "formulation") == Some("ancf") {
+    if !of.runs() && of != Command::Explain && text(matches, "formulation") == Some("ancf") {
         return Err(
             "`--formulation ancf` belongs to `run`: an equilibrium is one of referenced coordinates, with the same result"
                 .into(),

@@ -27,11 +27,13 @@ pub enum Command {
     Task,
     /// One table of all runs of a plan.
     Collect,
+    /// What the model consists of.
+    Explain,
 }
 
 impl Command {
     /// All of them, as they stand in the help.
-    pub(super) const ALL: [Command; 11] = [
+    pub(super) const ALL: [Command; 12] = [
         Command::Run,
         Command::Steady,
         Command::Modes,
@@ -43,6 +45,7 @@ impl Command {
         Command::Plan,
         Command::Task,
         Command::Collect,
+        Command::Explain,
     ];
 
     /// The word on the command line.
@@ -59,6 +62,7 @@ impl Command {
             Command::Plan => "plan",
             Command::Task => "task",
             Command::Collect => "collect",
+            Command::Explain => "explain",
         }
     }
 
@@ -87,6 +91,9 @@ impl Command {
             Command::Plan => "The plan of a sweep alone, for other programs to hand out its points",
             Command::Task => "One point of a plan: --plan plan.toml --index 3",
             Command::Collect => "One table, and pictures, of the points of a plan that are done",
+            Command::Explain => {
+                "Unknowns, conditions, constant tensors, functions with their operations, and what an evaluation costs here"
+            }
         }
     }
 
@@ -122,9 +129,12 @@ impl Command {
         match flag {
             "of" | "samples" | "design" | "seed" => self.sweeps(),
             "plan" | "index" => false,
-            "start" | "every" | "t-end" | "stabilised" | "no-elimination" | "max-step" => self.runs(),
+            "no-elimination" => self.runs() || self == Command::Explain,
+            "start" | "every" | "t-end" | "stabilised" | "max-step" => self.runs(),
             "integrator" | "rtol" | "alpha" | "rho-inf" => matches!(self, Command::Run | Command::Advise),
-            "step" | "proportional" | "animate" | "vtu" | "fidelity" | "resume" => self == Command::Run,
+            "fidelity" => matches!(self, Command::Run | Command::Explain),
+            "step" | "proportional" | "animate" | "vtu" | "resume" => self == Command::Run,
+            "out" | "save-scenario" | "at" if self == Command::Explain => false,
             "formulation" => self != Command::Chart,
             "formulations" | "integrators" | "rtols" | "reference" | "beside" => self == Command::Chart,
             "fresh" => self == Command::Chart || self.sweeps(),
@@ -153,6 +163,7 @@ impl Command {
             .collect();
         let why = match (self, flag) {
             (Command::Task | Command::Collect, _) => "what is computed stands in the plan",
+            (Command::Explain, _) => "it integrates nothing and writes no files",
             (_, "of" | "samples" | "design" | "seed") => "it computes one point",
             (_, "plan" | "index") => "its params and settings stand on its line, or in a file named by `--scenario`",
             (_, "animate" | "vtu" | "resume" | "frequency" | "export") if self.sweeps() => "it computes many points",

@@ -17,7 +17,7 @@ use super::run::run_recorded;
 use super::run_error::{Incomplete, RunError};
 use super::steady::equilibria;
 use super::summary::{self, Summary};
-use super::{advise, chart, checkpoint, export, files, plan, report, scenario};
+use super::{advise, chart, checkpoint, explain, export, files, plan, report, scenario};
 use crate::equilibrium::Kind;
 
 pub(super) const FAILURE: u8 = 1;
@@ -55,6 +55,9 @@ impl From<&RunError> for Failure {
 
 /// Does what the arguments say and writes; the text for standard output.
 pub(super) fn execute(arguments: &Arguments, interrupted: impl Fn() -> bool) -> Result<String, Failure> {
+    if arguments.command == Command::Explain {
+        return explain::execute(arguments);
+    }
     files::create_folder(&arguments.out).map_err(|text| Failure::new(FAILURE, text))?;
     if let Some(path) = &arguments.saved {
         scenario::keep(arguments, path)?;
@@ -77,6 +80,7 @@ pub(super) fn execute(arguments: &Arguments, interrupted: impl Fn() -> bool) -> 
         Command::Plan => plan::lay_out(arguments),
         Command::Task => plan::task(arguments, interrupted),
         Command::Collect => plan::collect(arguments),
+        Command::Explain => explain::execute(arguments),
     }
 }
 

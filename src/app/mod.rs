@@ -1,7 +1,7 @@
 //! The command line of a model: one line in an example's `main`.
 //!
 //! ```text
-//! cargo run --release --example spin_up -- [run|steady|modes|campbell|static|chart|advise] [name=value ...] [flags]
+//! cargo run --release --example spin_up -- [run|steady|modes|campbell|static|chart|advise|sweep|explain] [name=value ...] [flags]
 //! ```
 //!
 //! [`main`] reads the line, does what it says, shows progress, and writes tables (CSV), the summary (JSON)
@@ -28,6 +28,7 @@ mod diagrams;
 mod doubts;
 mod envelopes;
 mod execute;
+mod explain;
 mod export;
 mod figure;
 mod files;

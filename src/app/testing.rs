@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use crate::equilibrium::Uniform;
 use crate::linalg::Pattern;
-use crate::model::Fidelity;
+use crate::model::{ConstantArray, Fidelity, KernelCount};
 use crate::model::{FrameState, Output, Param, ParamKind, RunDefaults};
 use crate::system::{ConstraintLevel, Tangent};
 use crate::{Caution, Formulation, Joints, Model, ModelError, Scene, State, System, Warning};
@@ -96,6 +96,8 @@ impl Model for Rotor {
     const DOC: &'static str = "A mass on a spring in a turning frame.";
     const SOURCE: &'static str = "pub model Rotor {\n    param omega = 3 rad/s;  // a < b & c\n}";
     const NOTES: &'static [&'static str] = &["The spring has no mass."];
+    const CONSTANTS: &'static [ConstantArray] = &[];
+    const KERNELS: &'static [KernelCount] = &[];
 
     fn params() -> &'static [Param] {
         &PARAMS

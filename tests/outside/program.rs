@@ -196,3 +196,24 @@ fn a_killed_run_goes_on_to_the_same_history() {
     assert_eq!(complete.iter().filter(|&&byte| byte == b'\n').count(), 40_002);
     assert!(!killed.join("checkpoint").exists());
 }
+
+/// Five elements of four components, a clamp that takes three of them.
+#[test]
+fn the_model_is_explained() {
+    let output = Command::new(program())
+        .arg("explain")
+        .output()
+        .expect("the program runs");
+    assert!(output.status.success());
+    let text = String::from_utf8_lossy(&output.stdout);
+    let value = |name: &str| {
+        let line = text
+            .lines()
+            .find(|line| line.trim_start().starts_with(name))
+            .expect(name);
+        line.split_whitespace().last().unwrap_or_default().to_string()
+    };
+    assert_eq!(value("unknowns "), (4 * (ELEMENTS + 1) - 3).to_string());
+    assert_eq!(value("eliminated conditions"), "3");
+    assert!(text.contains("CABLE_PLANAR_DAMPED_MASS_MATRIX"), "{text}");
+}

@@ -40,6 +40,8 @@ pub fn stub(tree: &Tree) -> TokenStream {
                 const DOC: &'static str = "";
                 const SOURCE: &'static str = "";
                 const NOTES: &'static [&'static str] = &[];
+                const CONSTANTS: &'static [::rncf::model::ConstantArray] = &[];
+                const KERNELS: &'static [::rncf::model::KernelCount] = &[];
 
                 fn params() -> &'static [::rncf::Param] {
                     ::core::unreachable!()

@@ -2,6 +2,7 @@
 
 mod bodies;
 mod composition;
+mod derived;
 mod picture;
 mod scene;
 mod uniform;
@@ -9,6 +10,7 @@ mod uniform;
 pub use crate::emitted::Fidelity;
 pub use bodies::{DescribedBody, ExportedBody, MassProperties, MeshError, SectionBody, SectionState};
 pub use composition::{Composition, Motion};
+pub use derived::{ConstantArray, KernelCount};
 pub use picture::{Configuration, Curve};
 pub use scene::{FrameState, Pose, Scene, Warning};
 pub use uniform::{Kind, Spin, Uniform};
@@ -155,6 +157,10 @@ pub trait Model: Default + Clone + Send + Sync + 'static {
     const SOURCE: &'static str;
     /// What the generator left out or chose, one sentence each, for summaries.
     const NOTES: &'static [&'static str];
+    /// Constant tensors of its unit elements.
+    const CONSTANTS: &'static [ConstantArray];
+    /// Functions that were derived for it.
+    const KERNELS: &'static [KernelCount];
 
     /// All parameters, in the order of the declaration.
     fn params() -> &'static [Param];
@@ -210,6 +216,10 @@ pub trait AnyModel: Send + Sync {
     fn source(&self) -> &'static str;
     /// [`Model::NOTES`].
     fn notes(&self) -> &'static [&'static str];
+    /// [`Model::CONSTANTS`].
+    fn constants(&self) -> &'static [ConstantArray];
+    /// [`Model::KERNELS`].
+    fn kernels(&self) -> &'static [KernelCount];
     /// [`Model::params`].
     fn params(&self) -> &'static [Param];
     /// [`Model::outputs`].
@@ -259,6 +269,14 @@ impl<M: Model> AnyModel for M {
 
     fn notes(&self) -> &'static [&'static str] {
         M::NOTES
+    }
+
+    fn constants(&self) -> &'static [ConstantArray] {
+        M::CONSTANTS
+    }
+
+    fn kernels(&self) -> &'static [KernelCount] {
+        M::KERNELS
     }
 
     fn params(&self) -> &'static [Param] {

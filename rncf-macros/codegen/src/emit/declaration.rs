@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use super::equations::Equations;
 use super::expression::{inline, operator};
-use super::kernel::documentation;
+use super::kernel::{distinct_arrays, documentation};
 use super::notes::notes;
 use super::number::number;
 use super::{module_name, visibility, visibility_inside};
@@ -68,10 +68,10 @@ pub fn declaration(model: &Model, library: &Library, equations: &Equations) -> S
         let _ = writeln!(text, "{}: {value},", param.name);
     }
     text += "}\n}\n}\n";
-    text + &implementation(model, &notes)
+    text + &implementation(model, &notes, equations)
 }
 
-fn implementation(model: &Model, notes: &[String]) -> String {
+fn implementation(model: &Model, notes: &[String], equations: &Equations) -> String {
     let (name, module) = (&model.name, module_name(model));
     let notes: Vec<String> = notes.iter().map(|note| format!("{note:?}")).collect();
     let mut text = format!(
@@ -84,6 +84,7 @@ fn implementation(model: &Model, notes: &[String]) -> String {
         raw(&model.source),
         notes.join(", ")
     );
+    text += &derived(equations);
     text += "fn params() -> &'static [::rncf::Param] {\n&[\n";
     for param in &model.params {
         let _ = writeln!(
@@ -152,6 +153,31 @@ fn implementation(model: &Model, notes: &[String]) -> String {
          ::rncf::build_as(equations, formulation, joints, fidelity)\n}}\n}}"
     );
     text
+}
+
+/// What was derived: constants and functions.
+fn derived(equations: &Equations) -> String {
+    let mut text = "const CONSTANTS: &'static [::rncf::model::ConstantArray] = &[\n".to_string();
+    for array in distinct_arrays(equations.of_elements()) {
+        let _ = writeln!(
+            text,
+            "::rncf::model::ConstantArray {{ name: {:?}, size: [{}, {}], doc: {:?} }},",
+            array.name,
+            array.rows.len(),
+            array.rows.first().map_or(0, Vec::len),
+            array.doc.first().map_or("", String::as_str),
+        );
+    }
+    text += "];\nconst KERNELS: &'static [::rncf::model::KernelCount] = &[\n";
+    for kernel in equations.kernels() {
+        let cost = kernel.cost();
+        let _ = writeln!(
+            text,
+            "::rncf::model::KernelCount {{ name: {:?}, additions: {}, multiplications: {}, divisions: {}, functions: {} }},",
+            kernel.name, cost.additions, cost.multiplications, cost.divisions, cost.functions
+        );
+    }
+    text + "];\n"
 }
 
 /// The sentences whose conditions hold.

@@ -222,18 +222,47 @@ impl Equations {
                 super::points::tables_between(&variant.name, size, between)
             });
         let tables = tables.chain(between);
-        rows + &self.arrays() + &tables.collect::<String>() + &text
+        rows + &arrays(self.of_elements()) + &tables.collect::<String>() + &text
     }
 
-    /// The constant tensors of the unit elements.
-    fn arrays(&self) -> String {
+    /// The functions that read constant tensors of the unit elements.
+    pub fn of_elements(&self) -> impl Iterator<Item = &Kernel> {
         let own = self.variants.iter().flat_map(|variant| {
             let elastic = &variant.elastic;
             let mass = (!variant.variant.varying).then_some(&variant.mass);
             mass.into_iter()
                 .chain([&elastic.force, &elastic.tangent, &elastic.energy])
         });
-        arrays(own.chain(self.conserving.kernels.iter().flat_map(|between| &between.kernels)))
+        own.chain(self.conserving.kernels.iter().flat_map(|between| &between.kernels))
+    }
+
+    /// All functions in the order of the text that do arithmetic.
+    pub fn kernels(&self) -> Vec<&Kernel> {
+        let mut kernels: Vec<&Kernel> = Vec::new();
+        for variant in &self.variants {
+            let elastic = &variant.elastic;
+            let points = elastic.fields.iter().flat_map(|fields| &fields.rules);
+            kernels.extend(points.flat_map(|rule| rule.particles.iter().chain(&rule.kernels)));
+            kernels.extend([&elastic.force, &elastic.tangent, &elastic.energy]);
+            kernels.extend(&elastic.reference);
+            kernels.extend((!variant.variant.varying).then_some(&variant.mass));
+        }
+        for between in &self.conserving.kernels {
+            kernels.extend(
+                between
+                    .rules
+                    .iter()
+                    .flat_map(|rule| &rule.kernels)
+                    .chain(&between.kernels),
+            );
+        }
+        kernels.extend(self.rest());
+        for density in &self.densities {
+            kernels.extend(density.value.iter().chain(&density.gradient));
+            kernels.extend([&density.force, &density.tangent]);
+        }
+        kernels.retain(|kernel| !kernel.outputs.is_empty());
+        kernels
     }
 
     /// The functions that belong to no element.

@@ -8,7 +8,7 @@ use super::number::number;
 use crate::lower::Kernel;
 use crate::lower::kernel::{PointLoop, Stage};
 use crate::model::Function;
-use crate::symbolic::{Id, Node};
+use crate::symbolic::{Array, Id, Node};
 
 /// The function's text, documentation with operation counts included.
 pub fn function(kernel: &Kernel) -> String {
@@ -74,14 +74,20 @@ pub fn fits_lanes(kernel: &Kernel) -> bool {
 }
 
 /// The arrays that kernels read, each once.
-pub fn arrays<'a>(kernels: impl Iterator<Item = &'a Kernel>) -> String {
-    let mut written: Vec<&str> = Vec::new();
-    let mut text = String::new();
+pub fn distinct_arrays<'a>(kernels: impl Iterator<Item = &'a Kernel>) -> Vec<&'a Array> {
+    let mut distinct: Vec<&Array> = Vec::new();
     for array in kernels.flat_map(|kernel| kernel.graph.arrays()) {
-        if written.contains(&array.name.as_str()) {
-            continue;
+        if distinct.iter().all(|known| known.name != array.name) {
+            distinct.push(array);
         }
-        written.push(&array.name);
+    }
+    distinct
+}
+
+/// The same as text.
+pub fn arrays<'a>(kernels: impl Iterator<Item = &'a Kernel>) -> String {
+    let mut text = String::new();
+    for array in distinct_arrays(kernels) {
         let rows = array.rows.iter().map(|row| {
             let row: Vec<String> = row.iter().map(|&value| number(value)).collect();
             format!("[{}],\n", row.join(", "))
