@@ -233,7 +233,12 @@ impl Equations {
             mass.into_iter()
                 .chain([&elastic.force, &elastic.tangent, &elastic.energy])
         });
+        let densities = self
+            .densities
+            .iter()
+            .flat_map(|kernels| [&kernels.force, &kernels.tangent]);
         own.chain(self.conserving.kernels.iter().flat_map(|between| &between.kernels))
+            .chain(densities)
     }
 
     /// All functions in the order of the text that do arithmetic.

@@ -45,7 +45,8 @@ pub fn mass_kernel(variant: &Variant, library: &Library) -> Kernel {
         ],
         rows: unit,
     };
-    inertia.graph.read_from(vec![array], &[]);
+    let roots = outputs.iter().map(|&(_, id)| id);
+    inertia.graph.read_from(roots, vec![array], &[]);
     signature.mass(inertia.graph, outputs)
 }
 

@@ -16,9 +16,10 @@ pub struct Array {
 }
 
 impl Graph {
-    /// Has the numbers of this graph that are entries of these arrays read from there. What is equal bit by bit reads the first entry.
-    /// Literals stay: whole and half numbers, the given `others`, and what is in two arrays, as these have other reasons, too.
-    pub fn read_from(&mut self, arrays: Vec<Array>, others: &[f64]) {
+    /// Has the numbers that the roots depend on and that are entries of these arrays read from there. What is equal bit by bit reads the
+    /// first entry. Literals stay: whole and half numbers, the given `others`, and what is in two arrays, as these have other reasons, too.
+    /// Arrays that nothing reads are left out.
+    pub fn read_from(&mut self, roots: impl Iterator<Item = Id>, mut arrays: Vec<Array>, others: &[f64]) {
         let mut places: HashMap<u64, (usize, String)> = HashMap::new();
         let mut ambiguous = Vec::new();
         for (which, array) in arrays.iter().enumerate() {
@@ -32,16 +33,21 @@ impl Graph {
                 }
             }
         }
-        for id in (0..self.len() as u32).map(Id) {
+        let roots: Vec<Id> = roots.collect();
+        let mut read = vec![false; arrays.len()];
+        for id in self.reachable(&roots) {
             let Some(value) = self.value(id) else { continue };
             let has_other_reasons = (2.0 * value).fract() == 0.0 || others.contains(&value);
             if !has_other_reasons
                 && !ambiguous.contains(&value.to_bits())
-                && let Some((_, place)) = places.get(&value.to_bits())
+                && let Some((which, place)) = places.get(&value.to_bits())
             {
+                read[*which] = true;
                 self.places_of_numbers.insert(id, place.clone());
             }
         }
+        let mut read = read.into_iter();
+        arrays.retain(|_| read.next() == Some(true));
         self.arrays = arrays;
     }
 
@@ -70,11 +76,12 @@ mod tests {
             rows: rows.iter().map(|row| row.to_vec()).collect(),
         };
         let first = array("A", &[[0.5, 1.0 / 3.0], [1.0 / 3.0, 1.0 / 7.0]]);
-        g.read_from(vec![first, array("B", &[[1.0 / 7.0, 0.2], [0.2, 1.0]])], &[0.2]);
+        let second = array("B", &[[1.0 / 7.0, 0.2], [0.2, 1.0]]);
+        g.read_from([third, seventh, half, fifth].into_iter(), vec![first, second], &[0.2]);
         assert_eq!(g.place_of(third), Some("A[0][1]"));
         for literal in [seventh, half, fifth] {
             assert_eq!(g.place_of(literal), None);
         }
-        assert_eq!(g.arrays().len(), 2);
+        assert_eq!(g.arrays().len(), 1, "nothing reads B");
     }
 }

@@ -284,7 +284,7 @@ impl Builder<'_> {
             }
             _ => self.nodal_force(),
         };
-        self.read_arrays();
+        self.read_arrays(&outputs);
         let signature = Signature {
             variant: self.variant,
             library: self.library,

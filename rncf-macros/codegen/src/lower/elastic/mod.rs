@@ -306,11 +306,12 @@ impl<'a> Builder<'a> {
     }
 
     /// Has the numbers of the tensors read from their arrays; the lengths of vectors are no such numbers.
-    fn read_arrays(&mut self) {
+    fn read_arrays(&mut self, outputs: &[(String, Id)]) {
         let lengths = self.relative_lengths();
         let products = lengths.iter().flat_map(|a| lengths.iter().map(move |b| a * b));
         let arrays = std::mem::take(&mut self.arrays);
-        self.graph.read_from(arrays, &products.collect::<Vec<f64>>());
+        let roots = outputs.iter().map(|&(_, id)| id);
+        self.graph.read_from(roots, arrays, &products.collect::<Vec<f64>>());
     }
 
     /// Back to nodal vectors, and the function around it.
@@ -334,7 +335,7 @@ impl<'a> Builder<'a> {
                 outputs
             }
         };
-        self.read_arrays();
+        self.read_arrays(&outputs);
         let signature = Signature {
             variant: self.variant,
             library: self.library,

@@ -1,22 +1,21 @@
 //! Loads per length: what is the same along a body (values, once for each body) and the polynomial of position and
-//! slope, integrated to generalised forces `Q^a = int s^a f dx` (THEORY 5.1, Eq. 38) by the Gauss rule that is
-//! exact for its degree; gravity fields as functions of markers.
-//!
-//! The constant tensors of Eq. (38) are the same numbers: for the thrust the sums over inner products of d, s0, s1
-//! take about as many operations (four nodal vectors, six inner products each) as four points, and the machinery of
-//! `quadratic` derives forces from an energy, which a density has not.
+//! slope, integrated to generalised forces `Q^a = int s^a f dx` (docs/theory.md, Eq. 38) by the Gauss rule that is exact for its
+//! degree, or by constant tensors, whichever takes fewer operations; gravity fields as functions of markers.
 
-use std::collections::HashMap;
+mod element;
+mod tensor;
 
 use super::kernel::{Kernel, block, derivatives, values};
 use super::markers::{Marked, describe, function_name, localise};
-use super::quadratic::{base_vector, is_position, relative_shapes};
+use super::quadratic::relative_shapes;
 use super::variant::Variant;
 use crate::elements::{Interpolant, Library, NodalVector};
 use crate::model::fold;
 use crate::model::{Binary, Density, Expr, LoadKind, Model};
-use crate::symbolic::{Graph, Id, linear::Vector};
+use crate::symbolic::{Array, Graph, Id, Node, linear::Vector};
 use crate::tensors::{Polynomial, gauss_rule};
+use element::{Element, Point, Rule};
+use tensor::{Integrals, is_quadratic};
 
 /// The functions of one density.
 #[derive(Clone, Debug)]
@@ -116,6 +115,13 @@ pub fn field_kernels(model: &Model) -> Vec<FieldKernels> {
     fields.collect()
 }
 
+/// How the integral over an element is taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Form {
+    Points,
+    Tensors,
+}
+
 /// A density on its way to functions.
 struct Law<'m> {
     model: &'m Model,
@@ -137,17 +143,12 @@ struct Split<'m> {
     values: Vec<Id>,
     /// Their symbols.
     symbols: Vec<Id>,
-    /// Components of the density as polynomials of [`Split::locals`] and [`Split::symbols`].
+    /// Components of the density over [`Split::factor`] as polynomials of [`Split::locals`] and [`Split::symbols`].
     force: Vector,
+    /// What all components are multiplied with, the same along the body; it is multiplied with the integrals.
+    factor: Id,
     /// Symbols of position and slope.
     locals: [Vector; 2],
-}
-
-/// Position and slope at a point, and what they depend on.
-struct Point {
-    weight: f64,
-    /// Shape functions of the relative vectors and their derivatives d/dxi.
-    shapes: [Vec<f64>; 2],
 }
 
 impl<'m> Law<'m> {
@@ -171,15 +172,57 @@ impl<'m> Law<'m> {
     }
 
     fn kernels(&self) -> DensityKernels {
-        let split = self.split();
+        let mut split = self.split();
         let count = split.values.len();
+        let (force, tangent) = self.of_elements(is_quadratic(&mut split));
         DensityKernels {
             values: count,
             value: (count > 0).then(|| self.value()),
             gradient: self.gradient(),
-            force: self.force(),
-            tangent: self.tangent(),
+            force,
+            tangent,
         }
+    }
+
+    /// Force and tangent in the form that takes fewer operations, with the counts of both.
+    fn of_elements(&self, quadratic: bool) -> (Kernel, Kernel) {
+        let build = |form: Form| (self.force(form), self.tangent(form));
+        let points = build(Form::Points);
+        if !quadratic {
+            return points;
+        }
+        let tensors = build(Form::Tensors);
+        let cost = |(force, tangent): &(Kernel, Kernel)| (force.cost() + tangent.cost()).weighted();
+        let (by_points, by_tensors) = (cost(&points), cost(&tensors));
+        let mut chosen = if by_tensors < by_points { tensors } else { points };
+        let told = format!(
+            "The form is the cheaper one; weighted operations of force and tangent together: constant tensors {by_tensors}, points {by_points}."
+        );
+        for kernel in [&mut chosen.0, &mut chosen.1] {
+            kernel.doc.push(told.clone());
+        }
+        chosen
+    }
+
+    /// How a form integrates, and the arrays that it reads.
+    fn rule(&self, form: Form) -> (Rule, Vec<Array>) {
+        if form == Form::Points {
+            return (Rule::Points(self.points()), Vec::new());
+        }
+        let shapes: Vec<(usize, Polynomial)> = relative_shapes(&self.vectors)
+            .into_iter()
+            .map(|(index, shape)| match self.vectors[index].of {
+                Interpolant::Position => (index, shape),
+                _ => (index, Polynomial::zero()),
+            })
+            .collect();
+        let names: Vec<String> = shapes
+            .iter()
+            .map(|(index, _)| self.vectors[*index].name.to_string())
+            .collect();
+        let integrals = Integrals::of(&shapes.into_iter().map(|(_, shape)| shape).collect::<Vec<_>>());
+        let arrays = integrals.arrays(&self.name, &names);
+        (Rule::Tensors(integrals), arrays)
     }
 
     /// Splits the density into what is the same along the body and a polynomial.
@@ -214,8 +257,10 @@ impl<'m> Law<'m> {
             .map(|place| graph.symbol(format!("values[{place}]")))
             .collect();
         let replaced = same.iter().copied().zip(symbols.iter().copied()).collect();
-        let force = whole.iter().map(|&id| graph.substitute(id, &replaced)).collect();
+        let mut force: Vector = whole.iter().map(|&id| graph.substitute(id, &replaced)).collect();
+        let factor = common_factor(graph, &mut force, &all);
         Split {
+            factor,
             marked,
             values: same,
             symbols,
@@ -297,7 +342,8 @@ impl<'m> Law<'m> {
     /// The kernel of an element from its outputs.
     fn of_element(
         &self,
-        split: Split,
+        mut split: Split,
+        form: Form,
         what: &str,
         title: &str,
         outputs: Vec<(String, Id)>,
@@ -311,13 +357,16 @@ impl<'m> Law<'m> {
         ];
         arguments.extend(results.iter().cloned());
         let names = self.variant.component_names(self.library, "").concat();
-        let points = self.points().len();
+        let (_, arrays) = self.rule(form);
+        let integrated = match form {
+            Form::Points => format!("Integrated exactly by {} Gauss points.", self.points().len()),
+            Form::Tensors => "Integrated exactly by constant tensors.".to_string(),
+        };
+        let roots = outputs.iter().map(|&(_, id)| id);
+        split.marked.time.graph.read_from(roots, arrays, &[]);
         Kernel {
             name: format!("density_{what}_{}", self.name),
-            doc: vec![
-                format!("Load per length `{}`: {title}", self.density.name),
-                format!("Integrated exactly by {points} Gauss points."),
-            ],
+            doc: vec![format!("Load per length `{}`: {title}", self.density.name), integrated],
             arguments,
             bindings: vec![
                 "let [length] = *length;".to_string(),
@@ -330,19 +379,26 @@ impl<'m> Law<'m> {
         }
     }
 
-    fn force(&self) -> Kernel {
+    fn force(&self, form: Form) -> Kernel {
         let mut split = self.split();
-        let element = Element::new(self, &mut split.marked.time.graph);
+        let element = Element::new(self, &mut split.marked.time.graph, self.rule(form).0);
         let outputs = values(&element.forces(self, &mut split), "force");
         let size = self.variant.size(self.library);
         let title =
             "adds the generalised forces on the nodal vectors of one element, int s_a f dx, axes of the body's frame.";
-        self.of_element(split, "force", title, outputs, &[format!("force: &mut [f64; {size}]")])
+        self.of_element(
+            split,
+            form,
+            "force",
+            title,
+            outputs,
+            &[format!("force: &mut [f64; {size}]")],
+        )
     }
 
-    fn tangent(&self) -> Kernel {
+    fn tangent(&self, form: Form) -> Kernel {
         let mut split = self.split();
-        let element = Element::new(self, &mut split.marked.time.graph);
+        let element = Element::new(self, &mut split.marked.time.graph, self.rule(form).0);
         let (size, count) = (self.variant.size(self.library), split.values.len());
         let mut outputs = element.by_q(self, &mut split);
         let force = element.forces(self, &mut split);
@@ -359,189 +415,33 @@ impl<'m> Law<'m> {
             format!("by_q: &mut [f64; {}]", size * size),
             format!("by_values: &mut [f64; {}]", size * count),
         ];
-        self.of_element(split, "tangent", title, outputs, &results)
+        self.of_element(split, form, "tangent", title, outputs, &results)
     }
 }
 
-/// Symbols of an element.
-struct Element {
-    length: Id,
-    /// Nodal vectors.
-    q: Vec<Vector>,
-    /// Vectors relative to the base, positions divided by the length; index and components.
-    relative: Vec<(usize, Vector)>,
-    base: usize,
-    points: Vec<Point>,
-}
-
-impl Element {
-    fn new(of: &Law, graph: &mut Graph) -> Self {
-        let length = graph.symbol("length");
-        let names = of.variant.component_names(of.library, "");
-        let q: Vec<Vector> = names
-            .into_iter()
-            .map(|names| names.into_iter().map(|name| graph.symbol(name)).collect())
-            .collect();
-        let base = base_vector(&of.vectors);
-        let shapes = relative_shapes(&of.vectors);
-        let relative = shapes.iter().map(|&(index, _)| {
-            if !is_position(of.vectors[index]) {
-                return (index, q[index].clone());
-            }
-            let apart = graph.subtract_vectors(&q[index], &q[base]);
-            (index, apart.into_iter().map(|x| graph.divide(x, length)).collect())
-        });
-        let relative = relative.collect();
-        Self {
-            length,
-            q,
-            relative,
-            base,
-            points: of.points(),
+/// Takes what all components are multiplied with, and what does not depend on `locals`, out of them; one where there is nothing.
+fn common_factor(graph: &mut Graph, force: &mut Vector, locals: &[Id]) -> Id {
+    let factors = |graph: &Graph, id: Id| match graph.node(id) {
+        Node::Multiply(a, b) => vec![(a, b), (b, a)],
+        _ => Vec::new(),
+    };
+    let there: Vec<Id> = force.iter().copied().filter(|&id| !graph.is_zero(id)).collect();
+    let candidates = there.first().map_or(Vec::new(), |&first| factors(graph, first));
+    let is_common = |candidate: Id| {
+        !graph.depends_on(candidate, locals)
+            && there
+                .iter()
+                .all(|&id| factors(graph, id).iter().any(|&(factor, _)| factor == candidate))
+    };
+    let Some(&(common, _)) = candidates.iter().find(|&&(candidate, _)| is_common(candidate)) else {
+        return graph.one();
+    };
+    for component in force.iter_mut() {
+        if let Some(&(_, rest)) = factors(graph, *component).iter().find(|&&(factor, _)| factor == common) {
+            *component = rest;
         }
     }
-
-    /// What stands for position and slope at a point.
-    fn locals(&self, split: &mut Split, point: &Point) -> HashMap<Id, Id> {
-        let [position, slope] = split.locals.clone();
-        let graph = &mut split.marked.time.graph;
-        let mut at = HashMap::new();
-        for c in 0..slope.len() {
-            let sum = |graph: &mut Graph, weights: &[f64]| {
-                let mut sum = graph.zero();
-                for ((_, vector), &weight) in self.relative.iter().zip(weights) {
-                    let weight = graph.number(weight);
-                    let product = graph.multiply(weight, vector[c]);
-                    sum = graph.add(sum, product);
-                }
-                sum
-            };
-            let within = sum(graph, &point.shapes[0]);
-            let scaled = graph.multiply(self.length, within);
-            at.insert(position[c], graph.add(self.q[self.base][c], scaled));
-            at.insert(slope[c], sum(graph, &point.shapes[1]));
-        }
-        at
-    }
-
-    /// Generalised forces: those of positions add up to the whole, `Q_base = F - sum Q_position`.
-    fn forces(&self, of: &Law, split: &mut Split) -> Vector {
-        let d = of.axes.len();
-        let zero = split.marked.time.graph.zero();
-        let mut whole = vec![zero; d];
-        let mut sums = vec![vec![zero; d]; self.relative.len()];
-        for point in &self.points {
-            let at = self.locals(split, point);
-            let graph = &mut split.marked.time.graph;
-            let weight = graph.number(point.weight);
-            for c in 0..d {
-                let force = graph.substitute(split.force[c], &at);
-                let force = graph.multiply(weight, force);
-                whole[c] = graph.add(whole[c], force);
-                for (sum, &shape) in sums.iter_mut().zip(&point.shapes[0]) {
-                    let shape = graph.number(shape);
-                    let product = graph.multiply(shape, force);
-                    sum[c] = graph.add(sum[c], product);
-                }
-            }
-        }
-        self.completed(of, &mut split.marked.time.graph, whole, sums, 1)
-            .concat()
-    }
-
-    /// Rows of all nodal vectors from the whole and those of the relative ones, times their lengths and a power of
-    /// the element's.
-    fn completed(&self, of: &Law, graph: &mut Graph, whole: Vector, sums: Vec<Vector>, power: i32) -> Vec<Vector> {
-        let mut rows = vec![Vec::new(); self.q.len()];
-        let mut base = whole;
-        for ((index, _), sum) in self.relative.iter().zip(sums) {
-            let vector = of.vectors[*index];
-            if is_position(vector) {
-                base = graph.subtract_vectors(&base, &sum);
-            }
-            let scale = graph.power(self.length, power + vector.order as i32);
-            rows[*index] = graph.scale(scale, &sum);
-        }
-        let scale = graph.power(self.length, power);
-        rows[self.base] = graph.scale(scale, &base);
-        rows
-    }
-
-    /// dQ/dq from the derivatives of the density by slope and position at each point; columns of positions are
-    /// differences, the base takes what is left.
-    fn by_q(&self, of: &Law, split: &mut Split) -> Vec<(String, Id)> {
-        let (d, count) = (of.axes.len(), self.q.len());
-        let size = d * count;
-        let zero = split.marked.time.graph.zero();
-        // By relative vectors, then by a shift of the whole element.
-        let columns = self.relative.len() + 1;
-        let mut whole = vec![vec![zero; d]; columns * d];
-        let mut sums = vec![vec![vec![zero; d]; self.relative.len()]; columns * d];
-        let partials = [0, 1].map(|order| -> Vec<Vector> {
-            let locals = split.locals[order].clone();
-            let graph = &mut split.marked.time.graph;
-            let of_component = |&force: &Id| locals.iter().map(|&local| graph.partial(force, local)).collect();
-            split.force.iter().map(of_component).collect()
-        });
-        for point in &self.points {
-            let at = self.locals(split, point);
-            let graph = &mut split.marked.time.graph;
-            let weight = graph.number(point.weight);
-            for row in 0..d {
-                for by in 0..d {
-                    let [position, slope] = [0, 1].map(|order| {
-                        let partial = graph.substitute(partials[order][row][by], &at);
-                        graph.multiply(weight, partial)
-                    });
-                    let carried = graph.multiply(self.length, position);
-                    for column in 0..columns {
-                        let change = match (point.shapes[0].get(column), point.shapes[1].get(column)) {
-                            (Some(&shape), Some(&derivative)) => {
-                                let (shape, derivative) = (graph.number(shape), graph.number(derivative));
-                                let (a, b) = (graph.multiply(shape, carried), graph.multiply(derivative, slope));
-                                graph.add(a, b)
-                            }
-                            _ => position,
-                        };
-                        let to = column * d + by;
-                        whole[to][row] = graph.add(whole[to][row], change);
-                        for (sum, &shape) in sums[to].iter_mut().zip(&point.shapes[0]) {
-                            let shape = graph.number(shape);
-                            let product = graph.multiply(shape, change);
-                            sum[row] = graph.add(sum[row], product);
-                        }
-                    }
-                }
-            }
-        }
-        let graph = &mut split.marked.time.graph;
-        let mut entries = vec![vec![zero; size]; size];
-        for (to, (whole, sums)) in whole.into_iter().zip(sums).enumerate() {
-            let (column, by) = (to / d, to % d);
-            // Relative positions are divided by the length.
-            let index = self.relative.get(column).map(|&(index, _)| index);
-            let is_position = index.is_some_and(|index| is_position(of.vectors[index]));
-            let rows = self.completed(of, graph, whole, sums, i32::from(!is_position)).concat();
-            for (row, entry) in rows.into_iter().enumerate() {
-                let base = self.base * d + by;
-                let Some(index) = index else {
-                    entries[row][base] = graph.add(entries[row][base], entry);
-                    continue;
-                };
-                entries[row][index * d + by] = entry;
-                if is_position {
-                    entries[row][base] = graph.subtract(entries[row][base], entry);
-                }
-            }
-        }
-        let mut outputs = Vec::new();
-        for (row, entries) in entries.into_iter().enumerate() {
-            let places = entries.into_iter().enumerate();
-            let there = places.filter(|&(_, entry)| !graph.is_zero(entry));
-            outputs.extend(there.map(|(column, entry)| (format!("by_q[{}]", row * size + column), entry)));
-        }
-        outputs
-    }
+    common
 }
 
 /// Degree in xi of a density whose position has the given degree; all that is checked to be polynomial.
