@@ -120,7 +120,7 @@ pub struct ConstraintSpec {
     pub coupled: &'static [[usize; 2]],
     /// The first so many markers belong to the first party: reactions act on it.
     pub first_party: usize,
-    /// Number of angles in it ([`super::Parts::marker_constraint_branches`]).
+    /// Number of angles in it ([`super::MarkerConstraints::marker_constraint_branches`]).
     pub branches: usize,
     /// Where it is there.
     pub when: When,
@@ -135,7 +135,7 @@ pub struct ForceSpec {
     pub markers: &'static [usize],
     /// Whether it has a potential ([`super::MarkerForces::marker_energy`]).
     pub conservative: bool,
-    /// Number of angles and kinks in it ([`super::Parts::marker_force_branches`]).
+    /// Number of angles and kinks in it ([`super::MarkerForces::marker_force_branches`]).
     pub branches: usize,
 }
 

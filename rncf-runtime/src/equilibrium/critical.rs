@@ -24,7 +24,7 @@ pub struct Critical {
 /// equilibrium becomes singular; `None` where it does not.
 ///
 /// # Errors
-/// As [`follow`], if there is no equilibrium at small loads.
+/// As [`follow`](super::follow), if there is no equilibrium at small loads.
 pub fn critical_factor(scene: &mut dyn Scene, t: f64) -> Result<Option<Critical>, SolveError> {
     let at = Uniform::at_rest(t);
     let mut path: Vec<Continued> = Vec::new();

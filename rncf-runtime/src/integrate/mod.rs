@@ -1,4 +1,4 @@
-//! Time integration of a [`System`]: HHT, generalized-alpha, Radau IIA and energy-momentum integration.
+//! Time integration of a [`System`](crate::System): HHT, generalized-alpha, Radau IIA and energy-momentum integration.
 //!
 //! The driver (`driver::Driver`) owns the time axis: limits, kinks, the end, and the counts of
 //! steps. A method (`scheme::Scheme`) tries one step at a time. [`Integrator`] is the driver with its system.

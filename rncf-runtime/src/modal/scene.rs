@@ -20,7 +20,7 @@ use crate::system::{Branch, Conserving, ConstraintLevel, Jump, Lever, State, Sys
 /// their names, described otherwise than they are declared.
 ///
 /// # Errors
-/// As [`MeshScene::new`], and a body whose modes do not exist or do not suffice, by name.
+/// A parameter that makes no physical sense, and a body whose modes do not exist or do not suffice, by name.
 pub fn build_as(
     parts: impl Parts,
     formulation: Formulation,
