@@ -1,4 +1,4 @@
-//! The elements of this crate: texts in the language, and what can't be written in it yet.
+//! The elements of this crate: texts in the language.
 
 use std::sync::LazyLock;
 
@@ -9,6 +9,8 @@ use crate::parse;
 
 /// Declarations of elements.
 const TEXTS: [&str; 2] = [include_str!("library/cable.rncf"), include_str!("library/beam.rncf")];
+/// The beam whose section has a full matrix of stiffness, which is called `beam`, too.
+const FULL_BEAM: &str = include_str!("library/full_beam.rncf");
 /// What stands between the interfaces of a body from elsewhere, and is not evaluated: no word of the language.
 const INTERFACES: &str = include_str!("library/interfaces.rncf");
 
@@ -23,7 +25,11 @@ static STANDARD: LazyLock<Library> = LazyLock::new(|| {
     });
     library.elements.extend(between);
     let beam = library.find("beam").map(|at| library.elements[at].clone());
-    library.elements.extend(beam.iter().flat_map(full_beam));
+    let full = declared(FULL_BEAM);
+    let both = full.iter().zip(&beam);
+    library
+        .elements
+        .extend(both.flat_map(|(full, beam)| full_beam(full, beam)));
     library
 });
 

@@ -2,7 +2,10 @@
 
 mod law;
 
-pub use law::{CENTRES, DAMPINGS, LAW, MASS_ENTRIES, MASSES, STIFFNESS_ENTRIES, from_beamdyn};
+pub use law::{
+    CENTRES, DAMPINGS, LAW, MASS_ENTRIES, MASSES, PIVOTS, PIVOTS_OF_RATES, STIFFNESS_ENTRIES, from_beamdyn,
+    pivot_dimension,
+};
 
 /// Which values of a property make sense.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -140,6 +140,8 @@ struct Check<'a> {
     library: Arc<Library>,
     /// Whether the elements of the declaration are known to make sense: those of this crate.
     is_trusted: bool,
+    /// Whether the element that is being checked is of a section alone, which says its stiffness by itself.
+    is_of_section: bool,
     errors: &'a mut Errors,
     /// Everything with a name, outputs apart.
     names: HashMap<&'a str, &'a Item>,
@@ -206,6 +208,7 @@ impl<'a> Check<'a> {
             tree,
             library: Arc::new(library.clone()),
             is_trusted: false,
+            is_of_section: false,
             errors,
             names: HashMap::new(),
             values: HashMap::new(),

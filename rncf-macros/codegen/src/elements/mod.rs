@@ -16,7 +16,7 @@ use crate::tensors::{Polynomial, Rational};
 pub use full_beam::{VISCOUS, full_beam};
 pub use rank::{Coefficients, Rules, STRETCHES, points_for};
 pub use word::word;
-pub use written::{Definition, When, Written, WrittenTerm};
+pub use written::{Definition, Nature, When, Written, WrittenTerm};
 
 /// Name of what stands between the interfaces of a body from a file, which no text can name.
 pub const BETWEEN_INTERFACES: &str = "(interfaces)";

@@ -39,6 +39,17 @@ pub struct Definition {
     pub value: Expr,
 }
 
+/// What damps a part of the energy.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Nature {
+    /// The damping of the body.
+    Damped,
+    /// Nothing.
+    Undamped,
+    /// It is no energy: the stress is the rate of its strain, where the body is damped.
+    Viscous,
+}
+
 /// `energy name = coefficient * density;`
 #[derive(Clone, Debug)]
 pub struct WrittenTerm {
@@ -54,6 +65,8 @@ pub struct WrittenTerm {
     pub stress: Option<Expr>,
     /// Gauss points of its own.
     pub points: Option<usize>,
+    /// What damps it.
+    pub nature: Nature,
 }
 
 /// The energy of a declaration.
@@ -94,6 +107,12 @@ impl Written {
             options,
             changes: HashMap::new(),
         };
+        // What is named is made in the order of the names.
+        for definition in self.definitions.iter().filter(|one| !one.is_strain) {
+            if definition.when.applies(fields.dimension, options) {
+                scope.value(graph, &definition.value);
+            }
+        }
         let mut list = Vec::new();
         for (at, term) in self.terms.iter().enumerate() {
             if !term.when.applies(fields.dimension, options) {
@@ -130,7 +149,11 @@ impl Written {
             Some(&(_, change, measure)) => {
                 let (half, square) = (graph.number(0.5), graph.power(change, 2));
                 if built.stress.is_none() && built.density == graph.multiply(half, square) {
-                    Density::Measure(measure)
+                    match declared.nature {
+                        Nature::Damped => Density::Measure(measure),
+                        Nature::Undamped => Density::Undamped(measure),
+                        Nature::Viscous => Density::Viscous(measure),
+                    }
                 } else {
                     let stress = built.stress.unwrap_or_else(|| graph.partial(built.density, change));
                     Density::Law {

@@ -31,10 +31,12 @@ pub fn element(cursor: &mut Cursor, errors: &mut Errors) -> Parsed<ItemKind> {
         return Err(cursor.expected("`(section, material)` after the name of the element"));
     };
     let mut inner = Cursor::of(&group);
-    let is_usual = inner.eat_word("section") && inner.eat_punct(',') && inner.eat_word("material");
+    let is_of_section = inner.eat_word("section") && inner.is_empty();
+    let is_usual = is_of_section || inner.eat_punct(',') && inner.eat_word("material");
     if !is_usual || !inner.is_empty() {
         return Err(Mistake::new(group.span(), say::ELEMENT_ARGUMENTS));
     }
+    let of_section = is_of_section.then(|| group.span());
     let Some(group) = cursor.eat_group(Delimiter::Brace) else {
         return Err(cursor.expected("`{` and the statements of the element"));
     };
@@ -57,6 +59,7 @@ pub fn element(cursor: &mut Cursor, errors: &mut Errors) -> Parsed<ItemKind> {
         }
     }
     Ok(ItemKind::Element {
+        of_section,
         statements,
         complete: errors.len() == before,
     })
@@ -141,7 +144,7 @@ fn statement(cursor: &mut Cursor, doc: String) -> Parsed<ElementStatement> {
     Ok(ElementStatement { doc, word, kind })
 }
 
-/// `name [when ..] = value [, stress value] [, points count] [, active]`
+/// `name [when ..] = value [, stress value] [, points count] [, active | undamped | viscous]`
 fn energy(cursor: &mut Cursor) -> Parsed<ElementKind> {
     let name = name(cursor, "the name of a part of the energy")?;
     let when = when(cursor)?;
@@ -156,10 +159,15 @@ fn energy(cursor: &mut Cursor) -> Parsed<ElementKind> {
         Ok(None)
     };
     let (stress, points) = (tail("stress")?, tail("points")?);
-    let mut active = None;
-    if cursor.is_punct(',') && cursor.is_second_word("active") {
+    let mut nature = None;
+    let is_nature = |cursor: &Cursor| {
+        ["active", "undamped", "viscous"]
+            .iter()
+            .any(|word| cursor.is_second_word(word))
+    };
+    if cursor.is_punct(',') && is_nature(cursor) {
         cursor.next();
-        active = Some(Box::new(cursor.expect_name("`active`")?));
+        nature = Some(Box::new(cursor.expect_name("`active`")?));
     }
     Ok(ElementKind::Energy {
         name,
@@ -167,7 +175,7 @@ fn energy(cursor: &mut Cursor) -> Parsed<ElementKind> {
         value,
         stress,
         points,
-        active,
+        nature,
     })
 }
 

@@ -313,6 +313,8 @@ pub enum ItemKind {
     NamedSection(Call),
     /// `element name(section, material) { statements }`
     Element {
+        /// `(section)`, where the section says its stiffness by itself.
+        of_section: Option<Span>,
         /// What stands in the braces.
         statements: Vec<ElementStatement>,
         /// Whether all statements could be read.
@@ -460,8 +462,8 @@ pub enum ElementKind {
         stress: Option<Expr>,
         /// Gauss points of its own.
         points: Option<Expr>,
-        /// The word `active`: it has a stress in the shape that a body declares.
-        active: Option<Box<Name>>,
+        /// `active`: it has a stress in the shape that a body declares; `undamped`; `viscous`: the stress is of the strain's rate.
+        nature: Option<Box<Name>>,
     },
     /// `points 5;`
     Points(Expr),

@@ -135,12 +135,17 @@ impl<'t> Unfold<'t, '_> {
             }
             ItemKind::Section(fields) => ItemKind::Section(self.fields(at, fields)),
             ItemKind::NamedSection(call) => ItemKind::NamedSection(self.call(at, call)),
-            ItemKind::Element { statements, complete } => {
+            ItemKind::Element {
+                of_section,
+                statements,
+                complete,
+            } => {
                 self.local = own_names(statements);
                 let statements = statements.iter().map(|statement| self.of_element(at, statement));
                 let statements = statements.collect();
                 self.local.clear();
                 ItemKind::Element {
+                    of_section: *of_section,
                     statements,
                     complete: *complete,
                 }
@@ -402,14 +407,14 @@ impl<'t> Unfold<'t, '_> {
                 value,
                 stress,
                 points,
-                active,
+                nature,
             } => ElementKind::Energy {
                 name: name.clone(),
                 when: when.clone(),
                 value: self.expr(at, value),
                 stress: stress.as_ref().map(|stress| self.expr(at, stress)),
                 points: points.clone(),
-                active: active.clone(),
+                nature: nature.clone(),
             },
             other => other.clone(),
         };

@@ -3,6 +3,7 @@
 use std::sync::LazyLock;
 
 use super::{Property, Range};
+use crate::units::Dimension;
 
 /// Stiffness by constants about the centres, in the order of the runtime's `Stiffness::Centres`.
 pub const CENTRES: &[&str] = &[
@@ -36,6 +37,56 @@ pub const MASS_ENTRIES: &[&str] = &[
 
 /// A damping of its own for each strain.
 pub const DAMPINGS: &[&str] = &["damping1", "damping2", "damping3", "damping4", "damping5", "damping6"];
+
+/// What the energy of the element of such a section reads: pivots and factors of its stiffness `L D L^T` in the order torsion, bending
+/// about y and z, axial, shear along y and z, then what holds the section in its plane; in the order of the runtime's
+/// `SectionLaw::coefficients`.
+pub const PIVOTS: &[&str] = &[
+    "D1",
+    "D2",
+    "D3",
+    "D4",
+    "D5",
+    "D6",
+    "L21",
+    "L31",
+    "L32",
+    "L41",
+    "L42",
+    "L43",
+    "L51",
+    "L52",
+    "L53",
+    "L54",
+    "L61",
+    "L62",
+    "L63",
+    "L64",
+    "L65",
+    "held",
+    "half_held",
+    "smooth",
+    "half_smooth",
+];
+
+/// What follows in `SectionLaw::viscous_coefficients`: factors of the rates, with dampings in seconds.
+pub const PIVOTS_OF_RATES: &[&str] = &[
+    "V1", "V2", "V3", "V4", "V5", "V6", "W21", "W31", "W32", "W41", "W42", "W43", "W51", "W52", "W53", "W54", "W61",
+    "W62", "W63", "W64", "W65",
+];
+
+/// Dimension of one of these.
+pub fn pivot_dimension(name: &str) -> Dimension {
+    let digit = |at: usize| name.as_bytes().get(at).map_or(0, |digit| digit.wrapping_sub(b'0'));
+    Dimension::of(match name.as_bytes()[0] {
+        b'D' if digit(1) > 3 => FORCE,
+        b'D' | b's' => BENDING,
+        b'h' if name == "half_smooth" => BENDING,
+        b'h' => FORCE,
+        b'L' | b'W' if digit(1) > 3 && digit(2) <= 3 => [-1, 0, 0, 0, 0, 0],
+        _ => [0; 6],
+    })
+}
 
 const FORCE: [i8; 6] = [1, 1, -2, 0, 0, 0];
 const MOMENT: [i8; 6] = [2, 1, -2, 0, 0, 0];

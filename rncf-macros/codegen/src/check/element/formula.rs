@@ -4,7 +4,7 @@ use super::{Draft, say};
 use crate::check::Check;
 use crate::check::expr::Scope;
 use crate::check::quantity::Typed;
-use crate::elements::{Coefficient, Definition, Interpolant, When, WrittenTerm, word};
+use crate::elements::{Coefficient, Definition, Interpolant, Nature, When, WrittenTerm, word};
 use crate::model::{Binary, ElementQuantity, Expr as Value, Function, fold};
 use crate::parse::tree::{self, Call, ElementKind, ElementStatement, Expr, ExprKind, Name};
 use crate::suggest;
@@ -79,7 +79,7 @@ impl<'a> Check<'a> {
                     value,
                     stress,
                     points,
-                    active,
+                    nature,
                 } => {
                     let points = points.as_ref().map(|points| self.point_count(points));
                     let term = self.term(name, when, value, stress.as_ref(), draft);
@@ -87,9 +87,12 @@ impl<'a> Check<'a> {
                     if let (Some(mut term), Some(points)) = (term, points.map_or(Some(None), |points| points.map(Some)))
                     {
                         term.points = points;
+                        term.nature = self.nature(nature.as_deref());
                         draft.written.terms.push(term);
                         draft.terms.push(name);
-                        draft.active.push(active.as_deref());
+                        draft
+                            .active
+                            .push(nature.as_deref().filter(|word| word.text == "active"));
                     }
                 }
                 _ => {}
@@ -182,7 +185,21 @@ impl<'a> Check<'a> {
             density,
             stress,
             points: None,
+            nature: Nature::Damped,
         })
+    }
+
+    /// What damps a part of the energy, by the word behind it.
+    fn nature(&mut self, word: Option<&Name>) -> Nature {
+        let nature = match word.map(|word| word.text.as_str()) {
+            Some("undamped") => Nature::Undamped,
+            Some("viscous") => Nature::Viscous,
+            _ => Nature::Damped,
+        };
+        if let Some(word) = word.filter(|_| nature != Nature::Damped && !self.is_trusted) {
+            self.errors.at(word.span, say::damping_of_parts(&word.text));
+        }
+        nature
     }
 
     fn when(&mut self, when: &'a tree::When, draft: &Draft) -> Option<When> {

@@ -13,12 +13,15 @@ pub const COEFFICIENT_PRODUCT: &str = "a coefficient is a product of properties,
 pub const STRESSED: &str = "with `t` this part has a stress in the shape that a body declares: subtract it, or, if it is meant (heated, drawn together, prestressed), write `, active` behind it";
 pub const NOT_ACTIVE: &str =
     "this part is free of stress in the shape that a body declares, at every time: leave out `active`";
+pub const OF_SECTION: &str =
+    "elements of the library alone are of a section that says its stiffness by itself: write `(section, material)`";
 pub const PRODUCT_OF: &str = "the fields of the element are multiplied: write e.g. `dot(a, b)` with `field a = r_x;`";
 pub const NOT_FINITE_AT_REST: &str = "this has no finite value, stress or stiffness where nothing is deformed";
 pub const CROSS_IN_SPACE: &str = "`cross(a, b)` is a number in the plane alone: write this part `in plane`, and in space its square, `dot(a, a)*dot(b, b) - dot(a, b)^2`";
 
 messages! {
     timed_strain(name) = "`{name}` counts from the stress-free shape at every time, so that `t` would cancel: let `t` stand in the energy, e.g. `1/2*EA*({name} - heat)^2` with `let heat = ..;`";
+    damping_of_parts(word) = "`{word}` stands in elements of the library alone: all strains of an element have the damping of its material";
     timed_inertia(name) = "`{name}` changes with time, and mass does not: leave out `t`";
     of_library(name) = "`{name}` is an element of the library: choose another name";
     missing(what, example) = "this element has no `{what}`: write e.g. `{example}`";

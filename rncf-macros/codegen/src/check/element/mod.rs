@@ -21,7 +21,7 @@ use crate::parse::tree::{
 };
 use crate::suggest;
 use crate::units::Dimension;
-use crate::vocabulary::{DERIVED, MATERIAL, SECTION};
+use crate::vocabulary::{DERIVED, MATERIAL, PIVOTS, PIVOTS_OF_RATES, SECTION, pivot_dimension};
 use messages as say;
 
 pub(super) use formula::FieldOfElement;
@@ -133,9 +133,18 @@ impl<'a> Check<'a> {
         // Those of parts that say the same are one element.
         let mut written: HashMap<String, usize> = HashMap::new();
         for item in self.items(Keyword::Element) {
-            let ItemKind::Element { statements, complete } = &item.kind else {
+            let ItemKind::Element {
+                of_section,
+                statements,
+                complete,
+            } = &item.kind
+            else {
                 continue;
             };
+            if let Some(span) = of_section.filter(|_| !self.is_trusted) {
+                self.errors.at(span, say::OF_SECTION);
+                continue;
+            }
             let (name, plain) = (item.name.text.as_str(), item.name.word());
             let is_known = self.library.find(name).is_some();
             let of_library = self
@@ -155,6 +164,7 @@ impl<'a> Check<'a> {
                 continue;
             }
             let before = self.errors.len();
+            self.is_of_section = of_section.is_some();
             let element = self.element(item, statements, *complete);
             self.locals.clear();
             self.element_fields.clear();
@@ -208,7 +218,8 @@ impl<'a> Check<'a> {
             ("inertia", "inertia r = rhoA;"),
             ("energy", "energy axial_strain = 1/2*EA*e^2;"),
         ] {
-            if complete && !statements.iter().any(|statement| statement.word.text == needed) {
+            let is_needed = needed != "inertia" || !self.is_of_section;
+            if complete && is_needed && !statements.iter().any(|statement| statement.word.text == needed) {
                 self.errors.at(item.name.span, say::missing(needed, example));
             }
         }
@@ -240,7 +251,7 @@ impl<'a> Check<'a> {
         let element = Element {
             kernel: word(&identifier(names[0])),
             names,
-            of_stiffness: false,
+            of_stiffness: self.is_of_section,
             doc: first_line(&item.doc),
             vectors: draft.vectors.iter().map(|(_, vector)| vector.clone()).collect(),
             fields: draft.fields.iter().map(|(_, field)| *field).collect(),
@@ -398,6 +409,11 @@ impl<'a> Check<'a> {
 
     /// Lets `material.young` and the like be values.
     fn property_names(&mut self) {
+        if self.is_of_section {
+            let pivots = PIVOTS.iter().chain(PIVOTS_OF_RATES);
+            pivots.for_each(|name| self.property_name("section", name, pivot_dimension(name)));
+            return;
+        }
         for (owner, list) in [("material", MATERIAL), ("section", SECTION)] {
             for property in list {
                 let dimension = Dimension::of(property.dimension);
@@ -420,7 +436,7 @@ impl<'a> Check<'a> {
 
     /// `material.young` inside of a coefficient; `None` elsewhere.
     pub(super) fn property(&mut self, expr: &Expr) -> Option<Option<Typed>> {
-        if !self.locals.contains_key("material.young") {
+        if !self.locals.contains_key("material.young") && !self.locals.contains_key("section.D1") {
             return None;
         }
         let ExprKind::Member { base, field, arguments } = &expr.kind else {

@@ -198,3 +198,22 @@ fn elements_of_the_library_make_sense() {
         [3, 3]
     );
 }
+
+/// The beam with a full matrix of stiffness is a text, whose coefficients are what the runtime's sections give, in their order.
+#[test]
+fn coefficients_of_the_full_beam_are_those_of_its_section() {
+    use crate::elements::Library;
+    use crate::vocabulary::{PIVOTS, PIVOTS_OF_RATES};
+    let library = Library::standard();
+    for (is_viscous, wanted) in [(false, PIVOTS.to_vec()), (true, [PIVOTS, PIVOTS_OF_RATES].concat())] {
+        let at = library.find_of_stiffness("beam", is_viscous).unwrap();
+        let element = &library.elements[at];
+        let names: Vec<&str> = element.coefficients.iter().map(|one| one.name).collect();
+        assert_eq!(names, wanted);
+        let of_section = element
+            .coefficients
+            .iter()
+            .all(|one| one.factors == [one.name] && one.scale.is_none());
+        assert!(of_section, "{:?}", element.coefficients);
+    }
+}
