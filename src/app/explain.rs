@@ -141,9 +141,11 @@ fn work(scene: &mut dyn Scene) -> String {
     let (factor, solve) = linear(scene, &state, &values, [n, m]);
     let mut text = "\nTime of one evaluation here, at rest\n".to_string();
     let mut line = |name: &str, seconds: Option<f64>| {
-        let value = seconds.map_or("singular".to_string(), |seconds| {
-            format!("{} us", digits(1e6 * seconds, 3))
-        });
+        let value = match seconds {
+            None => "singular".to_string(),
+            Some(seconds) if seconds < 1e-3 => format!("{} us", digits(1e6 * seconds, 3)),
+            Some(seconds) => format!("{} ms", digits(1e3 * seconds, 3)),
+        };
         let _ = writeln!(text, "  {name:32}{value}");
     };
     line("forces and inertia", Some(residual));
@@ -154,9 +156,9 @@ fn work(scene: &mut dyn Scene) -> String {
     if let (Some(factor), Some(solve)) = (factor, solve) {
         // Radau of order 5: a real and a complex matrix, the latter as four real ones; about four iterations at three stages.
         let iterations = 4.0 * (3.0 * residual + 5.0 * solve);
-        let renewed = derivatives + 5.0 * (matrix + factor);
-        line("a step of radau, matrices kept", Some(iterations));
-        line("a step of radau, matrices new", Some(iterations + renewed));
+        let renewed = derivatives + 5.0 * factor;
+        line("a step of radau, about", Some(iterations));
+        line("  with new matrices, about", Some(iterations + renewed));
     }
     text
 }
