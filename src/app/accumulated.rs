@@ -5,9 +5,8 @@
 //! the run is the error of the run. Where that takes too long, the run is repeated with a hundred times the tolerance, in a fifth of the steps: its
 //! distance, over what the order of the method promises, is the least error of the run.
 
-use super::cautions::listed;
-use crate::archive::{Archive, Keep};
-use crate::{Integrator, Method, Options, Output, Scene, State, StepSize, Stop};
+use super::marks::{Again, Marks, again, told};
+use crate::{Method, Options, Output, Scene, State, StepSize};
 
 /// Tolerance of the second run, in those of the first, and the largest one.
 const LOOSER: f64 = 100.0;
@@ -20,39 +19,6 @@ const SHARE: [f64; 2] = [0.2, 0.4];
 const AFFORDED: usize = 500_000;
 /// Least number of steps that add up to something.
 const STEPS: u64 = 200;
-/// Times at which both runs are compared.
-const MARKS: f64 = 40.0;
-/// Part of the largest change of an output from which on its error is told.
-const TOLD: f64 = 0.01;
-/// Most outputs that are told.
-const MOST: usize = 4;
-/// Units of what follows from where things are and how fast they move: forces and accelerations have vibrations of their own.
-const UNITS: [&str; 6] = ["m", "rad", "1", "m/s", "rad/s", "J"];
-
-/// Outputs of a run at some of its rows, with their times (s).
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Marks {
-    rows: Vec<(f64, Vec<f64>)>,
-    due: f64,
-}
-
-impl Keep for Marks {
-    fn keep(&mut self, archive: &mut Archive<'_>) {
-        let Self { rows, due } = self;
-        rows.keep(archive);
-        due.keep(archive);
-    }
-}
-
-impl Marks {
-    /// Takes in a row of a run of `t_end`, s.
-    pub fn meet(&mut self, t: f64, t_end: f64, values: &[f64]) {
-        if t >= self.due {
-            self.due = t + t_end / MARKS * (1.0 - 1e-9);
-            self.rows.push((t, values.to_vec()));
-        }
-    }
-}
 
 /// A run that came to its end.
 #[derive(Clone, Copy, Debug)]
@@ -67,7 +33,13 @@ pub(super) struct Ended<'r> {
 }
 
 /// One sentence where what the steps of a run from `start` add up to is large.
-pub(super) fn accumulated(scene: &mut dyn Scene, start: State, run: Ended<'_>, outputs: &[Output]) -> Option<String> {
+pub(super) fn accumulated(
+    scene: &mut dyn Scene,
+    start: State,
+    run: Ended<'_>,
+    outputs: &[Output],
+    goes_on: &mut dyn FnMut() -> bool,
+) -> Option<String> {
     let Ended { method, options, .. } = run;
     let is_second = matches!(method, Method::Hht { .. } | Method::GeneralizedAlpha { .. });
     if !is_second || options.step != StepSize::Adaptive || run.steps < STEPS {
@@ -75,16 +47,17 @@ pub(super) fn accumulated(scene: &mut dyn Scene, start: State, run: Ended<'_>, o
     }
     let afforded = (AFFORDED / scene.unknowns().max(1)) as u64;
     let most = SHARE.map(|share| afforded.max((share * run.iterations as f64) as u64));
-    let by_radau = again(
+    let by_radau = whole(
         scene,
         start.clone(),
         (run.t_end, Method::Radau, options, most[0]),
         run.marks,
+        goes_on,
     );
     if let Some(rows) = by_radau {
-        let names = told(outputs, &differences(outputs, run.marks, &rows, 1.0))?;
+        let names = told(outputs, &run.marks.differences(outputs, &rows, options.rtol))?;
         return Some(format!(
-            "The tolerance holds for each step, and errors of {} steps add up: Radau with the same tolerance finds another motion, from which outputs differ by parts of their largest change, {names}. Take `--integrator radau`, or a smaller `--rtol`.",
+            "The tolerance holds for each step, and errors of {} steps add up: Radau with the same tolerance finds another motion, from which outputs differ by parts of their largest change or value, {names}. Take `--integrator radau`, or a smaller `--rtol`.",
             run.steps
         ));
     }
@@ -93,88 +66,32 @@ pub(super) fn accumulated(scene: &mut dyn Scene, start: State, run: Ended<'_>, o
         return None;
     }
     let looser = Options { rtol, ..options };
-    let rows = again(scene, start, (run.t_end, method, looser, most[1]), run.marks)?;
-    let names = told(outputs, &differences(outputs, run.marks, &rows, ORDER - 1.0))?;
+    let rows = whole(scene, start, (run.t_end, method, looser, most[1]), run.marks, goes_on)?;
+    let mut found = run.marks.differences(outputs, &rows, options.rtol);
+    found.iter_mut().for_each(|(_, part)| *part /= ORDER - 1.0);
+    let names = told(outputs, &found)?;
     Some(format!(
-        "The tolerance holds for each step, and errors of {} steps add up: the same run with a hundred times the tolerance ends so far away that outputs of this one may be off by parts of their largest change, {names} or more. Take `--integrator radau`, or a smaller `--rtol`.",
+        "The tolerance holds for each step, and errors of {} steps add up: the same run with a hundred times the tolerance ends so far away that outputs of this one may be off by parts of their largest change or value, {names} or more. Take `--integrator radau`, or a smaller `--rtol`.",
         run.steps
     ))
 }
 
-/// The outputs with their errors.
-fn told(outputs: &[Output], found: &[(usize, f64)]) -> Option<String> {
-    let name = |&(output, part): &(usize, f64)| format!("`{}` by about {:.1} %", outputs[output].name, 100.0 * part);
-    listed(&found.iter().map(name).collect::<Vec<_>>(), MOST)
-}
-
 /// Rows at the times of the marks of a run with other options; `None` where it fails, or takes more iterations than these.
-fn again(
+fn whole(
     scene: &mut dyn Scene,
     start: State,
     (t_end, method, options, most): (f64, Method, Options, u64),
     marks: &Marks,
+    goes_on: &mut dyn FnMut() -> bool,
 ) -> Option<Vec<Vec<f64>>> {
-    let columns = scene.output_columns();
-    let mut integrator = Integrator::new(scene, start, t_end, method, options).ok()?;
-    let mut state = integrator.state().clone();
-    let mut rows = Vec::with_capacity(marks.rows.len());
-    loop {
-        while let Some(&(t, _)) = marks.rows.get(rows.len()) {
-            let reached = integrator.state().t;
-            if t > reached * (1.0 + 1e-13) {
-                break;
-            }
-            if t >= reached {
-                state.clone_from(integrator.state());
-            } else {
-                integrator.interpolate(t, &mut state);
-            }
-            let mut row = vec![0.0; columns];
-            integrator.system().outputs(&state, &mut row);
-            rows.push(row);
-        }
-        if rows.len() == marks.rows.len() {
-            return Some(rows);
-        }
-        if integrator.statistics().newton_iterations > most
-            || integrator.step().ok()? == Stop::End && integrator.state().t < t_end
-        {
-            return None;
-        }
-    }
-}
-
-/// Outputs whose error is told, their distance from other rows over `order`, as part of their largest change; the largest first.
-fn differences(outputs: &[Output], marks: &Marks, rows: &[Vec<f64>], order: f64) -> Vec<(usize, f64)> {
-    let mut first = 0;
-    let mut found = Vec::new();
-    for (index, output) in outputs.iter().enumerate() {
-        let columns = first..first + output.width();
-        first = columns.end;
-        if !UNITS.contains(&output.unit) {
-            continue;
-        }
-        let distance = |a: &[f64], b: &[f64]| {
-            let squares = columns.clone().map(|column| (a[column] - b[column]).powi(2));
-            squares.sum::<f64>().sqrt()
-        };
-        let Some((_, begin)) = marks.rows.first() else {
-            return found;
-        };
-        let change = marks
-            .rows
-            .iter()
-            .map(|(_, row)| distance(row, begin))
-            .fold(0.0, f64::max);
-        let pairs = marks.rows.iter().zip(rows);
-        let away = pairs.map(|((_, row), other)| distance(row, other)).fold(0.0, f64::max);
-        let part = away / order / change;
-        if part > TOLD {
-            found.push((index, part));
-        }
-    }
-    found.sort_by(|a, b| b.1.total_cmp(&a.1));
-    found
+    let how = Again {
+        t_end,
+        method,
+        options,
+        most,
+    };
+    let (rows, _) = again(scene, start, how, marks, goes_on);
+    (rows.len() == marks.rows.len()).then_some(rows)
 }
 
 #[cfg(test)]
@@ -203,7 +120,7 @@ mod tests {
         let exact = run(&rotor, &settings(Method::Radau, 1e-11)).unwrap();
         let outputs = AnyModel::outputs(&rotor);
         let rows: Vec<Vec<f64>> = exact.marks.rows.iter().map(|(_, row)| row.clone()).collect();
-        let found = differences(outputs, &result.marks, &rows, 1.0);
+        let found = result.marks.differences(outputs, &rows, rtol);
         let error = found.first().map_or(0.0, |found| found.1);
         let mut scene = rotor
             .build_as(settings(method, rtol).formulation, crate::Joints::Eliminated, &[])
@@ -217,7 +134,7 @@ mod tests {
             iterations: result.statistics.newton_iterations,
             marks: &result.marks,
         };
-        let told = accumulated(scene.as_mut(), start, ended, outputs);
+        let told = accumulated(scene.as_mut(), start, ended, outputs, &mut || true);
         let part = |text: String| -> f64 {
             let after = text.split("by about ").nth(1).unwrap();
             after.split(' ').next().unwrap().parse::<f64>().unwrap() / 100.0

@@ -379,6 +379,7 @@ fn settings(matches: &ArgMatches) -> Result<RunSettings, String> {
         t_end: flag_time("t-end", "20 s")?,
         every: flag_time("every", "0.05 s")?,
         pictures: matches.get_flag("animate") || matches.get_flag("vtu"),
+        judged: !matches.get_flag("unjudged"),
     })
 }
 

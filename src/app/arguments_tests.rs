@@ -32,7 +32,13 @@ fn mistake(line: &[&str]) -> String {
 fn nothing_given_is_a_run_with_defaults() {
     let arguments = read(&[]).unwrap();
     assert_eq!(arguments.command, Command::Run);
-    assert_eq!(arguments.settings, RunSettings::default());
+    assert_eq!(
+        arguments.settings,
+        RunSettings {
+            judged: true,
+            ..RunSettings::default()
+        }
+    );
     assert_eq!(arguments.out, PathBuf::from("out/rotor"));
     assert!(!arguments.quiet && arguments.line.is_empty());
 }
@@ -79,6 +85,7 @@ fn all_flags_are_read() {
         t_end: Some(2.0),
         every: Some(0.5),
         pictures: false,
+        judged: true,
     };
     assert_eq!(arguments.settings, expected);
     assert_eq!(arguments.out, PathBuf::from("here"));
@@ -86,6 +93,7 @@ fn all_flags_are_read() {
     let fixed = read(&["--step", "5 ms", "--integrator", "generalized-alpha"])
         .unwrap()
         .settings;
+    assert!(fixed.judged && !read(&["--unjudged"]).unwrap().settings.judged);
     assert_eq!(fixed.options.step, StepSize::Fixed(5e-3));
     assert_eq!(fixed.method, Method::GeneralizedAlpha { rho_inf: 0.8 });
     assert!(!fixed.options.proportional && read(&["--proportional"]).unwrap().settings.options.proportional);

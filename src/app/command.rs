@@ -133,7 +133,7 @@ impl Command {
             "start" | "every" | "t-end" | "stabilised" | "max-step" => self.runs(),
             "integrator" | "rtol" | "alpha" | "rho-inf" => matches!(self, Command::Run | Command::Advise),
             "fidelity" => matches!(self, Command::Run | Command::Explain),
-            "step" | "proportional" | "animate" | "vtu" | "resume" => self == Command::Run,
+            "step" | "proportional" | "animate" | "vtu" | "resume" | "unjudged" => self == Command::Run,
             "out" | "save-scenario" | "at" if self == Command::Explain => false,
             "formulation" => self != Command::Chart,
             "formulations" | "integrators" | "rtols" | "reference" | "beside" => self == Command::Chart,
@@ -180,9 +180,10 @@ impl Command {
             (_, "export") => "it looks for no modes",
             (Command::Chart, "resume") => "the same command goes on by itself where it was ended",
             (_, "resume") => "only a run leaves a checkpoint",
-            (Command::Chart | Command::Advise, "step" | "proportional" | "animate" | "vtu" | "fidelity") => {
-                "it compares many runs"
-            }
+            (
+                Command::Chart | Command::Advise,
+                "step" | "proportional" | "animate" | "vtu" | "fidelity" | "unjudged",
+            ) => "it compares many runs",
             (Command::Run | Command::Chart | Command::Advise, _) => "a run in time looks for no equilibrium",
             (_, "no-elimination") => "equilibria eliminate all joints that they can",
             (_, "t-end") => "the time whose spin and loads hold is `--at`",

@@ -2,11 +2,11 @@
 //! time, with what the integrator knew at its last renewal, and taken up later: the steps since then are repeated, which
 //! gives the same bits, and are not gathered twice.
 
-use super::accumulated::Marks;
 use super::cautions;
 use super::clock::{Clock, Seconds};
 use super::coarse::Coarseness;
 use super::history::SKETCHED;
+use super::marks::Marks;
 use super::pictures::Pictures;
 use super::recorder::Recorder;
 use super::run::{RunResult, StepTaken, times};
@@ -212,7 +212,8 @@ impl Course {
         let coarse = self.rows.coarseness.warning(integrator.system(), iterations);
         result.marks = self.rows.marks;
         let told = cautions::texts(self.rows.warnings);
-        result.warnings = moved.into_iter().chain(told).chain(yielding).chain(coarse).collect();
+        result.warnings = moved.into_iter().chain(told).chain(yielding).collect();
+        result.coarse = coarse;
         result.seconds = self.before.and(self.clock.seconds());
     }
 }

@@ -85,6 +85,10 @@ pub(super) fn command_line(model: &dyn AnyModel, program: &Program<'_>) -> clap:
             "no-elimination",
             "Keep all joints as constraints with multipliers",
         ))
+        .arg(flag(
+            "unjudged",
+            "Do not repeat the run on finer meshes and with other steps to tell what its outputs are off by",
+        ))
         .arg(value(
             "fidelity",
             "BODY=HOW,..",

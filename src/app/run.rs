@@ -2,13 +2,15 @@
 
 use std::ops::ControlFlow;
 
-use super::accumulated::{Ended, Marks, accumulated};
+use super::accumulated::{Ended, accumulated};
 use super::cautions;
 use super::clock::{Clock, Seconds};
 use super::course::Course;
 use super::doubts::doubts;
 use super::envelopes::Envelopes;
+use super::finer::{self, Begun, FINER, Found};
 use super::history::{Column, History};
+use super::marks::Marks;
 use super::pictures::Pictures;
 use super::recorder::{InMemory, Recorder};
 use super::run_error::{Incomplete, RunError};
@@ -40,10 +42,13 @@ pub struct RunSettings {
     pub every: Option<f64>,
     /// Whether pictures of the bodies are taken.
     pub pictures: bool,
+    /// Whether the run is repeated with other steps and on finer meshes, and what its outputs are off by is told: that may take as long
+    /// as the run. Else a moment or some tell of their meshes.
+    pub judged: bool,
 }
 
 impl Default for RunSettings {
-    /// RNCF, eliminated joints, from rest, Radau with rtol 1e-6, the model's times.
+    /// RNCF, eliminated joints, from rest, Radau with rtol 1e-6, the model's times, not judged.
     fn default() -> Self {
         Self {
             formulation: Formulation::Rncf,
@@ -55,6 +60,7 @@ impl Default for RunSettings {
             t_end: None,
             every: None,
             pictures: false,
+            judged: false,
         }
     }
 }
@@ -111,6 +117,10 @@ pub struct RunResult {
     pub warnings: Vec<String>,
     /// Some rows, for a look at what the errors of steps add up to.
     pub(super) marks: Marks,
+    /// Until when the outputs were compared with those of finer meshes, s; `None` where they were not.
+    pub judged_until: Option<f64>,
+    /// What the meshes tell of themselves at single moments of the run.
+    pub(super) coarse: Option<String>,
     /// Last good state.
     pub state: State,
     /// Time that the run took.
@@ -147,7 +157,7 @@ pub(super) fn run_recorded(
     model: &dyn AnyModel,
     settings: &RunSettings,
     recorder: &mut dyn Recorder,
-    watch: impl FnMut(&Progress) -> ControlFlow<()>,
+    mut watch: impl FnMut(&Progress) -> ControlFlow<()>,
 ) -> Result<RunResult, RunError> {
     let clock = Clock::start();
     let settings = complete_for(settings, model.run(), MOST_ROWS[usize::from(recorder.takes_rows())])?;
@@ -176,31 +186,17 @@ pub(super) fn run_recorded(
         cautions: model.cautions(t_end),
         warnings: Vec::new(),
         marks: Marks::default(),
+        judged_until: None,
+        coarse: None,
         state: start.clone(),
         seconds: Seconds::default(),
         incomplete: None,
     };
-    integrate(scene.as_mut(), start.clone(), &mut result, clock, recorder, watch)?;
-    if recorder.takes_rows() && result.incomplete.is_none() && result.settings.method != Method::EnergyMomentum {
-        // A program that calls `run` pays for its steps alone.
-        let run = Followed {
-            t_end,
-            rtol: result.settings.options.rtol,
-            statistics: &result.statistics,
-            end: &result.state,
-        };
-        let missed = unfollowed(scene.as_mut(), start.clone(), run, model.outputs());
-        result.warnings.extend(missed);
-        let run = Ended {
-            t_end,
-            method: result.settings.method,
-            options: result.settings.options,
-            steps: result.statistics.steps,
-            iterations: result.statistics.newton_iterations,
-            marks: &result.marks,
-        };
-        let added_up = accumulated(scene.as_mut(), start, run, model.outputs());
-        result.warnings.extend(added_up);
+    integrate(scene.as_mut(), start.clone(), &mut result, clock, recorder, &mut watch)?;
+    if result.settings.judged && result.incomplete.is_none() {
+        look_again(model, scene.as_mut(), &start, &mut result, &mut watch);
+    } else {
+        result.warnings.extend(result.coarse.take());
     }
     let told = cautions::sentences(model, &result.cautions);
     let told = told.into_iter().chain(doubts(model, result.settings.options.rtol));
@@ -209,6 +205,75 @@ pub(super) fn run_recorded(
         None => Ok(result),
         Some(_) => Err(RunError::Incomplete(Box::new(result))),
     }
+}
+
+/// Goes the way of a complete run from `start` in other ways, and tells what it missed.
+fn look_again(
+    model: &dyn AnyModel,
+    scene: &mut dyn Scene,
+    start: &State,
+    result: &mut RunResult,
+    watch: &mut dyn FnMut(&Progress) -> ControlFlow<()>,
+) {
+    let (t_end, _) = times(&result.settings);
+    let h = result.steps.last().map_or(0.0, |step| step.h);
+    let mut goes_on = || watch(&Progress { t: t_end, t_end, h }).is_continue();
+    let run = Ended {
+        t_end,
+        method: result.settings.method,
+        options: result.settings.options,
+        steps: result.statistics.steps,
+        iterations: result.statistics.newton_iterations,
+        marks: &result.marks,
+    };
+    let [mut missed, mut added_up] = [None, None];
+    if run.method != Method::EnergyMomentum {
+        let followed = Followed {
+            t_end,
+            rtol: run.options.rtol,
+            statistics: &result.statistics,
+            end: &result.state,
+        };
+        missed = unfollowed(scene, start.clone(), followed, model.outputs());
+        added_up = accumulated(scene, start.clone(), run, model.outputs(), &mut goes_on);
+    }
+    let own = Begun {
+        scene,
+        start: start.clone(),
+    };
+    let found = compared(model, own, run, &result.settings, &mut goes_on);
+    result.judged_until = Some(found.until).filter(|&until| until > 0.0);
+    // What outputs are off by says more than the energy of single moments.
+    let coarse = found.mesh.or_else(|| result.coarse.take().filter(|_| !found.is_whole));
+    let told = coarse.into_iter().chain(missed).chain(added_up.or(found.steps));
+    result.warnings.extend(told);
+}
+
+/// Without finer meshes where none changes, or they cannot be built.
+fn compared(
+    model: &dyn AnyModel,
+    own: Begun<'_>,
+    run: Ended<'_>,
+    settings: &RunSettings,
+    goes_on: &mut dyn FnMut() -> bool,
+) -> Found {
+    let finer = || {
+        let scene = model
+            .build_as(settings.formulation, settings.joints, &settings.fidelity)
+            .ok()?;
+        let scene = scene.with_finer_meshes(FINER)?.ok()?;
+        let start = match settings.start {
+            Start::Rest => scene.rest(0.0),
+            Start::Steady => scene.state_of_frame(&steady::finer_frame_state(model, FINER, 0.0)?),
+        };
+        Some((scene, start))
+    };
+    let mut finer = finer();
+    let finer = finer.as_mut().map(|(scene, start)| Begun {
+        scene: scene.as_mut(),
+        start: start.clone(),
+    });
+    finer::compare(own, finer, run, model.outputs(), goes_on)
 }
 
 /// The settings with the model's times where none are given.

@@ -13,7 +13,7 @@ use super::run_error::{Incomplete, RunError};
 use crate::equilibrium::{self, Kind};
 use crate::model::FrameState;
 use crate::modes::Critical;
-use crate::{AnyModel, Caution, Formulation, Joints};
+use crate::{AnyModel, Caution, Formulation, Joints, Scene};
 
 /// Equilibria one after the other; always in referenced coordinates with eliminated joints.
 #[derive(Clone, Debug)]
@@ -161,9 +161,19 @@ fn buckling(line: &mut Line<'_>) -> Vec<Critical> {
 
 /// Nodal vectors of the relative equilibrium with the spin at `t`, for a start in any formulation.
 pub(super) fn frame_state(model: &dyn AnyModel, t: f64) -> Result<FrameState, RunError> {
-    let mut scene = model
+    let scene = model
         .build(Formulation::Rncf, Joints::Eliminated)
         .map_err(RunError::Model)?;
+    frame_state_of(scene, t)
+}
+
+/// The same on meshes with this number of elements for each one; `None` where no mesh would change.
+pub(super) fn finer_frame_state(model: &dyn AnyModel, times: usize, t: f64) -> Option<FrameState> {
+    let scene = model.build(Formulation::Rncf, Joints::Eliminated).ok()?;
+    frame_state_of(scene.with_finer_meshes(times)?.ok()?, t).ok()
+}
+
+fn frame_state_of(mut scene: Box<dyn Scene>, t: f64) -> Result<FrameState, RunError> {
     let found = equilibrium::steady(scene.as_mut(), t).map_err(RunError::Start)?;
     Ok(scene.frame_state(found.state().unwrap_or(&scene.rest(t))))
 }

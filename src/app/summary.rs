@@ -71,6 +71,7 @@ pub(super) const STATISTICS: &[&str] = &[
     "cpu_clock",
     "wall_seconds",
     "energy_error",
+    "judged_until",
     "max_constraint_residual",
     "position_correction",
     "velocity_correction",
@@ -88,6 +89,7 @@ pub(super) fn of_run(model: &dyn AnyModel, result: &RunResult) -> Summary {
     counts(&mut summary, result);
     seconds(&mut summary, result.seconds);
     put(&mut summary, "energy_error", json!(result.energy_error));
+    put(&mut summary, "judged_until", json!(result.judged_until));
     let violation = (result.constraints > 0).then_some(result.statistics.max_constraint_residual);
     put(&mut summary, "max_constraint_residual", json!(violation));
     put(
@@ -380,6 +382,7 @@ pub(super) fn settings(summary: &mut Summary, settings: &RunSettings) {
     put(summary, "t_end", json!(t_end));
     put(summary, "every", json!(every));
     put(summary, "pictures", json!(settings.pictures));
+    put(summary, "judged", json!(settings.judged));
     if let Some(count) = settings.options.renewed_after {
         put(summary, "renewed_after", json!(count));
     }

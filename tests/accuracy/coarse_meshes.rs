@@ -1,6 +1,6 @@
 //! What meshes are told of themselves: estimates of their errors beside the errors against closed forms.
 
-use rncf::app::{EquilibriumSettings, RunSettings, modes, run, static_equilibria};
+use rncf::app::{EquilibriumSettings, RunResult, RunSettings, modes, run, static_equilibria};
 use rncf::equilibrium::{Uniform, follow};
 use rncf::modes::{Mode, Wanted};
 use rncf::prelude::*;
@@ -71,6 +71,16 @@ rncf::model! {
         fixture weight on line.at(5 m) { mass = 0.1 kg; }
         load g = gravity([0, -9.81, 0] m/s^2);
         output sag = -line.at(5 m).y;
+    }
+}
+
+rncf::model! {
+    /// A point on an eccentric orbit, ten times round.
+    pub model Orbit {
+        rigid point { mass = 1 kg; origin = [0.5, 0, 0] m; velocity = [0, 1.7320508075688772, 0] m/s; }
+        load pull = force(point, -1 [m^3/s^2] * 1 kg * point.position / norm(point.position)^3);
+        output place = point.position;
+        run { t_end = 62.83 s; every = 0.1 s; }
     }
 }
 
@@ -203,4 +213,95 @@ fn a_run_tells_that_its_mesh_is_too_coarse() {
         );
         assert!(run(&Rope { n: 16 }, &settings).unwrap().warnings.is_empty());
     }
+}
+
+/// Places of the tip of a rope, m.
+fn path(result: &RunResult) -> Vec<[f64; 2]> {
+    let [x, y] = [0, 1].map(|column| result.history.column(column).collect::<Vec<f64>>());
+    x.into_iter().zip(y).map(|(x, y)| [x, y]).collect()
+}
+
+/// What a note says that an output is off by.
+fn part(note: &str) -> f64 {
+    let after = note.split(" by about ").nth(1).unwrap();
+    after.split(' ').next().unwrap().parse::<f64>().unwrap() / 100.0
+}
+
+/// A rope falls from the horizontal. The energy of its strains is small beside that of its motion, and does not tell what becomes of its path.
+#[test]
+fn a_judged_run_tells_what_its_outputs_are_off_by() {
+    let with = |method, rtol, formulation| RunSettings {
+        method,
+        formulation,
+        options: Options {
+            rtol,
+            ..Options::default()
+        },
+        judged: true,
+        ..RunSettings::default()
+    };
+    let hht = Method::Hht { alpha: -0.05 };
+    let fine = RunSettings {
+        judged: false,
+        ..with(Method::Radau, 1e-6, Formulation::Rncf)
+    };
+    let exact = path(&run(&Rope { n: 32 }, &fine).unwrap());
+    let error_and_notes = |n: usize, settings: RunSettings| {
+        let found = run(&Rope { n }, &settings).unwrap();
+        assert_eq!(found.judged_until, Some(2.0));
+        let apart = path(&found)
+            .into_iter()
+            .zip(&exact)
+            .map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]));
+        (apart.fold(0.0, f64::max), found.warnings)
+    };
+    for (n, method, rtol, formulation) in [
+        (8, Method::Radau, 1e-6, Formulation::Rncf),
+        (8, hht, 1e-4, Formulation::Ancf),
+        (4, Method::Radau, 1e-3, Formulation::Rncf),
+    ] {
+        let (error, told) = error_and_notes(n, with(method, rtol, formulation));
+        let what = format!("{n} elements, {method:?} {rtol}");
+        let start = format!("with twice as many elements in `rope` ({n}) outputs differ by");
+        assert!(told.len() == 1 && told[0].contains(&start), "{told:?}");
+        assert_true(part(&told[0]), error, &what);
+    }
+    let (error, told) = error_and_notes(16, with(Method::Radau, 1e-4, Formulation::Rncf));
+    assert!(error < 0.01 && told.is_empty(), "{error}, {told:?}");
+}
+
+/// A point on an orbit that goes ten times round: errors of steps add up, with Radau at a loose tolerance, too.
+#[test]
+fn a_judged_run_tells_what_its_steps_add_up_to() {
+    let told = |rtol| {
+        let settings = RunSettings {
+            options: Options {
+                rtol,
+                ..Options::default()
+            },
+            judged: true,
+            ..RunSettings::default()
+        };
+        let found = run(&Orbit::default(), &settings).unwrap();
+        // The period of a semi-major axis of 1 m is 2 pi seconds where mu is 1 m^3/s^2; the run begins at the pericentre, 0.5 m.
+        let error = found.history.keys.iter().zip(path(&found)).map(|(t, place)| {
+            let mut anomaly: f64 = *t;
+            for _ in 0..60 {
+                anomaly -= (anomaly - 0.5 * anomaly.sin() - t) / (1.0 - 0.5 * anomaly.cos());
+            }
+            let exact = [anomaly.cos() - 0.5, 0.75_f64.sqrt() * anomaly.sin()];
+            (place[0] - exact[0]).hypot(place[1] - exact[1]) / 1.5
+        });
+        (error.fold(0.0, f64::max), found.warnings)
+    };
+    for rtol in [1e-3, 1e-4] {
+        let (error, notes) = told(rtol);
+        assert!(
+            error > 0.01 && notes.len() == 1 && notes[0].contains("steps add up"),
+            "{error}, {notes:?}"
+        );
+        assert_true(part(&notes[0]), error, &format!("orbit, {rtol}"));
+    }
+    let (error, notes) = told(1e-6);
+    assert!(error < 1e-3 && notes.is_empty(), "{error}, {notes:?}");
 }

@@ -20,7 +20,7 @@ rncf::model! {
         output tip = rope.end;
         /// Force of the hook on the rope.
         output pull = hook.force;
-        run { t_end = 2 s; every = 0.01 s; }
+        run { t_end = 1 s; every = 0.01 s; }
     }
 }
 

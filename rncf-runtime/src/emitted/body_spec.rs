@@ -200,6 +200,27 @@ impl BodySpec {
         (element, place - element as f64)
     }
 
+    /// Makes this number of elements of each one where the body deforms and has a mesh, unknown with all their nodal vectors, and says whether it
+    /// did. Nodes stay nodes.
+    pub(crate) fn refine(&mut self, times: usize) -> bool {
+        if matches!(self.line, Line::Nodes(_)) {
+            return false;
+        }
+        if matches!(self.fidelity, Fidelity::Rigid | Fidelity::Point) {
+            return false;
+        }
+        self.fidelity = Fidelity::Full;
+        let part = |pair: &[f64], part: usize| pair[0] + (pair[1] - pair[0]) * part as f64 / times as f64;
+        let ends = self.stations.last().copied();
+        let within = self
+            .stations
+            .windows(2)
+            .flat_map(|pair| (0..times).map(move |own| part(pair, own)));
+        self.stations = within.chain(ends).collect();
+        self.count *= times;
+        true
+    }
+
     /// Nodal vectors of the body.
     pub fn vectors(&self) -> usize {
         self.meshed_vectors() + self.normals.len()

@@ -36,7 +36,11 @@ fn build_boxed(
     joints: Joints,
     fidelity: &[(String, Fidelity)],
 ) -> Result<Box<dyn Scene>, ModelError> {
-    let scene = MeshScene::new(parts, formulation, joints, fidelity)?;
+    as_described(MeshScene::new(parts, formulation, joints, fidelity)?)
+}
+
+/// With modes where bodies have some.
+pub(super) fn as_described(scene: MeshScene) -> Result<Box<dyn Scene>, ModelError> {
     if scene.bodies.iter().all(|body| body.spec.fidelity == Fidelity::Full) {
         return Ok(Box::new(scene));
     }

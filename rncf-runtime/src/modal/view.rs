@@ -1,6 +1,7 @@
 //! A scene with modal bodies as the application sees it.
 
-use super::scene::{ModalScene, Told};
+use super::scene::{ModalScene, Told, as_described};
+use crate::error::ModelError;
 use crate::model::{
     Composition, Configuration, Curve, DescribedBody, ExportedBody, FrameState, MassProperties, MeshError, Scene,
     SectionBody, SectionState, Uniform, Warning,
@@ -97,6 +98,10 @@ impl Scene for ModalScene {
         self.expand(state);
         let shape = self.expanded_shape(shape);
         self.in_elements(|scene, full| scene.mode_mesh_errors(at, full, s, &shape))
+    }
+
+    fn with_finer_meshes(self: Box<Self>, times: usize) -> Option<Result<Box<dyn Scene>, ModelError>> {
+        Some(self.scene.with_finer_meshes(times)?.and_then(as_described))
     }
 
     fn rest(&self, t: f64) -> State {

@@ -5,6 +5,7 @@ use super::composition::Composition;
 use super::picture::{Configuration, Curve};
 use super::uniform::Uniform;
 use crate::archive::{Archive, Keep};
+use crate::error::ModelError;
 use crate::rotation::Rotation;
 use crate::system::{AsSystem, State, System, Tangent};
 use crate::vector::Vector;
@@ -86,6 +87,15 @@ pub trait Scene: System + Send {
     /// the stiffness that their meshes have too much, `shape . dK shape`; nothing where it is not known.
     fn mode_mesh_errors(&mut self, _at: &Uniform, _state: &State, _s: [f64; 2], _shape: &[[f64; 2]]) -> Vec<f64> {
         Vec::new()
+    }
+
+    /// The same scene with this number of elements for each one, and their nodal vectors as unknowns where there are modes; `None` where
+    /// no mesh would change.
+    ///
+    /// # Errors
+    /// As those of building it.
+    fn with_finer_meshes(self: Box<Self>, _times: usize) -> Option<Result<Box<dyn Scene>, ModelError>> {
+        None
     }
 
     /// Undeformed and at rest in the bodies' frames at time `t`; accelerations and multipliers zero.

@@ -44,14 +44,43 @@ impl MeshScene {
     /// not fit its motions, something that acts where it cannot, or a body that is not there or cannot be described so,
     /// by name.
     pub fn new(
-        mut parts: Box<dyn Parts>,
+        parts: Box<dyn Parts>,
         formulation: Formulation,
         joints: Joints,
         fidelity: &[(String, Fidelity)],
     ) -> Result<Self, ModelError> {
+        Self::described(parts, formulation, joints, |specs| describe(specs, fidelity))
+    }
+
+    /// As [`Scene::with_finer_meshes`](crate::model::Scene::with_finer_meshes).
+    ///
+    /// # Errors
+    /// What elements of this length do not allow.
+    pub(crate) fn with_finer_meshes(self, times: usize) -> Option<Result<Self, ModelError>> {
+        let mut finer: Vec<BodySpec> = self.bodies.into_iter().map(|body| body.spec).collect();
+        let mut changes = false;
+        for spec in &mut finer {
+            // Normals of sections are declared with the mesh.
+            spec.normals.clear();
+            changes |= spec.refine(times);
+        }
+        changes.then(|| {
+            Self::described(self.parts, self.formulation, self.declared, |specs| {
+                specs.clone_from_slice(&finer);
+                Ok(())
+            })
+        })
+    }
+
+    fn described(
+        mut parts: Box<dyn Parts>,
+        formulation: Formulation,
+        joints: Joints,
+        describe: impl FnOnce(&mut [BodySpec]) -> Result<(), ModelError>,
+    ) -> Result<Self, ModelError> {
         parts.check()?;
         let mut specs = parts.bodies();
-        describe(&mut specs, fidelity)?;
+        describe(&mut specs)?;
         check_instances(&*parts, &specs)?;
         specs.iter().try_for_each(check_body)?;
         declare_normals(&*parts, &mut specs)?;
@@ -119,6 +148,7 @@ impl MeshScene {
         let constraints = linked(&*parts, &specs, absolute, &fixed);
         let mut scene = Self {
             formulation,
+            declared: joints,
             joints: joint_specs,
             loads: parts.loads(),
             load_points: Vec::new(),

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use crate::emitted::{JointSpec, LoadKind, LoadSpec, ObservedSpec, Parts, Place, label};
 use crate::error::ModelError;
 use crate::linalg::Pattern;
-use crate::model::{Formulation, Warning};
+use crate::model::{Formulation, Joints, Warning};
 use crate::scene::bodies::place::weighted;
 use crate::scene::frames::free_frames::FreeFrame;
 use crate::scene::frames::ties::Tie;
@@ -29,6 +29,8 @@ use crate::vector::Vector;
 pub struct MeshScene {
     pub(crate) parts: Box<dyn Parts>,
     pub(crate) formulation: Formulation,
+    /// What becomes of linear joints.
+    pub(crate) declared: Joints,
     pub(crate) bodies: Vec<MeshBody>,
     pub(crate) joints: Vec<JointSpec>,
     pub(crate) conditions: Vec<Condition>,

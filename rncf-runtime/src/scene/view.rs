@@ -2,6 +2,7 @@
 
 use super::mesh_scene::MeshScene;
 use crate::emitted::ObservedSpec;
+use crate::error::ModelError;
 use crate::model::{
     Composition, Configuration, Curve, DescribedBody, FrameState, MassProperties, MeshError, Scene, SectionBody,
     SectionState, Uniform, Warning,
@@ -87,6 +88,11 @@ impl Scene for MeshScene {
 
     fn mode_mesh_errors(&mut self, at: &Uniform, state: &State, s: [f64; 2], shape: &[[f64; 2]]) -> Vec<f64> {
         self.mode_errors(at, state, s, shape)
+    }
+
+    fn with_finer_meshes(self: Box<Self>, times: usize) -> Option<Result<Box<dyn Scene>, ModelError>> {
+        let finer = MeshScene::with_finer_meshes(*self, times)?;
+        Some(finer.map(|scene| Box::new(scene) as Box<dyn Scene>))
     }
 
     fn rest(&self, t: f64) -> State {

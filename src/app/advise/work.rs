@@ -127,6 +127,7 @@ impl Work<'_> {
                 rtol,
                 ..self.base.options
             },
+            judged: false,
             ..self.base.clone()
         };
         let clock = Clock::start();

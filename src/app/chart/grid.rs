@@ -86,6 +86,7 @@ impl Grid {
                 rtol: setting.rtol,
                 ..self.base.options
             },
+            judged: false,
             ..self.base.clone()
         }
     }

@@ -1,0 +1,211 @@
+//! Outputs of a run at some of its rows, and of a second run at the same times: how far one is from the other.
+
+use super::cautions::listed;
+use crate::archive::{Archive, Keep};
+use crate::{Integrator, Method, Options, Output, Scene, State, Stop};
+
+/// Times at which runs are compared.
+const MARKS: f64 = 40.0;
+/// Part of the largest change of an output from which on its error is told.
+pub(super) const TOLD: f64 = 0.01;
+/// Least change that counts: of the largest change of an output of the same unit, and, times the tolerance, of the largest value. Less is what
+/// a motion leaves where nothing moves, or a number that should not change.
+const SMALL: f64 = 1e-2;
+const KEPT: f64 = 1e3;
+/// Part beyond which both are different motions.
+const WRONG: f64 = 0.5;
+/// Most outputs that are told.
+const MOST: usize = 4;
+/// Units of what follows from where things are and how fast they move: forces and accelerations have vibrations of their own.
+const UNITS: [&str; 6] = ["m", "rad", "1", "m/s", "rad/s", "J"];
+
+/// Outputs of a run at some of its rows, with their times (s).
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Marks {
+    pub rows: Vec<(f64, Vec<f64>)>,
+    due: f64,
+}
+
+impl Keep for Marks {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        let Self { rows, due } = self;
+        rows.keep(archive);
+        due.keep(archive);
+    }
+}
+
+impl Marks {
+    /// Takes in a row of a run of `t_end`, s.
+    pub fn meet(&mut self, t: f64, t_end: f64, values: &[f64]) {
+        if t >= self.due {
+            self.due = t + t_end / MARKS * (1.0 - 1e-9);
+            self.rows.push((t, values.to_vec()));
+        }
+    }
+
+    /// The same times with other values, as far as there are any.
+    pub fn with(&self, rows: Vec<Vec<f64>>) -> Self {
+        let times = self.rows.iter().map(|row| row.0);
+        Self {
+            rows: times.zip(rows).collect(),
+            due: self.due,
+        }
+    }
+
+    /// Outputs that are compared, their distance from other rows, as part of their largest change, or of their largest
+    /// value where that is less; the largest first. Rows that are
+    /// not there are not compared; `rtol` is the tolerance of the run.
+    pub fn differences(&self, outputs: &[Output], rows: &[Vec<f64>], rtol: f64) -> Vec<(usize, f64)> {
+        let Some((_, begin)) = self.rows.first() else {
+            return Vec::new();
+        };
+        let mut first = 0;
+        let mut judged = Vec::new();
+        for (index, output) in outputs.iter().enumerate() {
+            let columns = first..first + output.width();
+            first = columns.end;
+            if !is_judged(output) {
+                continue;
+            }
+            let size = |row: &[f64]| {
+                row[columns.clone()]
+                    .iter()
+                    .map(|value| value * value)
+                    .sum::<f64>()
+                    .sqrt()
+            };
+            let distance = |a: &[f64], b: &[f64]| {
+                let squares = columns.clone().map(|column| (a[column] - b[column]).powi(2));
+                squares.sum::<f64>().sqrt()
+            };
+            let over = |value: &dyn Fn(&[f64]) -> f64| self.rows.iter().map(|(_, row)| value(row)).fold(0.0, f64::max);
+            let pairs = self.rows.iter().zip(rows);
+            let away = pairs.map(|((_, row), other)| distance(row, other)).fold(0.0, f64::max);
+            let (change, value) = (over(&|row| distance(row, begin)), over(&size));
+            judged.push((index, change, value, away));
+        }
+        let least = |unit: &str| {
+            let same = || judged.iter().filter(|of| outputs[of.0].unit == unit);
+            let change = SMALL * same().map(|of| of.1).fold(0.0, f64::max);
+            let kept = (KEPT * rtol).min(SMALL) * same().map(|of| of.2).fold(0.0, f64::max);
+            change.max(kept)
+        };
+        let parts = judged
+            .iter()
+            .map(|&(index, change, value, away)| (index, away / change.min(value).max(least(outputs[index].unit))));
+        let mut found: Vec<(usize, f64)> = parts.collect();
+        found.sort_by(|a, b| b.1.total_cmp(&a.1));
+        found
+    }
+}
+
+/// Whether an output is compared.
+pub(super) fn is_judged(output: &Output) -> bool {
+    UNITS.contains(&output.unit)
+}
+
+/// The outputs whose errors are worth to be told, with these.
+pub(super) fn told(outputs: &[Output], found: &[(usize, f64)]) -> Option<String> {
+    let name = |&(output, part): &(usize, f64)| {
+        if part > WRONG {
+            return format!("`{}` by more than {:.0} %", outputs[output].name, 100.0 * WRONG);
+        }
+        let digits = usize::from(part < 0.1);
+        format!("`{}` by about {:.digits$} %", outputs[output].name, 100.0 * part)
+    };
+    let worth = found.iter().filter(|&&(_, part)| part > TOLD);
+    listed(&worth.map(name).collect::<Vec<_>>(), MOST)
+}
+
+/// How to go a second time.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Again {
+    pub t_end: f64,
+    pub method: Method,
+    pub options: Options,
+    /// Most iterations.
+    pub most: u64,
+}
+
+/// Rows at the times of the marks of a run that goes so, as far as it comes and `goes_on` lets it, and what iterations it takes.
+pub(super) fn again(
+    scene: &mut dyn Scene,
+    start: State,
+    how: Again,
+    marks: &Marks,
+    goes_on: &mut dyn FnMut() -> bool,
+) -> (Vec<Vec<f64>>, u64) {
+    let columns = scene.output_columns();
+    let mut rows = Vec::with_capacity(marks.rows.len());
+    let Ok(mut integrator) = Integrator::new(scene, start, how.t_end, how.method, how.options) else {
+        return (rows, 0);
+    };
+    let mut state = integrator.state().clone();
+    loop {
+        while let Some(&(t, _)) = marks.rows.get(rows.len()) {
+            let reached = integrator.state().t;
+            if t > reached * (1.0 + 1e-13) {
+                break;
+            }
+            if t >= reached {
+                state.clone_from(integrator.state());
+            } else {
+                integrator.interpolate(t, &mut state);
+            }
+            let mut row = vec![0.0; columns];
+            integrator.system().outputs(&state, &mut row);
+            rows.push(row);
+        }
+        let iterations = integrator.statistics().newton_iterations;
+        if rows.len() == marks.rows.len() || iterations > how.most || !goes_on() {
+            return (rows, iterations);
+        }
+        match integrator.step() {
+            Ok(Stop::End) if integrator.state().t < how.t_end => return (rows, iterations),
+            Ok(_) => {}
+            Err(_) => return (rows, iterations),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn output(name: &'static str, unit: &'static str) -> Output {
+        Output {
+            name,
+            unit,
+            components: &[],
+            doc: "",
+        }
+    }
+
+    /// Of three places one moves, one hardly and one not at all; energy is kept but for round-off; forces are not compared.
+    #[test]
+    fn what_does_not_move_is_compared_with_what_does() {
+        let outputs = [
+            output("moves", "m"),
+            output("hardly", "m"),
+            output("stays", "m"),
+            output("energy", "J"),
+            output("force", "N"),
+        ];
+        let mut marks = Marks::default();
+        for k in 0..=40 {
+            let t = f64::from(k) / 40.0;
+            marks.meet(t, 1.0, &[t, 1e-6 * t, 1e-13 * t, 5.0 + 1e-9 * t, t]);
+        }
+        let others: Vec<Vec<f64>> = marks
+            .rows
+            .iter()
+            .map(|(t, _)| vec![1.02 * t, 2e-6 * t, 0.0, 5.0, 0.0])
+            .collect();
+        let found = marks.differences(&outputs, &others, 1e-6);
+        assert_eq!(found.len(), 4);
+        assert!(found[0].0 == 0 && (found[0].1 - 0.02).abs() < 1e-12, "{found:?}");
+        assert_eq!(told(&outputs, &found).unwrap(), "`moves` by about 2.0 %");
+        // As far as there are rows.
+        assert!(told(&outputs, &marks.differences(&outputs, &others[..10], 1e-6)).is_none());
+    }
+}
