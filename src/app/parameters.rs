@@ -454,7 +454,7 @@ mod tests {
             ),
             (
                 "whatever",
-                "`whatever` is neither a command (run, steady, modes, campbell, static, chart, advise, sweep, plan, task, collect) nor `name=value`",
+                "`whatever` is neither a command (run, steady, modes, campbell, static, chart, advise, sweep, plan, task, collect, explain) nor `name=value`",
             ),
         ];
         for (word, expected) in cases {
