@@ -215,5 +215,5 @@ fn the_model_is_explained() {
     };
     assert_eq!(value("unknowns "), (4 * (ELEMENTS + 1) - 3).to_string());
     assert_eq!(value("eliminated conditions"), "3");
-    assert!(text.contains("CABLE_PLANAR_DAMPED_MASS_MATRIX"), "{text}");
+    assert!(text.contains("CABLE_PLANAR_EXACT_DAMPED_MASS_MATRIX"), "{text}");
 }
