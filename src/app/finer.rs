@@ -18,8 +18,8 @@ const RTOL: f64 = 1e-4;
 const TEN: f64 = 10.0;
 /// Part of the iterations of the run, times unknowns, that all of it may take,
 const SHARE: f64 = 1.0;
-/// or these, one or two seconds;
-const AFFORDED: f64 = 5e6;
+/// or these: half a second of cables, some seconds of elements with sections;
+const AFFORDED: f64 = 1.5e6;
 /// of what is left the part for finer meshes. The rest takes those of the run as far.
 const FIRST: f64 = 0.6;
 /// Part of a difference that the errors of both steps may make.
