@@ -45,7 +45,7 @@ def test_a_run_keeps_its_energy_and_falls_as_a_rope_does():
     assert run.summary["parameters"]["length"] == 1.0
     assert all(0 < share <= 1 for share in shown)
     long = swing.Swing(length=2.0, elements=6)
-    text = raised(swing.Incomplete, lambda: long.run(integrator="hht", step=0.5))
+    text = raised(swing.Incomplete, lambda: long.run(integrator="hht", step=0.5, t_end=2.0))
     assert "take a shorter step" in text
     assert "did you mean `rtol`?" in raised(TypeError, lambda: model.run(rtl=1))
     assert "did you mean `tip`?" in raised(KeyError, lambda: run["tipp"])
