@@ -151,60 +151,12 @@ impl ::rncf::Model for AndrewsSqueezer {
     const CONSTANTS: &'static [::rncf::model::ConstantArray] = &[];
     const KERNELS: &'static [::rncf::model::KernelCount] = &[
         ::rncf::model::KernelCount {
-            name: "free_k1",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "free_k2",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "free_k3",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "free_k4",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "free_k5",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "free_k6",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "free_k7",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
             name: "constraint_position_o",
             additions: 2,
             multiplications: 0,
             divisions: 0,
             functions: 0,
+            weighted: 2,
         },
         ::rncf::model::KernelCount {
             name: "constraint_velocity_o",
@@ -212,6 +164,7 @@ impl ::rncf::Model for AndrewsSqueezer {
             multiplications: 0,
             divisions: 0,
             functions: 0,
+            weighted: 2,
         },
         ::rncf::model::KernelCount {
             name: "constraint_acceleration_o",
@@ -219,6 +172,7 @@ impl ::rncf::Model for AndrewsSqueezer {
             multiplications: 0,
             divisions: 0,
             functions: 0,
+            weighted: 2,
         },
         ::rncf::model::KernelCount {
             name: "constraint_jerk_o",
@@ -226,13 +180,7 @@ impl ::rncf::Model for AndrewsSqueezer {
             multiplications: 0,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "constraint_gradient_o",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 2,
         },
         ::rncf::model::KernelCount {
             name: "force_value_tension",
@@ -240,6 +188,7 @@ impl ::rncf::Model for AndrewsSqueezer {
             multiplications: 5,
             divisions: 1,
             functions: 1,
+            weighted: 33,
         },
         ::rncf::model::KernelCount {
             name: "force_tangent_tension",
@@ -247,6 +196,7 @@ impl ::rncf::Model for AndrewsSqueezer {
             multiplications: 20,
             divisions: 6,
             functions: 1,
+            weighted: 78,
         },
         ::rncf::model::KernelCount {
             name: "force_energy_tension",
@@ -254,13 +204,7 @@ impl ::rncf::Model for AndrewsSqueezer {
             multiplications: 4,
             divisions: 0,
             functions: 1,
-        },
-        ::rncf::model::KernelCount {
-            name: "force_value_motor",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 28,
         },
         ::rncf::model::KernelCount {
             name: "outputs",
@@ -268,13 +212,7 @@ impl ::rncf::Model for AndrewsSqueezer {
             multiplications: 0,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "run_defaults",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 3,
         },
     ];
     fn params() -> &'static [::rncf::Param] {

@@ -62,6 +62,7 @@ impl ::rncf::Model for Bend45 {
             multiplications: 70,
             divisions: 0,
             functions: 0,
+            weighted: 109,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_curved_points3_tangent",
@@ -69,6 +70,7 @@ impl ::rncf::Model for Bend45 {
             multiplications: 156,
             divisions: 0,
             functions: 0,
+            weighted: 231,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_curved_points3_energy",
@@ -76,6 +78,7 @@ impl ::rncf::Model for Bend45 {
             multiplications: 41,
             divisions: 0,
             functions: 0,
+            weighted: 67,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_curved_points2_force",
@@ -83,6 +86,7 @@ impl ::rncf::Model for Bend45 {
             multiplications: 81,
             divisions: 1,
             functions: 0,
+            weighted: 128,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_curved_points2_tangent",
@@ -90,6 +94,7 @@ impl ::rncf::Model for Bend45 {
             multiplications: 342,
             divisions: 1,
             functions: 0,
+            weighted: 495,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_curved_points2_energy",
@@ -97,6 +102,7 @@ impl ::rncf::Model for Bend45 {
             multiplications: 49,
             divisions: 1,
             functions: 0,
+            weighted: 78,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_curved_reference",
@@ -104,6 +110,7 @@ impl ::rncf::Model for Bend45 {
             multiplications: 251,
             divisions: 1,
             functions: 0,
+            weighted: 433,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_curved_mass",
@@ -111,6 +118,63 @@ impl ::rncf::Model for Bend45 {
             multiplications: 22,
             divisions: 0,
             functions: 0,
+            weighted: 22,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_curved_shapes_position_0",
+            additions: 6,
+            multiplications: 12,
+            divisions: 0,
+            functions: 0,
+            weighted: 18,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_curved_shapes_position_1",
+            additions: 5,
+            multiplications: 9,
+            divisions: 1,
+            functions: 0,
+            weighted: 18,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_curved_shapes_section_y_0",
+            additions: 4,
+            multiplications: 5,
+            divisions: 0,
+            functions: 0,
+            weighted: 9,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_curved_shapes_section_y_1",
+            additions: 3,
+            multiplications: 5,
+            divisions: 1,
+            functions: 0,
+            weighted: 12,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_curved_shapes_section_z_0",
+            additions: 4,
+            multiplications: 5,
+            divisions: 0,
+            functions: 0,
+            weighted: 9,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_curved_shapes_section_z_1",
+            additions: 3,
+            multiplications: 5,
+            divisions: 1,
+            functions: 0,
+            weighted: 12,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_curved_field_forces",
+            additions: 130,
+            multiplications: 197,
+            divisions: 0,
+            functions: 0,
+            weighted: 327,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_curved_points3_conserving_force",
@@ -118,6 +182,7 @@ impl ::rncf::Model for Bend45 {
             multiplications: 103,
             divisions: 0,
             functions: 0,
+            weighted: 169,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_curved_points3_conserving_tangent",
@@ -125,6 +190,7 @@ impl ::rncf::Model for Bend45 {
             multiplications: 252,
             divisions: 0,
             functions: 0,
+            weighted: 381,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_curved_points2_conserving_force",
@@ -132,6 +198,7 @@ impl ::rncf::Model for Bend45 {
             multiplications: 126,
             divisions: 1,
             functions: 0,
+            weighted: 206,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_curved_points2_conserving_tangent",
@@ -139,13 +206,7 @@ impl ::rncf::Model for Bend45 {
             multiplications: 441,
             divisions: 1,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "load_pull",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 639,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_position",
@@ -153,6 +214,7 @@ impl ::rncf::Model for Bend45 {
             multiplications: 19,
             divisions: 0,
             functions: 0,
+            weighted: 34,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_jacobian",
@@ -160,27 +222,7 @@ impl ::rncf::Model for Bend45 {
             multiplications: 12,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "joint_root_absolute_prescribed",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "outputs",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "run_defaults",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 15,
         },
     ];
     fn params() -> &'static [::rncf::Param] {

@@ -62,53 +62,12 @@ impl ::rncf::Model for Bricard {
     const CONSTANTS: &'static [::rncf::model::ConstantArray] = &[];
     const KERNELS: &'static [::rncf::model::KernelCount] = &[
         ::rncf::model::KernelCount {
-            name: "free_p01",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "free_p12",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "free_p23",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "free_p34",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "free_p45",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "load_weight",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
             name: "constraint_position_p0",
             additions: 7,
             multiplications: 6,
             divisions: 0,
             functions: 0,
+            weighted: 13,
         },
         ::rncf::model::KernelCount {
             name: "constraint_velocity_p0",
@@ -116,6 +75,7 @@ impl ::rncf::Model for Bricard {
             multiplications: 12,
             divisions: 0,
             functions: 0,
+            weighted: 25,
         },
         ::rncf::model::KernelCount {
             name: "constraint_acceleration_p0",
@@ -123,6 +83,7 @@ impl ::rncf::Model for Bricard {
             multiplications: 18,
             divisions: 0,
             functions: 0,
+            weighted: 43,
         },
         ::rncf::model::KernelCount {
             name: "constraint_jerk_p0",
@@ -130,27 +91,7 @@ impl ::rncf::Model for Bricard {
             multiplications: 24,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "constraint_gradient_p0",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "constraint_rate_gradient_p0",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "constraint_hessian_p0",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 67,
         },
         ::rncf::model::KernelCount {
             name: "constraint_position_p5",
@@ -158,6 +99,7 @@ impl ::rncf::Model for Bricard {
             multiplications: 3,
             divisions: 0,
             functions: 0,
+            weighted: 8,
         },
         ::rncf::model::KernelCount {
             name: "constraint_velocity_p5",
@@ -165,6 +107,7 @@ impl ::rncf::Model for Bricard {
             multiplications: 6,
             divisions: 0,
             functions: 0,
+            weighted: 14,
         },
         ::rncf::model::KernelCount {
             name: "constraint_acceleration_p5",
@@ -172,6 +115,7 @@ impl ::rncf::Model for Bricard {
             multiplications: 9,
             divisions: 0,
             functions: 0,
+            weighted: 23,
         },
         ::rncf::model::KernelCount {
             name: "constraint_jerk_p5",
@@ -179,41 +123,7 @@ impl ::rncf::Model for Bricard {
             multiplications: 12,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "constraint_gradient_p5",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "constraint_rate_gradient_p5",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "constraint_hessian_p5",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "outputs",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "run_defaults",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 35,
         },
     ];
     fn params() -> &'static [::rncf::Param] {

@@ -82,6 +82,7 @@ impl ::rncf::Model for CurvedDownwind {
             multiplications: 27,
             divisions: 0,
             functions: 0,
+            weighted: 39,
         },
         ::rncf::model::KernelCount {
             name: "beam_planar_curved_points3_tangent",
@@ -89,6 +90,7 @@ impl ::rncf::Model for CurvedDownwind {
             multiplications: 47,
             divisions: 0,
             functions: 0,
+            weighted: 67,
         },
         ::rncf::model::KernelCount {
             name: "beam_planar_curved_points3_energy",
@@ -96,6 +98,7 @@ impl ::rncf::Model for CurvedDownwind {
             multiplications: 18,
             divisions: 0,
             functions: 0,
+            weighted: 28,
         },
         ::rncf::model::KernelCount {
             name: "beam_planar_curved_points2_force",
@@ -103,6 +106,7 @@ impl ::rncf::Model for CurvedDownwind {
             multiplications: 20,
             divisions: 1,
             functions: 0,
+            weighted: 30,
         },
         ::rncf::model::KernelCount {
             name: "beam_planar_curved_points2_tangent",
@@ -110,6 +114,7 @@ impl ::rncf::Model for CurvedDownwind {
             multiplications: 43,
             divisions: 1,
             functions: 0,
+            weighted: 58,
         },
         ::rncf::model::KernelCount {
             name: "beam_planar_curved_points2_energy",
@@ -117,6 +122,7 @@ impl ::rncf::Model for CurvedDownwind {
             multiplications: 14,
             divisions: 1,
             functions: 0,
+            weighted: 23,
         },
         ::rncf::model::KernelCount {
             name: "beam_planar_curved_reference",
@@ -124,6 +130,7 @@ impl ::rncf::Model for CurvedDownwind {
             multiplications: 96,
             divisions: 1,
             functions: 0,
+            weighted: 165,
         },
         ::rncf::model::KernelCount {
             name: "beam_planar_curved_mass",
@@ -131,6 +138,47 @@ impl ::rncf::Model for CurvedDownwind {
             multiplications: 17,
             divisions: 0,
             functions: 0,
+            weighted: 17,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_planar_curved_shapes_position_0",
+            additions: 6,
+            multiplications: 12,
+            divisions: 0,
+            functions: 0,
+            weighted: 18,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_planar_curved_shapes_position_1",
+            additions: 5,
+            multiplications: 9,
+            divisions: 1,
+            functions: 0,
+            weighted: 18,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_planar_curved_shapes_section_y_0",
+            additions: 4,
+            multiplications: 5,
+            divisions: 0,
+            functions: 0,
+            weighted: 9,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_planar_curved_shapes_section_y_1",
+            additions: 3,
+            multiplications: 5,
+            divisions: 1,
+            functions: 0,
+            weighted: 12,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_planar_curved_field_forces",
+            additions: 29,
+            multiplications: 53,
+            divisions: 0,
+            functions: 0,
+            weighted: 82,
         },
         ::rncf::model::KernelCount {
             name: "frame_hub",
@@ -138,6 +186,7 @@ impl ::rncf::Model for CurvedDownwind {
             multiplications: 13,
             divisions: 6,
             functions: 4,
+            weighted: 125,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_referenced_position",
@@ -145,20 +194,7 @@ impl ::rncf::Model for CurvedDownwind {
             multiplications: 2,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "joint_root_referenced_jacobian",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "joint_root_referenced_prescribed",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 5,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_position",
@@ -166,6 +202,7 @@ impl ::rncf::Model for CurvedDownwind {
             multiplications: 16,
             divisions: 5,
             functions: 3,
+            weighted: 107,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_velocity",
@@ -173,6 +210,7 @@ impl ::rncf::Model for CurvedDownwind {
             multiplications: 21,
             divisions: 6,
             functions: 4,
+            weighted: 136,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_acceleration",
@@ -180,6 +218,7 @@ impl ::rncf::Model for CurvedDownwind {
             multiplications: 35,
             divisions: 6,
             functions: 4,
+            weighted: 160,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_jerk",
@@ -187,6 +226,7 @@ impl ::rncf::Model for CurvedDownwind {
             multiplications: 51,
             divisions: 6,
             functions: 4,
+            weighted: 191,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_jacobian",
@@ -194,6 +234,7 @@ impl ::rncf::Model for CurvedDownwind {
             multiplications: 10,
             divisions: 5,
             functions: 3,
+            weighted: 96,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_prescribed",
@@ -201,13 +242,7 @@ impl ::rncf::Model for CurvedDownwind {
             multiplications: 43,
             divisions: 6,
             functions: 4,
-        },
-        ::rncf::model::KernelCount {
-            name: "kinks",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 169,
         },
         ::rncf::model::KernelCount {
             name: "outputs",
@@ -215,13 +250,7 @@ impl ::rncf::Model for CurvedDownwind {
             multiplications: 0,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "run_defaults",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 2,
         },
     ];
     fn params() -> &'static [::rncf::Param] {

@@ -82,6 +82,7 @@ impl ::rncf::Model for CurvedOutOfPlane {
             multiplications: 70,
             divisions: 0,
             functions: 0,
+            weighted: 109,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_curved_points3_tangent",
@@ -89,6 +90,7 @@ impl ::rncf::Model for CurvedOutOfPlane {
             multiplications: 156,
             divisions: 0,
             functions: 0,
+            weighted: 231,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_curved_points3_energy",
@@ -96,6 +98,7 @@ impl ::rncf::Model for CurvedOutOfPlane {
             multiplications: 41,
             divisions: 0,
             functions: 0,
+            weighted: 67,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_curved_points2_force",
@@ -103,6 +106,7 @@ impl ::rncf::Model for CurvedOutOfPlane {
             multiplications: 81,
             divisions: 1,
             functions: 0,
+            weighted: 128,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_curved_points2_tangent",
@@ -110,6 +114,7 @@ impl ::rncf::Model for CurvedOutOfPlane {
             multiplications: 342,
             divisions: 1,
             functions: 0,
+            weighted: 495,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_curved_points2_energy",
@@ -117,6 +122,7 @@ impl ::rncf::Model for CurvedOutOfPlane {
             multiplications: 49,
             divisions: 1,
             functions: 0,
+            weighted: 78,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_curved_reference",
@@ -124,6 +130,7 @@ impl ::rncf::Model for CurvedOutOfPlane {
             multiplications: 251,
             divisions: 1,
             functions: 0,
+            weighted: 433,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_curved_mass",
@@ -131,6 +138,63 @@ impl ::rncf::Model for CurvedOutOfPlane {
             multiplications: 22,
             divisions: 0,
             functions: 0,
+            weighted: 22,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_curved_shapes_position_0",
+            additions: 6,
+            multiplications: 12,
+            divisions: 0,
+            functions: 0,
+            weighted: 18,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_curved_shapes_position_1",
+            additions: 5,
+            multiplications: 9,
+            divisions: 1,
+            functions: 0,
+            weighted: 18,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_curved_shapes_section_y_0",
+            additions: 4,
+            multiplications: 5,
+            divisions: 0,
+            functions: 0,
+            weighted: 9,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_curved_shapes_section_y_1",
+            additions: 3,
+            multiplications: 5,
+            divisions: 1,
+            functions: 0,
+            weighted: 12,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_curved_shapes_section_z_0",
+            additions: 4,
+            multiplications: 5,
+            divisions: 0,
+            functions: 0,
+            weighted: 9,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_curved_shapes_section_z_1",
+            additions: 3,
+            multiplications: 5,
+            divisions: 1,
+            functions: 0,
+            weighted: 12,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_curved_field_forces",
+            additions: 130,
+            multiplications: 197,
+            divisions: 0,
+            functions: 0,
+            weighted: 327,
         },
         ::rncf::model::KernelCount {
             name: "frame_hub",
@@ -138,6 +202,7 @@ impl ::rncf::Model for CurvedOutOfPlane {
             multiplications: 13,
             divisions: 6,
             functions: 4,
+            weighted: 125,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_referenced_position",
@@ -145,6 +210,7 @@ impl ::rncf::Model for CurvedOutOfPlane {
             multiplications: 19,
             divisions: 0,
             functions: 0,
+            weighted: 34,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_referenced_jacobian",
@@ -152,13 +218,7 @@ impl ::rncf::Model for CurvedOutOfPlane {
             multiplications: 12,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "joint_root_referenced_prescribed",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 15,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_position",
@@ -166,6 +226,7 @@ impl ::rncf::Model for CurvedOutOfPlane {
             multiplications: 37,
             divisions: 5,
             functions: 3,
+            weighted: 142,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_velocity",
@@ -173,6 +234,7 @@ impl ::rncf::Model for CurvedOutOfPlane {
             multiplications: 50,
             divisions: 6,
             functions: 4,
+            weighted: 182,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_acceleration",
@@ -180,6 +242,7 @@ impl ::rncf::Model for CurvedOutOfPlane {
             multiplications: 86,
             divisions: 6,
             functions: 4,
+            weighted: 255,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_jerk",
@@ -187,6 +250,7 @@ impl ::rncf::Model for CurvedOutOfPlane {
             multiplications: 126,
             divisions: 6,
             functions: 4,
+            weighted: 351,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_jacobian",
@@ -194,6 +258,7 @@ impl ::rncf::Model for CurvedOutOfPlane {
             multiplications: 26,
             divisions: 5,
             functions: 3,
+            weighted: 118,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_prescribed",
@@ -201,13 +266,7 @@ impl ::rncf::Model for CurvedOutOfPlane {
             multiplications: 55,
             divisions: 6,
             functions: 4,
-        },
-        ::rncf::model::KernelCount {
-            name: "kinks",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 187,
         },
         ::rncf::model::KernelCount {
             name: "outputs",
@@ -215,13 +274,7 @@ impl ::rncf::Model for CurvedOutOfPlane {
             multiplications: 0,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "run_defaults",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 2,
         },
     ];
     fn params() -> &'static [::rncf::Param] {

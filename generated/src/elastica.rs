@@ -74,6 +74,7 @@ impl ::rncf::Model for Elastica {
             multiplications: 27,
             divisions: 0,
             functions: 0,
+            weighted: 36,
         },
         ::rncf::model::KernelCount {
             name: "beam_planar_points3_tangent",
@@ -81,6 +82,7 @@ impl ::rncf::Model for Elastica {
             multiplications: 47,
             divisions: 0,
             functions: 0,
+            weighted: 64,
         },
         ::rncf::model::KernelCount {
             name: "beam_planar_points3_energy",
@@ -88,6 +90,7 @@ impl ::rncf::Model for Elastica {
             multiplications: 18,
             divisions: 0,
             functions: 0,
+            weighted: 25,
         },
         ::rncf::model::KernelCount {
             name: "beam_planar_points2_force",
@@ -95,6 +98,7 @@ impl ::rncf::Model for Elastica {
             multiplications: 20,
             divisions: 1,
             functions: 0,
+            weighted: 28,
         },
         ::rncf::model::KernelCount {
             name: "beam_planar_points2_tangent",
@@ -102,6 +106,7 @@ impl ::rncf::Model for Elastica {
             multiplications: 43,
             divisions: 1,
             functions: 0,
+            weighted: 56,
         },
         ::rncf::model::KernelCount {
             name: "beam_planar_points2_energy",
@@ -109,6 +114,7 @@ impl ::rncf::Model for Elastica {
             multiplications: 14,
             divisions: 1,
             functions: 0,
+            weighted: 21,
         },
         ::rncf::model::KernelCount {
             name: "beam_planar_mass",
@@ -116,6 +122,47 @@ impl ::rncf::Model for Elastica {
             multiplications: 17,
             divisions: 0,
             functions: 0,
+            weighted: 17,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_planar_shapes_position_0",
+            additions: 6,
+            multiplications: 12,
+            divisions: 0,
+            functions: 0,
+            weighted: 18,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_planar_shapes_position_1",
+            additions: 5,
+            multiplications: 9,
+            divisions: 1,
+            functions: 0,
+            weighted: 18,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_planar_shapes_section_y_0",
+            additions: 4,
+            multiplications: 5,
+            divisions: 0,
+            functions: 0,
+            weighted: 9,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_planar_shapes_section_y_1",
+            additions: 3,
+            multiplications: 5,
+            divisions: 1,
+            functions: 0,
+            weighted: 12,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_planar_field_forces",
+            additions: 29,
+            multiplications: 53,
+            divisions: 0,
+            functions: 0,
+            weighted: 82,
         },
         ::rncf::model::KernelCount {
             name: "beam_planar_points3_conserving_force",
@@ -123,6 +170,7 @@ impl ::rncf::Model for Elastica {
             multiplications: 40,
             divisions: 0,
             functions: 0,
+            weighted: 59,
         },
         ::rncf::model::KernelCount {
             name: "beam_planar_points3_conserving_tangent",
@@ -130,6 +178,7 @@ impl ::rncf::Model for Elastica {
             multiplications: 72,
             divisions: 0,
             functions: 0,
+            weighted: 103,
         },
         ::rncf::model::KernelCount {
             name: "beam_planar_points2_conserving_force",
@@ -137,6 +186,7 @@ impl ::rncf::Model for Elastica {
             multiplications: 34,
             divisions: 1,
             functions: 0,
+            weighted: 52,
         },
         ::rncf::model::KernelCount {
             name: "beam_planar_points2_conserving_tangent",
@@ -144,6 +194,7 @@ impl ::rncf::Model for Elastica {
             multiplications: 69,
             divisions: 1,
             functions: 0,
+            weighted: 97,
         },
         ::rncf::model::KernelCount {
             name: "load_pull",
@@ -151,6 +202,7 @@ impl ::rncf::Model for Elastica {
             multiplications: 5,
             divisions: 1,
             functions: 0,
+            weighted: 9,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_position",
@@ -158,20 +210,7 @@ impl ::rncf::Model for Elastica {
             multiplications: 2,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "joint_root_absolute_jacobian",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "joint_root_absolute_prescribed",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 5,
         },
         ::rncf::model::KernelCount {
             name: "outputs",
@@ -179,13 +218,7 @@ impl ::rncf::Model for Elastica {
             multiplications: 0,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "run_defaults",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 1,
         },
     ];
     fn params() -> &'static [::rncf::Param] {

@@ -143,9 +143,9 @@ impl ::rncf::Model for EsailSlack {
             doc: "Mass matrix M_ab of the unit element, the integrals of s_a s_b over xi from 0 to 1.",
         },
         ::rncf::model::ConstantArray {
-            name: "DENSITY_THRUST_IOTA",
+            name: "CABLE_SPATIAL_SLACK_DENSITY_IOTA",
             size: [4, 6],
-            doc: "Tensor iota of the unit element for the load `thrust`: the integrals of s_a h_j' h_m' over xi from 0 to 1.",
+            doc: "Tensor iota of the unit element for loads per length: the integrals of s_a h_j' h_m' over xi from 0 to 1.",
         },
     ];
     const KERNELS: &'static [::rncf::model::KernelCount] = &[
@@ -155,6 +155,7 @@ impl ::rncf::Model for EsailSlack {
             multiplications: 396,
             divisions: 1,
             functions: 5,
+            weighted: 730,
         },
         ::rncf::model::KernelCount {
             name: "cable_spatial_slack_elastic_tangent",
@@ -162,6 +163,7 @@ impl ::rncf::Model for EsailSlack {
             multiplications: 1390,
             divisions: 6,
             functions: 5,
+            weighted: 2508,
         },
         ::rncf::model::KernelCount {
             name: "cable_spatial_slack_strain_energy",
@@ -169,6 +171,7 @@ impl ::rncf::Model for EsailSlack {
             multiplications: 200,
             divisions: 6,
             functions: 10,
+            weighted: 549,
         },
         ::rncf::model::KernelCount {
             name: "cable_spatial_slack_mass",
@@ -176,13 +179,39 @@ impl ::rncf::Model for EsailSlack {
             multiplications: 12,
             divisions: 0,
             functions: 0,
+            weighted: 12,
         },
         ::rncf::model::KernelCount {
-            name: "free_sail",
-            additions: 0,
-            multiplications: 0,
+            name: "cable_spatial_slack_shapes_position_0",
+            additions: 6,
+            multiplications: 12,
             divisions: 0,
             functions: 0,
+            weighted: 18,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_spatial_slack_shapes_position_1",
+            additions: 5,
+            multiplications: 9,
+            divisions: 1,
+            functions: 0,
+            weighted: 18,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_spatial_slack_shapes_position_2",
+            additions: 4,
+            multiplications: 8,
+            divisions: 2,
+            functions: 0,
+            weighted: 20,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_spatial_slack_field_forces",
+            additions: 22,
+            multiplications: 54,
+            divisions: 0,
+            functions: 1,
+            weighted: 96,
         },
         ::rncf::model::KernelCount {
             name: "initial_aux",
@@ -190,6 +219,7 @@ impl ::rncf::Model for EsailSlack {
             multiplications: 7,
             divisions: 3,
             functions: 2,
+            weighted: 61,
         },
         ::rncf::model::KernelCount {
             name: "joint_hub_referenced_position",
@@ -197,20 +227,7 @@ impl ::rncf::Model for EsailSlack {
             multiplications: 6,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "joint_hub_referenced_jacobian",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "joint_hub_referenced_prescribed",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 13,
         },
         ::rncf::model::KernelCount {
             name: "constraint_position_sun_x",
@@ -218,6 +235,7 @@ impl ::rncf::Model for EsailSlack {
             multiplications: 3,
             divisions: 1,
             functions: 0,
+            weighted: 9,
         },
         ::rncf::model::KernelCount {
             name: "constraint_velocity_sun_x",
@@ -225,6 +243,7 @@ impl ::rncf::Model for EsailSlack {
             multiplications: 6,
             divisions: 1,
             functions: 0,
+            weighted: 15,
         },
         ::rncf::model::KernelCount {
             name: "constraint_acceleration_sun_x",
@@ -232,6 +251,7 @@ impl ::rncf::Model for EsailSlack {
             multiplications: 9,
             divisions: 1,
             functions: 0,
+            weighted: 24,
         },
         ::rncf::model::KernelCount {
             name: "constraint_jerk_sun_x",
@@ -239,6 +259,7 @@ impl ::rncf::Model for EsailSlack {
             multiplications: 12,
             divisions: 1,
             functions: 0,
+            weighted: 36,
         },
         ::rncf::model::KernelCount {
             name: "constraint_gradient_sun_x",
@@ -246,6 +267,7 @@ impl ::rncf::Model for EsailSlack {
             multiplications: 0,
             divisions: 6,
             functions: 0,
+            weighted: 24,
         },
         ::rncf::model::KernelCount {
             name: "constraint_rate_gradient_sun_x",
@@ -253,6 +275,7 @@ impl ::rncf::Model for EsailSlack {
             multiplications: 0,
             divisions: 6,
             functions: 0,
+            weighted: 24,
         },
         ::rncf::model::KernelCount {
             name: "constraint_hessian_sun_x",
@@ -260,41 +283,7 @@ impl ::rncf::Model for EsailSlack {
             multiplications: 1,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "outputs_of_one_0",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "outputs_of_one_1",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "outputs_of_one_2",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "outputs_of_one_3",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "outputs_of_one_4",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 1,
         },
         ::rncf::model::KernelCount {
             name: "outputs",
@@ -302,13 +291,7 @@ impl ::rncf::Model for EsailSlack {
             multiplications: 6,
             divisions: 1,
             functions: 1,
-        },
-        ::rncf::model::KernelCount {
-            name: "run_defaults",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 35,
         },
         ::rncf::model::KernelCount {
             name: "density_values_thrust",
@@ -316,6 +299,7 @@ impl ::rncf::Model for EsailSlack {
             multiplications: 14,
             divisions: 1,
             functions: 0,
+            weighted: 31,
         },
         ::rncf::model::KernelCount {
             name: "density_gradient_thrust",
@@ -323,6 +307,7 @@ impl ::rncf::Model for EsailSlack {
             multiplications: 11,
             divisions: 4,
             functions: 0,
+            weighted: 34,
         },
         ::rncf::model::KernelCount {
             name: "density_force_thrust",
@@ -330,6 +315,7 @@ impl ::rncf::Model for EsailSlack {
             multiplications: 165,
             divisions: 3,
             functions: 0,
+            weighted: 300,
         },
         ::rncf::model::KernelCount {
             name: "density_tangent_thrust",
@@ -337,6 +323,23 @@ impl ::rncf::Model for EsailSlack {
             multiplications: 840,
             divisions: 3,
             functions: 0,
+            weighted: 1596,
+        },
+        ::rncf::model::KernelCount {
+            name: "field_sun",
+            additions: 2,
+            multiplications: 8,
+            divisions: 3,
+            functions: 1,
+            weighted: 42,
+        },
+        ::rncf::model::KernelCount {
+            name: "field_gradient_sun",
+            additions: 5,
+            multiplications: 29,
+            divisions: 13,
+            functions: 1,
+            weighted: 106,
         },
     ];
     fn params() -> &'static [::rncf::Param] {
@@ -671,10 +674,10 @@ pub mod esail_slack_equations {
             0.009523809523809525,
         ],
     ];
-    /// Tensor iota of the unit element for the load `thrust`: the integrals of s_a h_j' h_m' over xi from 0 to 1.
+    /// Tensor iota of the unit element for loads per length: the integrals of s_a h_j' h_m' over xi from 0 to 1.
     ///
     /// Rows: s0, r1, s1, and 1 in place of a shape function (zeta). Columns: s0 s0, s0 r1, s0 s1, r1 r1, r1 s1, s1 s1.
-    pub const DENSITY_THRUST_IOTA: [[f64; 6]; 4] = [
+    pub const CABLE_SPATIAL_SLACK_DENSITY_IOTA: [[f64; 6]; 4] = [
         [
             0.008333333333333333,
             -0.007142857142857143,
@@ -2588,59 +2591,77 @@ pub mod esail_slack_equations {
         let t59 = s1_x * t45 - values[0] * t58;
         let t60 = s1_y * t45 - values[1] * t58;
         let t61 = s1_z * t45 - values[2] * t58;
-        let t62 = t34 * DENSITY_THRUST_IOTA[0][0] + t42 * DENSITY_THRUST_IOTA[0][1]
-            + t47 * DENSITY_THRUST_IOTA[0][2] + t51 * DENSITY_THRUST_IOTA[0][3]
-            + t55 * DENSITY_THRUST_IOTA[0][4];
-        let t63 = t35 * DENSITY_THRUST_IOTA[0][0] + t43 * DENSITY_THRUST_IOTA[0][1]
-            + t48 * DENSITY_THRUST_IOTA[0][2] + t52 * DENSITY_THRUST_IOTA[0][3]
-            + t56 * DENSITY_THRUST_IOTA[0][4];
-        let t64 = t36 * DENSITY_THRUST_IOTA[0][0] + t44 * DENSITY_THRUST_IOTA[0][1]
-            + t49 * DENSITY_THRUST_IOTA[0][2] + t53 * DENSITY_THRUST_IOTA[0][3]
-            + t57 * DENSITY_THRUST_IOTA[0][4];
-        let t65 = t34 * DENSITY_THRUST_IOTA[1][0] + t42 * DENSITY_THRUST_IOTA[1][1]
-            + t47 * (-0.016666666666666666) + t51 * DENSITY_THRUST_IOTA[1][3]
-            + t55 * DENSITY_THRUST_IOTA[1][4];
-        let t66 = t35 * DENSITY_THRUST_IOTA[1][0] + t43 * DENSITY_THRUST_IOTA[1][1]
-            + t48 * (-0.016666666666666666) + t52 * DENSITY_THRUST_IOTA[1][3]
-            + t56 * DENSITY_THRUST_IOTA[1][4];
-        let t67 = t36 * DENSITY_THRUST_IOTA[1][0] + t44 * DENSITY_THRUST_IOTA[1][1]
-            + t49 * (-0.016666666666666666) + t53 * DENSITY_THRUST_IOTA[1][3]
-            + t57 * DENSITY_THRUST_IOTA[1][4];
-        let t68 = t65 + t59 * DENSITY_THRUST_IOTA[1][5];
-        let t69 = t66 + t60 * DENSITY_THRUST_IOTA[1][5];
-        let t70 = t67 + t61 * DENSITY_THRUST_IOTA[1][5];
-        let t71 = t34 * DENSITY_THRUST_IOTA[2][0] + t42 * DENSITY_THRUST_IOTA[2][1]
-            + t47 * DENSITY_THRUST_IOTA[2][2] + t51 * DENSITY_THRUST_IOTA[2][3]
-            + t55 * DENSITY_THRUST_IOTA[2][4];
-        let t72 = t35 * DENSITY_THRUST_IOTA[2][0] + t43 * DENSITY_THRUST_IOTA[2][1]
-            + t48 * DENSITY_THRUST_IOTA[2][2] + t52 * DENSITY_THRUST_IOTA[2][3]
-            + t56 * DENSITY_THRUST_IOTA[2][4];
-        let t73 = t36 * DENSITY_THRUST_IOTA[2][0] + t44 * DENSITY_THRUST_IOTA[2][1]
-            + t49 * DENSITY_THRUST_IOTA[2][2] + t53 * DENSITY_THRUST_IOTA[2][3]
-            + t57 * DENSITY_THRUST_IOTA[2][4];
-        let t74 = t34 * DENSITY_THRUST_IOTA[3][0] + t42 * (-0.1)
-            + t47 * DENSITY_THRUST_IOTA[3][2] + t51 * DENSITY_THRUST_IOTA[3][3]
-            + t55 * (-0.1);
-        let t75 = t35 * DENSITY_THRUST_IOTA[3][0] + t43 * (-0.1)
-            + t48 * DENSITY_THRUST_IOTA[3][2] + t52 * DENSITY_THRUST_IOTA[3][3]
-            + t56 * (-0.1);
-        let t76 = t36 * DENSITY_THRUST_IOTA[3][0] + t44 * (-0.1)
-            + t49 * DENSITY_THRUST_IOTA[3][2] + t53 * DENSITY_THRUST_IOTA[3][3]
-            + t57 * (-0.1);
+        let t62 = t34 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][0]
+            + t42 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][1]
+            + t47 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][2]
+            + t51 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][3]
+            + t55 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][4];
+        let t63 = t35 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][0]
+            + t43 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][1]
+            + t48 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][2]
+            + t52 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][3]
+            + t56 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][4];
+        let t64 = t36 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][0]
+            + t44 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][1]
+            + t49 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][2]
+            + t53 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][3]
+            + t57 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][4];
+        let t65 = t34 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][0]
+            + t42 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][1]
+            + t47 * (-0.016666666666666666)
+            + t51 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][3]
+            + t55 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][4];
+        let t66 = t35 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][0]
+            + t43 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][1]
+            + t48 * (-0.016666666666666666)
+            + t52 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][3]
+            + t56 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][4];
+        let t67 = t36 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][0]
+            + t44 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][1]
+            + t49 * (-0.016666666666666666)
+            + t53 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][3]
+            + t57 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][4];
+        let t68 = t65 + t59 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][5];
+        let t69 = t66 + t60 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][5];
+        let t70 = t67 + t61 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][5];
+        let t71 = t34 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][0]
+            + t42 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][1]
+            + t47 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][2]
+            + t51 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][3]
+            + t55 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][4];
+        let t72 = t35 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][0]
+            + t43 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][1]
+            + t48 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][2]
+            + t52 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][3]
+            + t56 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][4];
+        let t73 = t36 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][0]
+            + t44 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][1]
+            + t49 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][2]
+            + t53 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][3]
+            + t57 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][4];
+        let t74 = t34 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] + t42 * (-0.1)
+            + t47 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][2]
+            + t51 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][3] + t55 * (-0.1);
+        let t75 = t35 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] + t43 * (-0.1)
+            + t48 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][2]
+            + t52 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][3] + t56 * (-0.1);
+        let t76 = t36 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] + t44 * (-0.1)
+            + t49 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][2]
+            + t53 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][3] + t57 * (-0.1);
         let t77 = values[3] * (length * length);
         let t78 = values[3] * length;
-        force[0] += (t74 + t59 * DENSITY_THRUST_IOTA[3][0] - t68) * t78;
-        force[1] += (t75 + t60 * DENSITY_THRUST_IOTA[3][0] - t69) * t78;
-        force[2] += (t76 + t61 * DENSITY_THRUST_IOTA[3][0] - t70) * t78;
-        force[3] += (t62 + t59 * DENSITY_THRUST_IOTA[0][5]) * t77;
-        force[4] += (t63 + t60 * DENSITY_THRUST_IOTA[0][5]) * t77;
-        force[5] += (t64 + t61 * DENSITY_THRUST_IOTA[0][5]) * t77;
+        force[0] += (t74 + t59 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] - t68) * t78;
+        force[1] += (t75 + t60 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] - t69) * t78;
+        force[2] += (t76 + t61 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] - t70) * t78;
+        force[3] += (t62 + t59 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][5]) * t77;
+        force[4] += (t63 + t60 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][5]) * t77;
+        force[5] += (t64 + t61 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][5]) * t77;
         force[6] += t68 * t78;
         force[7] += t69 * t78;
         force[8] += t70 * t78;
-        force[9] += (t71 + t59 * DENSITY_THRUST_IOTA[2][5]) * t77;
-        force[10] += (t72 + t60 * DENSITY_THRUST_IOTA[2][5]) * t77;
-        force[11] += (t73 + t61 * DENSITY_THRUST_IOTA[2][5]) * t77;
+        force[9] += (t71 + t59 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][5]) * t77;
+        force[10] += (t72 + t60 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][5]) * t77;
+        force[11] += (t73 + t61 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][5]) * t77;
     }
     /// [`density_force_thrust`] of four elements side by side.
     pub struct DensityForceThrust<'a> {
@@ -2727,135 +2748,189 @@ pub mod esail_slack_equations {
         let t77 = values[0] * s1_z - values[2] * t68;
         let t78 = values[1] * s1_z - values[2] * t70;
         let t79 = t66 + t67 - values[2] * t72;
-        let t80 = t37 * DENSITY_THRUST_IOTA[1][0] + t53 * DENSITY_THRUST_IOTA[1][1]
+        let t80 = t37 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][0]
+            + t53 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][1]
             + t69 * (-0.016666666666666666);
-        let t81 = t42 * DENSITY_THRUST_IOTA[1][0] + t58 * DENSITY_THRUST_IOTA[1][1]
+        let t81 = t42 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][0]
+            + t58 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][1]
             + t74 * (-0.016666666666666666);
-        let t82 = t45 * DENSITY_THRUST_IOTA[1][0] + t61 * DENSITY_THRUST_IOTA[1][1]
+        let t82 = t45 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][0]
+            + t61 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][1]
             + t77 * (-0.016666666666666666);
         let t83 = t53 * (-0.1);
         let t84 = t58 * (-0.1);
         let t85 = t61 * (-0.1);
-        let t86 = t39 * DENSITY_THRUST_IOTA[1][0] + t55 * DENSITY_THRUST_IOTA[1][1]
+        let t86 = t39 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][0]
+            + t55 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][1]
             + t71 * (-0.016666666666666666);
-        let t87 = t43 * DENSITY_THRUST_IOTA[1][0] + t59 * DENSITY_THRUST_IOTA[1][1]
+        let t87 = t43 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][0]
+            + t59 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][1]
             + t75 * (-0.016666666666666666);
-        let t88 = t46 * DENSITY_THRUST_IOTA[1][0] + t62 * DENSITY_THRUST_IOTA[1][1]
+        let t88 = t46 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][0]
+            + t62 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][1]
             + t78 * (-0.016666666666666666);
         let t89 = t55 * (-0.1);
         let t90 = t59 * (-0.1);
         let t91 = t62 * (-0.1);
-        let t92 = t41 * DENSITY_THRUST_IOTA[1][0] + t57 * DENSITY_THRUST_IOTA[1][1]
+        let t92 = t41 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][0]
+            + t57 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][1]
             + t73 * (-0.016666666666666666);
-        let t93 = t44 * DENSITY_THRUST_IOTA[1][0] + t60 * DENSITY_THRUST_IOTA[1][1]
+        let t93 = t44 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][0]
+            + t60 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][1]
             + t76 * (-0.016666666666666666);
-        let t94 = t47 * DENSITY_THRUST_IOTA[1][0] + t63 * DENSITY_THRUST_IOTA[1][1]
+        let t94 = t47 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][0]
+            + t63 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][1]
             + t79 * (-0.016666666666666666);
         let t95 = t57 * (-0.1);
         let t96 = t60 * (-0.1);
         let t97 = t63 * (-0.1);
-        let t98 = t37 * DENSITY_THRUST_IOTA[1][1] + t53 * DENSITY_THRUST_IOTA[1][3]
-            + t69 * DENSITY_THRUST_IOTA[1][4];
-        let t99 = t42 * DENSITY_THRUST_IOTA[1][1] + t58 * DENSITY_THRUST_IOTA[1][3]
-            + t74 * DENSITY_THRUST_IOTA[1][4];
-        let t100 = t45 * DENSITY_THRUST_IOTA[1][1] + t61 * DENSITY_THRUST_IOTA[1][3]
-            + t77 * DENSITY_THRUST_IOTA[1][4];
-        let t101 = t39 * DENSITY_THRUST_IOTA[1][1] + t55 * DENSITY_THRUST_IOTA[1][3]
-            + t71 * DENSITY_THRUST_IOTA[1][4];
-        let t102 = t43 * DENSITY_THRUST_IOTA[1][1] + t59 * DENSITY_THRUST_IOTA[1][3]
-            + t75 * DENSITY_THRUST_IOTA[1][4];
-        let t103 = t46 * DENSITY_THRUST_IOTA[1][1] + t62 * DENSITY_THRUST_IOTA[1][3]
-            + t78 * DENSITY_THRUST_IOTA[1][4];
-        let t104 = t41 * DENSITY_THRUST_IOTA[1][1] + t57 * DENSITY_THRUST_IOTA[1][3]
-            + t73 * DENSITY_THRUST_IOTA[1][4];
-        let t105 = t44 * DENSITY_THRUST_IOTA[1][1] + t60 * DENSITY_THRUST_IOTA[1][3]
-            + t76 * DENSITY_THRUST_IOTA[1][4];
-        let t106 = t47 * DENSITY_THRUST_IOTA[1][1] + t63 * DENSITY_THRUST_IOTA[1][3]
-            + t79 * DENSITY_THRUST_IOTA[1][4];
-        let t107 = t37 * (-0.016666666666666666) + t53 * DENSITY_THRUST_IOTA[1][4]
-            + t69 * DENSITY_THRUST_IOTA[1][5];
-        let t108 = t42 * (-0.016666666666666666) + t58 * DENSITY_THRUST_IOTA[1][4]
-            + t74 * DENSITY_THRUST_IOTA[1][5];
-        let t109 = t45 * (-0.016666666666666666) + t61 * DENSITY_THRUST_IOTA[1][4]
-            + t77 * DENSITY_THRUST_IOTA[1][5];
-        let t110 = t39 * (-0.016666666666666666) + t55 * DENSITY_THRUST_IOTA[1][4]
-            + t71 * DENSITY_THRUST_IOTA[1][5];
-        let t111 = t43 * (-0.016666666666666666) + t59 * DENSITY_THRUST_IOTA[1][4]
-            + t75 * DENSITY_THRUST_IOTA[1][5];
-        let t112 = t46 * (-0.016666666666666666) + t62 * DENSITY_THRUST_IOTA[1][4]
-            + t78 * DENSITY_THRUST_IOTA[1][5];
-        let t113 = t41 * (-0.016666666666666666) + t57 * DENSITY_THRUST_IOTA[1][4]
-            + t73 * DENSITY_THRUST_IOTA[1][5];
-        let t114 = t44 * (-0.016666666666666666) + t60 * DENSITY_THRUST_IOTA[1][4]
-            + t76 * DENSITY_THRUST_IOTA[1][5];
-        let t115 = t47 * (-0.016666666666666666) + t63 * DENSITY_THRUST_IOTA[1][4]
-            + t79 * DENSITY_THRUST_IOTA[1][5];
+        let t98 = t37 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][1]
+            + t53 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][3]
+            + t69 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][4];
+        let t99 = t42 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][1]
+            + t58 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][3]
+            + t74 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][4];
+        let t100 = t45 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][1]
+            + t61 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][3]
+            + t77 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][4];
+        let t101 = t39 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][1]
+            + t55 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][3]
+            + t71 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][4];
+        let t102 = t43 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][1]
+            + t59 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][3]
+            + t75 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][4];
+        let t103 = t46 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][1]
+            + t62 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][3]
+            + t78 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][4];
+        let t104 = t41 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][1]
+            + t57 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][3]
+            + t73 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][4];
+        let t105 = t44 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][1]
+            + t60 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][3]
+            + t76 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][4];
+        let t106 = t47 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][1]
+            + t63 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][3]
+            + t79 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][4];
+        let t107 = t37 * (-0.016666666666666666)
+            + t53 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][4]
+            + t69 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][5];
+        let t108 = t42 * (-0.016666666666666666)
+            + t58 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][4]
+            + t74 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][5];
+        let t109 = t45 * (-0.016666666666666666)
+            + t61 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][4]
+            + t77 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][5];
+        let t110 = t39 * (-0.016666666666666666)
+            + t55 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][4]
+            + t71 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][5];
+        let t111 = t43 * (-0.016666666666666666)
+            + t59 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][4]
+            + t75 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][5];
+        let t112 = t46 * (-0.016666666666666666)
+            + t62 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][4]
+            + t78 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][5];
+        let t113 = t41 * (-0.016666666666666666)
+            + t57 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][4]
+            + t73 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][5];
+        let t114 = t44 * (-0.016666666666666666)
+            + t60 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][4]
+            + t76 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][5];
+        let t115 = t47 * (-0.016666666666666666)
+            + t63 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][4]
+            + t79 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][5];
         let t116 = length * length;
         let t117 = values[3] * t116;
         let t118 = values[3] * length;
-        let t119 = (t37 * DENSITY_THRUST_IOTA[0][1] + t53 * DENSITY_THRUST_IOTA[0][3]
-            + t69 * DENSITY_THRUST_IOTA[0][4]) * t118;
-        let t120 = (t42 * DENSITY_THRUST_IOTA[0][1] + t58 * DENSITY_THRUST_IOTA[0][3]
-            + t74 * DENSITY_THRUST_IOTA[0][4]) * t118;
-        let t121 = (t45 * DENSITY_THRUST_IOTA[0][1] + t61 * DENSITY_THRUST_IOTA[0][3]
-            + t77 * DENSITY_THRUST_IOTA[0][4]) * t118;
+        let t119 = (t37 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][1]
+            + t53 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][3]
+            + t69 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][4]) * t118;
+        let t120 = (t42 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][1]
+            + t58 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][3]
+            + t74 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][4]) * t118;
+        let t121 = (t45 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][1]
+            + t61 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][3]
+            + t77 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][4]) * t118;
         let t122 = values[3] * t98;
         let t123 = values[3] * t99;
         let t124 = values[3] * t100;
-        let t125 = (t37 * DENSITY_THRUST_IOTA[2][1] + t53 * DENSITY_THRUST_IOTA[2][3]
-            + t69 * DENSITY_THRUST_IOTA[2][4]) * t118;
-        let t126 = (t42 * DENSITY_THRUST_IOTA[2][1] + t58 * DENSITY_THRUST_IOTA[2][3]
-            + t74 * DENSITY_THRUST_IOTA[2][4]) * t118;
-        let t127 = (t45 * DENSITY_THRUST_IOTA[2][1] + t61 * DENSITY_THRUST_IOTA[2][3]
-            + t77 * DENSITY_THRUST_IOTA[2][4]) * t118;
+        let t125 = (t37 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][1]
+            + t53 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][3]
+            + t69 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][4]) * t118;
+        let t126 = (t42 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][1]
+            + t58 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][3]
+            + t74 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][4]) * t118;
+        let t127 = (t45 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][1]
+            + t61 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][3]
+            + t77 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][4]) * t118;
         let t128 = values[3]
-            * (t37 * (-0.1) + t53 * DENSITY_THRUST_IOTA[3][3] + t69 * (-0.1) - t98);
+            * (t37 * (-0.1) + t53 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][3] + t69 * (-0.1)
+                - t98);
         let t129 = values[3]
-            * (t42 * (-0.1) + t58 * DENSITY_THRUST_IOTA[3][3] + t74 * (-0.1) - t99);
+            * (t42 * (-0.1) + t58 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][3] + t74 * (-0.1)
+                - t99);
         let t130 = values[3]
-            * (t45 * (-0.1) + t61 * DENSITY_THRUST_IOTA[3][3] + t77 * (-0.1) - t100);
-        let t131 = (t39 * DENSITY_THRUST_IOTA[0][1] + t55 * DENSITY_THRUST_IOTA[0][3]
-            + t71 * DENSITY_THRUST_IOTA[0][4]) * t118;
-        let t132 = (t43 * DENSITY_THRUST_IOTA[0][1] + t59 * DENSITY_THRUST_IOTA[0][3]
-            + t75 * DENSITY_THRUST_IOTA[0][4]) * t118;
-        let t133 = (t46 * DENSITY_THRUST_IOTA[0][1] + t62 * DENSITY_THRUST_IOTA[0][3]
-            + t78 * DENSITY_THRUST_IOTA[0][4]) * t118;
+            * (t45 * (-0.1) + t61 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][3] + t77 * (-0.1)
+                - t100);
+        let t131 = (t39 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][1]
+            + t55 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][3]
+            + t71 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][4]) * t118;
+        let t132 = (t43 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][1]
+            + t59 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][3]
+            + t75 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][4]) * t118;
+        let t133 = (t46 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][1]
+            + t62 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][3]
+            + t78 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][4]) * t118;
         let t134 = values[3] * t101;
         let t135 = values[3] * t102;
         let t136 = values[3] * t103;
-        let t137 = (t39 * DENSITY_THRUST_IOTA[2][1] + t55 * DENSITY_THRUST_IOTA[2][3]
-            + t71 * DENSITY_THRUST_IOTA[2][4]) * t118;
-        let t138 = (t43 * DENSITY_THRUST_IOTA[2][1] + t59 * DENSITY_THRUST_IOTA[2][3]
-            + t75 * DENSITY_THRUST_IOTA[2][4]) * t118;
-        let t139 = (t46 * DENSITY_THRUST_IOTA[2][1] + t62 * DENSITY_THRUST_IOTA[2][3]
-            + t78 * DENSITY_THRUST_IOTA[2][4]) * t118;
+        let t137 = (t39 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][1]
+            + t55 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][3]
+            + t71 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][4]) * t118;
+        let t138 = (t43 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][1]
+            + t59 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][3]
+            + t75 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][4]) * t118;
+        let t139 = (t46 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][1]
+            + t62 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][3]
+            + t78 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][4]) * t118;
         let t140 = values[3]
-            * (t39 * (-0.1) + t55 * DENSITY_THRUST_IOTA[3][3] + t71 * (-0.1) - t101);
+            * (t39 * (-0.1) + t55 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][3] + t71 * (-0.1)
+                - t101);
         let t141 = values[3]
-            * (t43 * (-0.1) + t59 * DENSITY_THRUST_IOTA[3][3] + t75 * (-0.1) - t102);
+            * (t43 * (-0.1) + t59 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][3] + t75 * (-0.1)
+                - t102);
         let t142 = values[3]
-            * (t46 * (-0.1) + t62 * DENSITY_THRUST_IOTA[3][3] + t78 * (-0.1) - t103);
-        let t143 = (t41 * DENSITY_THRUST_IOTA[0][1] + t57 * DENSITY_THRUST_IOTA[0][3]
-            + t73 * DENSITY_THRUST_IOTA[0][4]) * t118;
-        let t144 = (t44 * DENSITY_THRUST_IOTA[0][1] + t60 * DENSITY_THRUST_IOTA[0][3]
-            + t76 * DENSITY_THRUST_IOTA[0][4]) * t118;
-        let t145 = (t47 * DENSITY_THRUST_IOTA[0][1] + t63 * DENSITY_THRUST_IOTA[0][3]
-            + t79 * DENSITY_THRUST_IOTA[0][4]) * t118;
+            * (t46 * (-0.1) + t62 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][3] + t78 * (-0.1)
+                - t103);
+        let t143 = (t41 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][1]
+            + t57 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][3]
+            + t73 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][4]) * t118;
+        let t144 = (t44 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][1]
+            + t60 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][3]
+            + t76 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][4]) * t118;
+        let t145 = (t47 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][1]
+            + t63 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][3]
+            + t79 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][4]) * t118;
         let t146 = values[3] * t104;
         let t147 = values[3] * t105;
         let t148 = values[3] * t106;
-        let t149 = (t41 * DENSITY_THRUST_IOTA[2][1] + t57 * DENSITY_THRUST_IOTA[2][3]
-            + t73 * DENSITY_THRUST_IOTA[2][4]) * t118;
-        let t150 = (t44 * DENSITY_THRUST_IOTA[2][1] + t60 * DENSITY_THRUST_IOTA[2][3]
-            + t76 * DENSITY_THRUST_IOTA[2][4]) * t118;
-        let t151 = (t47 * DENSITY_THRUST_IOTA[2][1] + t63 * DENSITY_THRUST_IOTA[2][3]
-            + t79 * DENSITY_THRUST_IOTA[2][4]) * t118;
+        let t149 = (t41 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][1]
+            + t57 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][3]
+            + t73 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][4]) * t118;
+        let t150 = (t44 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][1]
+            + t60 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][3]
+            + t76 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][4]) * t118;
+        let t151 = (t47 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][1]
+            + t63 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][3]
+            + t79 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][4]) * t118;
         let t152 = values[3]
-            * (t41 * (-0.1) + t57 * DENSITY_THRUST_IOTA[3][3] + t73 * (-0.1) - t104);
+            * (t41 * (-0.1) + t57 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][3] + t73 * (-0.1)
+                - t104);
         let t153 = values[3]
-            * (t44 * (-0.1) + t60 * DENSITY_THRUST_IOTA[3][3] + t76 * (-0.1) - t105);
+            * (t44 * (-0.1) + t60 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][3] + t76 * (-0.1)
+                - t105);
         let t154 = values[3]
-            * (t47 * (-0.1) + t63 * DENSITY_THRUST_IOTA[3][3] + t79 * (-0.1) - t106);
+            * (t47 * (-0.1) + t63 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][3] + t79 * (-0.1)
+                - t106);
         let t155 = s0_x * s0_x;
         let t156 = s0_y * s0_y;
         let t157 = s0_z * s0_z;
@@ -2889,45 +2964,63 @@ pub mod esail_slack_equations {
         let t185 = s1_x * t67 - values[0] * t184;
         let t186 = s1_y * t67 - values[1] * t184;
         let t187 = s1_z * t67 - values[2] * t184;
-        let t188 = t159 * DENSITY_THRUST_IOTA[0][0] + t163 * DENSITY_THRUST_IOTA[0][1]
-            + t167 * DENSITY_THRUST_IOTA[0][2] + t174 * DENSITY_THRUST_IOTA[0][3]
-            + t178 * DENSITY_THRUST_IOTA[0][4];
-        let t189 = t160 * DENSITY_THRUST_IOTA[0][0] + t164 * DENSITY_THRUST_IOTA[0][1]
-            + t168 * DENSITY_THRUST_IOTA[0][2] + t175 * DENSITY_THRUST_IOTA[0][3]
-            + t179 * DENSITY_THRUST_IOTA[0][4];
-        let t190 = t161 * DENSITY_THRUST_IOTA[0][0] + t165 * DENSITY_THRUST_IOTA[0][1]
-            + t169 * DENSITY_THRUST_IOTA[0][2] + t176 * DENSITY_THRUST_IOTA[0][3]
-            + t180 * DENSITY_THRUST_IOTA[0][4];
-        let t191 = t159 * DENSITY_THRUST_IOTA[1][0] + t163 * DENSITY_THRUST_IOTA[1][1]
-            + t167 * (-0.016666666666666666) + t174 * DENSITY_THRUST_IOTA[1][3]
-            + t178 * DENSITY_THRUST_IOTA[1][4];
-        let t192 = t160 * DENSITY_THRUST_IOTA[1][0] + t164 * DENSITY_THRUST_IOTA[1][1]
-            + t168 * (-0.016666666666666666) + t175 * DENSITY_THRUST_IOTA[1][3]
-            + t179 * DENSITY_THRUST_IOTA[1][4];
-        let t193 = t161 * DENSITY_THRUST_IOTA[1][0] + t165 * DENSITY_THRUST_IOTA[1][1]
-            + t169 * (-0.016666666666666666) + t176 * DENSITY_THRUST_IOTA[1][3]
-            + t180 * DENSITY_THRUST_IOTA[1][4];
-        let t194 = t191 + t185 * DENSITY_THRUST_IOTA[1][5];
-        let t195 = t192 + t186 * DENSITY_THRUST_IOTA[1][5];
-        let t196 = t193 + t187 * DENSITY_THRUST_IOTA[1][5];
-        let t197 = t159 * DENSITY_THRUST_IOTA[2][0] + t163 * DENSITY_THRUST_IOTA[2][1]
-            + t167 * DENSITY_THRUST_IOTA[2][2] + t174 * DENSITY_THRUST_IOTA[2][3]
-            + t178 * DENSITY_THRUST_IOTA[2][4];
-        let t198 = t160 * DENSITY_THRUST_IOTA[2][0] + t164 * DENSITY_THRUST_IOTA[2][1]
-            + t168 * DENSITY_THRUST_IOTA[2][2] + t175 * DENSITY_THRUST_IOTA[2][3]
-            + t179 * DENSITY_THRUST_IOTA[2][4];
-        let t199 = t161 * DENSITY_THRUST_IOTA[2][0] + t165 * DENSITY_THRUST_IOTA[2][1]
-            + t169 * DENSITY_THRUST_IOTA[2][2] + t176 * DENSITY_THRUST_IOTA[2][3]
-            + t180 * DENSITY_THRUST_IOTA[2][4];
-        let t200 = t159 * DENSITY_THRUST_IOTA[3][0] + t163 * (-0.1)
-            + t167 * DENSITY_THRUST_IOTA[3][2] + t174 * DENSITY_THRUST_IOTA[3][3]
-            + t178 * (-0.1);
-        let t201 = t160 * DENSITY_THRUST_IOTA[3][0] + t164 * (-0.1)
-            + t168 * DENSITY_THRUST_IOTA[3][2] + t175 * DENSITY_THRUST_IOTA[3][3]
-            + t179 * (-0.1);
-        let t202 = t161 * DENSITY_THRUST_IOTA[3][0] + t165 * (-0.1)
-            + t169 * DENSITY_THRUST_IOTA[3][2] + t176 * DENSITY_THRUST_IOTA[3][3]
-            + t180 * (-0.1);
+        let t188 = t159 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][0]
+            + t163 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][1]
+            + t167 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][2]
+            + t174 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][3]
+            + t178 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][4];
+        let t189 = t160 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][0]
+            + t164 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][1]
+            + t168 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][2]
+            + t175 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][3]
+            + t179 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][4];
+        let t190 = t161 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][0]
+            + t165 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][1]
+            + t169 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][2]
+            + t176 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][3]
+            + t180 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][4];
+        let t191 = t159 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][0]
+            + t163 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][1]
+            + t167 * (-0.016666666666666666)
+            + t174 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][3]
+            + t178 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][4];
+        let t192 = t160 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][0]
+            + t164 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][1]
+            + t168 * (-0.016666666666666666)
+            + t175 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][3]
+            + t179 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][4];
+        let t193 = t161 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][0]
+            + t165 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][1]
+            + t169 * (-0.016666666666666666)
+            + t176 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][3]
+            + t180 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][4];
+        let t194 = t191 + t185 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][5];
+        let t195 = t192 + t186 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][5];
+        let t196 = t193 + t187 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][5];
+        let t197 = t159 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][0]
+            + t163 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][1]
+            + t167 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][2]
+            + t174 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][3]
+            + t178 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][4];
+        let t198 = t160 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][0]
+            + t164 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][1]
+            + t168 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][2]
+            + t175 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][3]
+            + t179 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][4];
+        let t199 = t161 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][0]
+            + t165 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][1]
+            + t169 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][2]
+            + t176 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][3]
+            + t180 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][4];
+        let t200 = t159 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] + t163 * (-0.1)
+            + t167 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][2]
+            + t174 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][3] + t178 * (-0.1);
+        let t201 = t160 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] + t164 * (-0.1)
+            + t168 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][2]
+            + t175 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][3] + t179 * (-0.1);
+        let t202 = t161 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] + t165 * (-0.1)
+            + t169 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][2]
+            + t176 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][3] + t180 * (-0.1);
         let t203 = t155 - t158;
         let t204 = s0_x * t29;
         let t205 = t204 + t204 - t162;
@@ -2937,41 +3030,47 @@ pub mod esail_slack_equations {
         let t209 = s1_x * t29;
         let t210 = t209 + t209 - t177;
         let t211 = t181 - t184;
-        let t212 = t203 * DENSITY_THRUST_IOTA[1][0] + t205 * DENSITY_THRUST_IOTA[1][1]
-            + t207 * (-0.016666666666666666) + t208 * DENSITY_THRUST_IOTA[1][3]
-            + t210 * DENSITY_THRUST_IOTA[1][4];
-        let t213 = t212 + t211 * DENSITY_THRUST_IOTA[1][5];
-        let t214 = t203 * DENSITY_THRUST_IOTA[3][0] + t205 * (-0.1)
-            + t207 * DENSITY_THRUST_IOTA[3][2] + t208 * DENSITY_THRUST_IOTA[3][3]
-            + t210 * (-0.1);
+        let t212 = t203 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][0]
+            + t205 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][1]
+            + t207 * (-0.016666666666666666)
+            + t208 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][3]
+            + t210 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][4];
+        let t213 = t212 + t211 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][5];
+        let t214 = t203 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] + t205 * (-0.1)
+            + t207 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][2]
+            + t208 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][3] + t210 * (-0.1);
         let t215 = s0_x * s0_y;
         let t216 = s0_y * t29 + s0_x * t30;
         let t217 = s0_y * s1_x + s0_x * s1_y;
         let t218 = t29 * t30;
         let t219 = s1_x * t30 + s1_y * t29;
         let t220 = s1_x * s1_y;
-        let t221 = t215 * DENSITY_THRUST_IOTA[1][0] + t216 * DENSITY_THRUST_IOTA[1][1]
-            + t217 * (-0.016666666666666666) + t218 * DENSITY_THRUST_IOTA[1][3]
-            + t219 * DENSITY_THRUST_IOTA[1][4];
-        let t222 = t221 + t220 * DENSITY_THRUST_IOTA[1][5];
-        let t223 = t215 * DENSITY_THRUST_IOTA[3][0] + t216 * (-0.1)
-            + t217 * DENSITY_THRUST_IOTA[3][2] + t218 * DENSITY_THRUST_IOTA[3][3]
-            + t219 * (-0.1);
-        let t224 = t118 * (t223 + t220 * DENSITY_THRUST_IOTA[3][0] - t222);
+        let t221 = t215 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][0]
+            + t216 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][1]
+            + t217 * (-0.016666666666666666)
+            + t218 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][3]
+            + t219 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][4];
+        let t222 = t221 + t220 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][5];
+        let t223 = t215 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] + t216 * (-0.1)
+            + t217 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][2]
+            + t218 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][3] + t219 * (-0.1);
+        let t224 = t118 * (t223 + t220 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] - t222);
         let t225 = s0_x * s0_z;
         let t226 = s0_z * t29 + s0_x * t31;
         let t227 = s0_z * s1_x + s0_x * s1_z;
         let t228 = t29 * t31;
         let t229 = s1_x * t31 + s1_z * t29;
         let t230 = s1_x * s1_z;
-        let t231 = t225 * DENSITY_THRUST_IOTA[1][0] + t226 * DENSITY_THRUST_IOTA[1][1]
-            + t227 * (-0.016666666666666666) + t228 * DENSITY_THRUST_IOTA[1][3]
-            + t229 * DENSITY_THRUST_IOTA[1][4];
-        let t232 = t231 + t230 * DENSITY_THRUST_IOTA[1][5];
-        let t233 = t225 * DENSITY_THRUST_IOTA[3][0] + t226 * (-0.1)
-            + t227 * DENSITY_THRUST_IOTA[3][2] + t228 * DENSITY_THRUST_IOTA[3][3]
-            + t229 * (-0.1);
-        let t234 = t118 * (t233 + t230 * DENSITY_THRUST_IOTA[3][0] - t232);
+        let t231 = t225 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][0]
+            + t226 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][1]
+            + t227 * (-0.016666666666666666)
+            + t228 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][3]
+            + t229 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][4];
+        let t232 = t231 + t230 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][5];
+        let t233 = t225 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] + t226 * (-0.1)
+            + t227 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][2]
+            + t228 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][3] + t229 * (-0.1);
+        let t234 = t118 * (t233 + t230 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] - t232);
         let t235 = t156 - t158;
         let t236 = s0_y * t30;
         let t237 = t236 + t236 - t162;
@@ -2981,27 +3080,31 @@ pub mod esail_slack_equations {
         let t241 = s1_y * t30;
         let t242 = t241 + t241 - t177;
         let t243 = t182 - t184;
-        let t244 = t235 * DENSITY_THRUST_IOTA[1][0] + t237 * DENSITY_THRUST_IOTA[1][1]
-            + t239 * (-0.016666666666666666) + t240 * DENSITY_THRUST_IOTA[1][3]
-            + t242 * DENSITY_THRUST_IOTA[1][4];
-        let t245 = t244 + t243 * DENSITY_THRUST_IOTA[1][5];
-        let t246 = t235 * DENSITY_THRUST_IOTA[3][0] + t237 * (-0.1)
-            + t239 * DENSITY_THRUST_IOTA[3][2] + t240 * DENSITY_THRUST_IOTA[3][3]
-            + t242 * (-0.1);
+        let t244 = t235 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][0]
+            + t237 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][1]
+            + t239 * (-0.016666666666666666)
+            + t240 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][3]
+            + t242 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][4];
+        let t245 = t244 + t243 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][5];
+        let t246 = t235 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] + t237 * (-0.1)
+            + t239 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][2]
+            + t240 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][3] + t242 * (-0.1);
         let t247 = s0_y * s0_z;
         let t248 = s0_z * t30 + s0_y * t31;
         let t249 = s0_z * s1_y + s0_y * s1_z;
         let t250 = t30 * t31;
         let t251 = s1_y * t31 + s1_z * t30;
         let t252 = s1_y * s1_z;
-        let t253 = t247 * DENSITY_THRUST_IOTA[1][0] + t248 * DENSITY_THRUST_IOTA[1][1]
-            + t249 * (-0.016666666666666666) + t250 * DENSITY_THRUST_IOTA[1][3]
-            + t251 * DENSITY_THRUST_IOTA[1][4];
-        let t254 = t253 + t252 * DENSITY_THRUST_IOTA[1][5];
-        let t255 = t247 * DENSITY_THRUST_IOTA[3][0] + t248 * (-0.1)
-            + t249 * DENSITY_THRUST_IOTA[3][2] + t250 * DENSITY_THRUST_IOTA[3][3]
-            + t251 * (-0.1);
-        let t256 = t118 * (t255 + t252 * DENSITY_THRUST_IOTA[3][0] - t254);
+        let t253 = t247 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][0]
+            + t248 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][1]
+            + t249 * (-0.016666666666666666)
+            + t250 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][3]
+            + t251 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][4];
+        let t254 = t253 + t252 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][5];
+        let t255 = t247 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] + t248 * (-0.1)
+            + t249 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][2]
+            + t250 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][3] + t251 * (-0.1);
+        let t256 = t118 * (t255 + t252 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] - t254);
         let t257 = t157 - t158;
         let t258 = s0_z * t31;
         let t259 = t258 + t258 - t162;
@@ -3011,217 +3114,261 @@ pub mod esail_slack_equations {
         let t263 = s1_z * t31;
         let t264 = t263 + t263 - t177;
         let t265 = t183 - t184;
-        let t266 = t257 * DENSITY_THRUST_IOTA[1][0] + t259 * DENSITY_THRUST_IOTA[1][1]
-            + t261 * (-0.016666666666666666) + t262 * DENSITY_THRUST_IOTA[1][3]
-            + t264 * DENSITY_THRUST_IOTA[1][4];
-        let t267 = t266 + t265 * DENSITY_THRUST_IOTA[1][5];
-        let t268 = t257 * DENSITY_THRUST_IOTA[3][0] + t259 * (-0.1)
-            + t261 * DENSITY_THRUST_IOTA[3][2] + t262 * DENSITY_THRUST_IOTA[3][3]
-            + t264 * (-0.1);
-        let t269 = t203 * DENSITY_THRUST_IOTA[0][0] + t205 * DENSITY_THRUST_IOTA[0][1]
-            + t207 * DENSITY_THRUST_IOTA[0][2] + t208 * DENSITY_THRUST_IOTA[0][3]
-            + t210 * DENSITY_THRUST_IOTA[0][4];
-        let t270 = t215 * DENSITY_THRUST_IOTA[0][0] + t216 * DENSITY_THRUST_IOTA[0][1]
-            + t217 * DENSITY_THRUST_IOTA[0][2] + t218 * DENSITY_THRUST_IOTA[0][3]
-            + t219 * DENSITY_THRUST_IOTA[0][4];
-        let t271 = t117 * (t270 + t220 * DENSITY_THRUST_IOTA[0][5]);
-        let t272 = t225 * DENSITY_THRUST_IOTA[0][0] + t226 * DENSITY_THRUST_IOTA[0][1]
-            + t227 * DENSITY_THRUST_IOTA[0][2] + t228 * DENSITY_THRUST_IOTA[0][3]
-            + t229 * DENSITY_THRUST_IOTA[0][4];
-        let t273 = t117 * (t272 + t230 * DENSITY_THRUST_IOTA[0][5]);
-        let t274 = t235 * DENSITY_THRUST_IOTA[0][0] + t237 * DENSITY_THRUST_IOTA[0][1]
-            + t239 * DENSITY_THRUST_IOTA[0][2] + t240 * DENSITY_THRUST_IOTA[0][3]
-            + t242 * DENSITY_THRUST_IOTA[0][4];
-        let t275 = t247 * DENSITY_THRUST_IOTA[0][0] + t248 * DENSITY_THRUST_IOTA[0][1]
-            + t249 * DENSITY_THRUST_IOTA[0][2] + t250 * DENSITY_THRUST_IOTA[0][3]
-            + t251 * DENSITY_THRUST_IOTA[0][4];
-        let t276 = t117 * (t275 + t252 * DENSITY_THRUST_IOTA[0][5]);
-        let t277 = t257 * DENSITY_THRUST_IOTA[0][0] + t259 * DENSITY_THRUST_IOTA[0][1]
-            + t261 * DENSITY_THRUST_IOTA[0][2] + t262 * DENSITY_THRUST_IOTA[0][3]
-            + t264 * DENSITY_THRUST_IOTA[0][4];
+        let t266 = t257 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][0]
+            + t259 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][1]
+            + t261 * (-0.016666666666666666)
+            + t262 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][3]
+            + t264 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][4];
+        let t267 = t266 + t265 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[1][5];
+        let t268 = t257 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] + t259 * (-0.1)
+            + t261 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][2]
+            + t262 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][3] + t264 * (-0.1);
+        let t269 = t203 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][0]
+            + t205 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][1]
+            + t207 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][2]
+            + t208 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][3]
+            + t210 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][4];
+        let t270 = t215 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][0]
+            + t216 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][1]
+            + t217 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][2]
+            + t218 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][3]
+            + t219 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][4];
+        let t271 = t117 * (t270 + t220 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][5]);
+        let t272 = t225 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][0]
+            + t226 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][1]
+            + t227 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][2]
+            + t228 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][3]
+            + t229 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][4];
+        let t273 = t117 * (t272 + t230 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][5]);
+        let t274 = t235 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][0]
+            + t237 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][1]
+            + t239 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][2]
+            + t240 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][3]
+            + t242 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][4];
+        let t275 = t247 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][0]
+            + t248 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][1]
+            + t249 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][2]
+            + t250 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][3]
+            + t251 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][4];
+        let t276 = t117 * (t275 + t252 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][5]);
+        let t277 = t257 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][0]
+            + t259 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][1]
+            + t261 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][2]
+            + t262 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][3]
+            + t264 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][4];
         let t278 = t118 * t222;
         let t279 = t118 * t232;
         let t280 = t118 * t254;
-        let t281 = t203 * DENSITY_THRUST_IOTA[2][0] + t205 * DENSITY_THRUST_IOTA[2][1]
-            + t207 * DENSITY_THRUST_IOTA[2][2] + t208 * DENSITY_THRUST_IOTA[2][3]
-            + t210 * DENSITY_THRUST_IOTA[2][4];
-        let t282 = t215 * DENSITY_THRUST_IOTA[2][0] + t216 * DENSITY_THRUST_IOTA[2][1]
-            + t217 * DENSITY_THRUST_IOTA[2][2] + t218 * DENSITY_THRUST_IOTA[2][3]
-            + t219 * DENSITY_THRUST_IOTA[2][4];
-        let t283 = t117 * (t282 + t220 * DENSITY_THRUST_IOTA[2][5]);
-        let t284 = t225 * DENSITY_THRUST_IOTA[2][0] + t226 * DENSITY_THRUST_IOTA[2][1]
-            + t227 * DENSITY_THRUST_IOTA[2][2] + t228 * DENSITY_THRUST_IOTA[2][3]
-            + t229 * DENSITY_THRUST_IOTA[2][4];
-        let t285 = t117 * (t284 + t230 * DENSITY_THRUST_IOTA[2][5]);
-        let t286 = t235 * DENSITY_THRUST_IOTA[2][0] + t237 * DENSITY_THRUST_IOTA[2][1]
-            + t239 * DENSITY_THRUST_IOTA[2][2] + t240 * DENSITY_THRUST_IOTA[2][3]
-            + t242 * DENSITY_THRUST_IOTA[2][4];
-        let t287 = t247 * DENSITY_THRUST_IOTA[2][0] + t248 * DENSITY_THRUST_IOTA[2][1]
-            + t249 * DENSITY_THRUST_IOTA[2][2] + t250 * DENSITY_THRUST_IOTA[2][3]
-            + t251 * DENSITY_THRUST_IOTA[2][4];
-        let t288 = t117 * (t287 + t252 * DENSITY_THRUST_IOTA[2][5]);
-        let t289 = t257 * DENSITY_THRUST_IOTA[2][0] + t259 * DENSITY_THRUST_IOTA[2][1]
-            + t261 * DENSITY_THRUST_IOTA[2][2] + t262 * DENSITY_THRUST_IOTA[2][3]
-            + t264 * DENSITY_THRUST_IOTA[2][4];
+        let t281 = t203 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][0]
+            + t205 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][1]
+            + t207 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][2]
+            + t208 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][3]
+            + t210 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][4];
+        let t282 = t215 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][0]
+            + t216 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][1]
+            + t217 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][2]
+            + t218 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][3]
+            + t219 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][4];
+        let t283 = t117 * (t282 + t220 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][5]);
+        let t284 = t225 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][0]
+            + t226 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][1]
+            + t227 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][2]
+            + t228 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][3]
+            + t229 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][4];
+        let t285 = t117 * (t284 + t230 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][5]);
+        let t286 = t235 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][0]
+            + t237 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][1]
+            + t239 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][2]
+            + t240 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][3]
+            + t242 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][4];
+        let t287 = t247 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][0]
+            + t248 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][1]
+            + t249 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][2]
+            + t250 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][3]
+            + t251 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][4];
+        let t288 = t117 * (t287 + t252 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][5]);
+        let t289 = t257 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][0]
+            + t259 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][1]
+            + t261 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][2]
+            + t262 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][3]
+            + t264 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][4];
         by_q[0] -= t128;
         by_q[1] -= t140;
         by_q[2] -= t152;
         by_q[3]
-            += (t37 * DENSITY_THRUST_IOTA[3][0] + t83 + t69 * DENSITY_THRUST_IOTA[3][2]
-                - t80) * t118;
+            += (t37 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] + t83
+                + t69 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][2] - t80) * t118;
         by_q[4]
             += t118
-                * (t39 * DENSITY_THRUST_IOTA[3][0] + t89
-                    + t71 * DENSITY_THRUST_IOTA[3][2] - t86);
+                * (t39 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] + t89
+                    + t71 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][2] - t86);
         by_q[5]
             += t118
-                * (t41 * DENSITY_THRUST_IOTA[3][0] + t95
-                    + t73 * DENSITY_THRUST_IOTA[3][2] - t92);
+                * (t41 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] + t95
+                    + t73 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][2] - t92);
         by_q[6] += t128;
         by_q[7] += t140;
         by_q[8] += t152;
         by_q[9]
             += t118
-                * (t83 + t37 * DENSITY_THRUST_IOTA[3][2]
-                    + t69 * DENSITY_THRUST_IOTA[3][0] - t107);
+                * (t83 + t37 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][2]
+                    + t69 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] - t107);
         by_q[10]
             += t118
-                * (t89 + t39 * DENSITY_THRUST_IOTA[3][2]
-                    + t71 * DENSITY_THRUST_IOTA[3][0] - t110);
+                * (t89 + t39 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][2]
+                    + t71 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] - t110);
         by_q[11]
             += t118
-                * (t95 + t41 * DENSITY_THRUST_IOTA[3][2]
-                    + t73 * DENSITY_THRUST_IOTA[3][0] - t113);
+                * (t95 + t41 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][2]
+                    + t73 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] - t113);
         by_q[12] -= t129;
         by_q[13] -= t141;
         by_q[14] -= t153;
         by_q[15]
-            += (t42 * DENSITY_THRUST_IOTA[3][0] + t84 + t74 * DENSITY_THRUST_IOTA[3][2]
-                - t81) * t118;
+            += (t42 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] + t84
+                + t74 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][2] - t81) * t118;
         by_q[16]
             += t118
-                * (t43 * DENSITY_THRUST_IOTA[3][0] + t90
-                    + t75 * DENSITY_THRUST_IOTA[3][2] - t87);
+                * (t43 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] + t90
+                    + t75 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][2] - t87);
         by_q[17]
             += t118
-                * (t44 * DENSITY_THRUST_IOTA[3][0] + t96
-                    + t76 * DENSITY_THRUST_IOTA[3][2] - t93);
+                * (t44 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] + t96
+                    + t76 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][2] - t93);
         by_q[18] += t129;
         by_q[19] += t141;
         by_q[20] += t153;
         by_q[21]
             += t118
-                * (t84 + t42 * DENSITY_THRUST_IOTA[3][2]
-                    + t74 * DENSITY_THRUST_IOTA[3][0] - t108);
+                * (t84 + t42 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][2]
+                    + t74 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] - t108);
         by_q[22]
             += t118
-                * (t90 + t43 * DENSITY_THRUST_IOTA[3][2]
-                    + t75 * DENSITY_THRUST_IOTA[3][0] - t111);
+                * (t90 + t43 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][2]
+                    + t75 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] - t111);
         by_q[23]
             += t118
-                * (t96 + t44 * DENSITY_THRUST_IOTA[3][2]
-                    + t76 * DENSITY_THRUST_IOTA[3][0] - t114);
+                * (t96 + t44 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][2]
+                    + t76 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] - t114);
         by_q[24] -= t130;
         by_q[25] -= t142;
         by_q[26] -= t154;
         by_q[27]
-            += (t45 * DENSITY_THRUST_IOTA[3][0] + t85 + t77 * DENSITY_THRUST_IOTA[3][2]
-                - t82) * t118;
+            += (t45 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] + t85
+                + t77 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][2] - t82) * t118;
         by_q[28]
             += t118
-                * (t46 * DENSITY_THRUST_IOTA[3][0] + t91
-                    + t78 * DENSITY_THRUST_IOTA[3][2] - t88);
+                * (t46 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] + t91
+                    + t78 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][2] - t88);
         by_q[29]
             += t118
-                * (t47 * DENSITY_THRUST_IOTA[3][0] + t97
-                    + t79 * DENSITY_THRUST_IOTA[3][2] - t94);
+                * (t47 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] + t97
+                    + t79 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][2] - t94);
         by_q[30] += t130;
         by_q[31] += t142;
         by_q[32] += t154;
         by_q[33]
             += t118
-                * (t85 + t45 * DENSITY_THRUST_IOTA[3][2]
-                    + t77 * DENSITY_THRUST_IOTA[3][0] - t109);
+                * (t85 + t45 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][2]
+                    + t77 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] - t109);
         by_q[34]
             += t118
-                * (t91 + t46 * DENSITY_THRUST_IOTA[3][2]
-                    + t78 * DENSITY_THRUST_IOTA[3][0] - t112);
+                * (t91 + t46 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][2]
+                    + t78 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] - t112);
         by_q[35]
             += t118
-                * (t97 + t47 * DENSITY_THRUST_IOTA[3][2]
-                    + t79 * DENSITY_THRUST_IOTA[3][0] - t115);
+                * (t97 + t47 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][2]
+                    + t79 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] - t115);
         by_q[36] -= t119;
         by_q[37] -= t131;
         by_q[38] -= t143;
         by_q[39]
-            += (t37 * DENSITY_THRUST_IOTA[0][0] + t53 * DENSITY_THRUST_IOTA[0][1]
-                + t69 * DENSITY_THRUST_IOTA[0][2]) * t117;
+            += (t37 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][0]
+                + t53 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][1]
+                + t69 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][2]) * t117;
         by_q[40]
-            += (t39 * DENSITY_THRUST_IOTA[0][0] + t55 * DENSITY_THRUST_IOTA[0][1]
-                + t71 * DENSITY_THRUST_IOTA[0][2]) * t117;
+            += (t39 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][0]
+                + t55 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][1]
+                + t71 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][2]) * t117;
         by_q[41]
-            += (t41 * DENSITY_THRUST_IOTA[0][0] + t57 * DENSITY_THRUST_IOTA[0][1]
-                + t73 * DENSITY_THRUST_IOTA[0][2]) * t117;
+            += (t41 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][0]
+                + t57 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][1]
+                + t73 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][2]) * t117;
         by_q[42] += t119;
         by_q[43] += t131;
         by_q[44] += t143;
         by_q[45]
-            += (t37 * DENSITY_THRUST_IOTA[0][2] + t53 * DENSITY_THRUST_IOTA[0][4]
-                + t69 * DENSITY_THRUST_IOTA[0][5]) * t117;
+            += (t37 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][2]
+                + t53 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][4]
+                + t69 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][5]) * t117;
         by_q[46]
-            += (t39 * DENSITY_THRUST_IOTA[0][2] + t55 * DENSITY_THRUST_IOTA[0][4]
-                + t71 * DENSITY_THRUST_IOTA[0][5]) * t117;
+            += (t39 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][2]
+                + t55 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][4]
+                + t71 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][5]) * t117;
         by_q[47]
-            += (t41 * DENSITY_THRUST_IOTA[0][2] + t57 * DENSITY_THRUST_IOTA[0][4]
-                + t73 * DENSITY_THRUST_IOTA[0][5]) * t117;
+            += (t41 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][2]
+                + t57 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][4]
+                + t73 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][5]) * t117;
         by_q[48] -= t120;
         by_q[49] -= t132;
         by_q[50] -= t144;
         by_q[51]
-            += (t42 * DENSITY_THRUST_IOTA[0][0] + t58 * DENSITY_THRUST_IOTA[0][1]
-                + t74 * DENSITY_THRUST_IOTA[0][2]) * t117;
+            += (t42 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][0]
+                + t58 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][1]
+                + t74 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][2]) * t117;
         by_q[52]
-            += (t43 * DENSITY_THRUST_IOTA[0][0] + t59 * DENSITY_THRUST_IOTA[0][1]
-                + t75 * DENSITY_THRUST_IOTA[0][2]) * t117;
+            += (t43 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][0]
+                + t59 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][1]
+                + t75 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][2]) * t117;
         by_q[53]
-            += (t44 * DENSITY_THRUST_IOTA[0][0] + t60 * DENSITY_THRUST_IOTA[0][1]
-                + t76 * DENSITY_THRUST_IOTA[0][2]) * t117;
+            += (t44 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][0]
+                + t60 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][1]
+                + t76 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][2]) * t117;
         by_q[54] += t120;
         by_q[55] += t132;
         by_q[56] += t144;
         by_q[57]
-            += (t42 * DENSITY_THRUST_IOTA[0][2] + t58 * DENSITY_THRUST_IOTA[0][4]
-                + t74 * DENSITY_THRUST_IOTA[0][5]) * t117;
+            += (t42 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][2]
+                + t58 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][4]
+                + t74 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][5]) * t117;
         by_q[58]
-            += (t43 * DENSITY_THRUST_IOTA[0][2] + t59 * DENSITY_THRUST_IOTA[0][4]
-                + t75 * DENSITY_THRUST_IOTA[0][5]) * t117;
+            += (t43 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][2]
+                + t59 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][4]
+                + t75 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][5]) * t117;
         by_q[59]
-            += (t44 * DENSITY_THRUST_IOTA[0][2] + t60 * DENSITY_THRUST_IOTA[0][4]
-                + t76 * DENSITY_THRUST_IOTA[0][5]) * t117;
+            += (t44 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][2]
+                + t60 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][4]
+                + t76 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][5]) * t117;
         by_q[60] -= t121;
         by_q[61] -= t133;
         by_q[62] -= t145;
         by_q[63]
-            += (t45 * DENSITY_THRUST_IOTA[0][0] + t61 * DENSITY_THRUST_IOTA[0][1]
-                + t77 * DENSITY_THRUST_IOTA[0][2]) * t117;
+            += (t45 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][0]
+                + t61 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][1]
+                + t77 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][2]) * t117;
         by_q[64]
-            += (t46 * DENSITY_THRUST_IOTA[0][0] + t62 * DENSITY_THRUST_IOTA[0][1]
-                + t78 * DENSITY_THRUST_IOTA[0][2]) * t117;
+            += (t46 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][0]
+                + t62 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][1]
+                + t78 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][2]) * t117;
         by_q[65]
-            += (t47 * DENSITY_THRUST_IOTA[0][0] + t63 * DENSITY_THRUST_IOTA[0][1]
-                + t79 * DENSITY_THRUST_IOTA[0][2]) * t117;
+            += (t47 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][0]
+                + t63 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][1]
+                + t79 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][2]) * t117;
         by_q[66] += t121;
         by_q[67] += t133;
         by_q[68] += t145;
         by_q[69]
-            += (t45 * DENSITY_THRUST_IOTA[0][2] + t61 * DENSITY_THRUST_IOTA[0][4]
-                + t77 * DENSITY_THRUST_IOTA[0][5]) * t117;
+            += (t45 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][2]
+                + t61 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][4]
+                + t77 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][5]) * t117;
         by_q[70]
-            += (t46 * DENSITY_THRUST_IOTA[0][2] + t62 * DENSITY_THRUST_IOTA[0][4]
-                + t78 * DENSITY_THRUST_IOTA[0][5]) * t117;
+            += (t46 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][2]
+                + t62 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][4]
+                + t78 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][5]) * t117;
         by_q[71]
-            += (t47 * DENSITY_THRUST_IOTA[0][2] + t63 * DENSITY_THRUST_IOTA[0][4]
-                + t79 * DENSITY_THRUST_IOTA[0][5]) * t117;
+            += (t47 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][2]
+                + t63 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][4]
+                + t79 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][5]) * t117;
         by_q[72] -= t122;
         by_q[73] -= t134;
         by_q[74] -= t146;
@@ -3262,98 +3409,122 @@ pub mod esail_slack_equations {
         by_q[109] -= t137;
         by_q[110] -= t149;
         by_q[111]
-            += (t37 * DENSITY_THRUST_IOTA[2][0] + t53 * DENSITY_THRUST_IOTA[2][1]
-                + t69 * DENSITY_THRUST_IOTA[2][2]) * t117;
+            += (t37 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][0]
+                + t53 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][1]
+                + t69 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][2]) * t117;
         by_q[112]
-            += (t39 * DENSITY_THRUST_IOTA[2][0] + t55 * DENSITY_THRUST_IOTA[2][1]
-                + t71 * DENSITY_THRUST_IOTA[2][2]) * t117;
+            += (t39 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][0]
+                + t55 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][1]
+                + t71 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][2]) * t117;
         by_q[113]
-            += (t41 * DENSITY_THRUST_IOTA[2][0] + t57 * DENSITY_THRUST_IOTA[2][1]
-                + t73 * DENSITY_THRUST_IOTA[2][2]) * t117;
+            += (t41 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][0]
+                + t57 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][1]
+                + t73 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][2]) * t117;
         by_q[114] += t125;
         by_q[115] += t137;
         by_q[116] += t149;
         by_q[117]
-            += (t37 * DENSITY_THRUST_IOTA[2][2] + t53 * DENSITY_THRUST_IOTA[2][4]
-                + t69 * DENSITY_THRUST_IOTA[2][5]) * t117;
+            += (t37 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][2]
+                + t53 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][4]
+                + t69 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][5]) * t117;
         by_q[118]
-            += (t39 * DENSITY_THRUST_IOTA[2][2] + t55 * DENSITY_THRUST_IOTA[2][4]
-                + t71 * DENSITY_THRUST_IOTA[2][5]) * t117;
+            += (t39 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][2]
+                + t55 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][4]
+                + t71 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][5]) * t117;
         by_q[119]
-            += (t41 * DENSITY_THRUST_IOTA[2][2] + t57 * DENSITY_THRUST_IOTA[2][4]
-                + t73 * DENSITY_THRUST_IOTA[2][5]) * t117;
+            += (t41 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][2]
+                + t57 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][4]
+                + t73 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][5]) * t117;
         by_q[120] -= t126;
         by_q[121] -= t138;
         by_q[122] -= t150;
         by_q[123]
-            += (t42 * DENSITY_THRUST_IOTA[2][0] + t58 * DENSITY_THRUST_IOTA[2][1]
-                + t74 * DENSITY_THRUST_IOTA[2][2]) * t117;
+            += (t42 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][0]
+                + t58 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][1]
+                + t74 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][2]) * t117;
         by_q[124]
-            += (t43 * DENSITY_THRUST_IOTA[2][0] + t59 * DENSITY_THRUST_IOTA[2][1]
-                + t75 * DENSITY_THRUST_IOTA[2][2]) * t117;
+            += (t43 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][0]
+                + t59 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][1]
+                + t75 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][2]) * t117;
         by_q[125]
-            += (t44 * DENSITY_THRUST_IOTA[2][0] + t60 * DENSITY_THRUST_IOTA[2][1]
-                + t76 * DENSITY_THRUST_IOTA[2][2]) * t117;
+            += (t44 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][0]
+                + t60 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][1]
+                + t76 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][2]) * t117;
         by_q[126] += t126;
         by_q[127] += t138;
         by_q[128] += t150;
         by_q[129]
-            += (t42 * DENSITY_THRUST_IOTA[2][2] + t58 * DENSITY_THRUST_IOTA[2][4]
-                + t74 * DENSITY_THRUST_IOTA[2][5]) * t117;
+            += (t42 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][2]
+                + t58 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][4]
+                + t74 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][5]) * t117;
         by_q[130]
-            += (t43 * DENSITY_THRUST_IOTA[2][2] + t59 * DENSITY_THRUST_IOTA[2][4]
-                + t75 * DENSITY_THRUST_IOTA[2][5]) * t117;
+            += (t43 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][2]
+                + t59 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][4]
+                + t75 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][5]) * t117;
         by_q[131]
-            += (t44 * DENSITY_THRUST_IOTA[2][2] + t60 * DENSITY_THRUST_IOTA[2][4]
-                + t76 * DENSITY_THRUST_IOTA[2][5]) * t117;
+            += (t44 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][2]
+                + t60 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][4]
+                + t76 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][5]) * t117;
         by_q[132] -= t127;
         by_q[133] -= t139;
         by_q[134] -= t151;
         by_q[135]
-            += (t45 * DENSITY_THRUST_IOTA[2][0] + t61 * DENSITY_THRUST_IOTA[2][1]
-                + t77 * DENSITY_THRUST_IOTA[2][2]) * t117;
+            += (t45 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][0]
+                + t61 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][1]
+                + t77 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][2]) * t117;
         by_q[136]
-            += (t46 * DENSITY_THRUST_IOTA[2][0] + t62 * DENSITY_THRUST_IOTA[2][1]
-                + t78 * DENSITY_THRUST_IOTA[2][2]) * t117;
+            += (t46 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][0]
+                + t62 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][1]
+                + t78 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][2]) * t117;
         by_q[137]
-            += (t47 * DENSITY_THRUST_IOTA[2][0] + t63 * DENSITY_THRUST_IOTA[2][1]
-                + t79 * DENSITY_THRUST_IOTA[2][2]) * t117;
+            += (t47 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][0]
+                + t63 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][1]
+                + t79 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][2]) * t117;
         by_q[138] += t127;
         by_q[139] += t139;
         by_q[140] += t151;
         by_q[141]
-            += (t45 * DENSITY_THRUST_IOTA[2][2] + t61 * DENSITY_THRUST_IOTA[2][4]
-                + t77 * DENSITY_THRUST_IOTA[2][5]) * t117;
+            += (t45 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][2]
+                + t61 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][4]
+                + t77 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][5]) * t117;
         by_q[142]
-            += (t46 * DENSITY_THRUST_IOTA[2][2] + t62 * DENSITY_THRUST_IOTA[2][4]
-                + t78 * DENSITY_THRUST_IOTA[2][5]) * t117;
+            += (t46 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][2]
+                + t62 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][4]
+                + t78 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][5]) * t117;
         by_q[143]
-            += (t47 * DENSITY_THRUST_IOTA[2][2] + t63 * DENSITY_THRUST_IOTA[2][4]
-                + t79 * DENSITY_THRUST_IOTA[2][5]) * t117;
-        by_values[0] += t118 * (t214 + t211 * DENSITY_THRUST_IOTA[3][0] - t213);
+            += (t47 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][2]
+                + t63 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][4]
+                + t79 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][5]) * t117;
+        by_values[0]
+            += t118 * (t214 + t211 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] - t213);
         by_values[1] += t224;
         by_values[2] += t234;
-        by_values[3] += length * (t200 + t185 * DENSITY_THRUST_IOTA[3][0] - t194);
+        by_values[3]
+            += length * (t200 + t185 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] - t194);
         by_values[4] += t224;
-        by_values[5] += t118 * (t246 + t243 * DENSITY_THRUST_IOTA[3][0] - t245);
+        by_values[5]
+            += t118 * (t246 + t243 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] - t245);
         by_values[6] += t256;
-        by_values[7] += length * (t201 + t186 * DENSITY_THRUST_IOTA[3][0] - t195);
+        by_values[7]
+            += length * (t201 + t186 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] - t195);
         by_values[8] += t234;
         by_values[9] += t256;
-        by_values[10] += t118 * (t268 + t265 * DENSITY_THRUST_IOTA[3][0] - t267);
-        by_values[11] += length * (t202 + t187 * DENSITY_THRUST_IOTA[3][0] - t196);
-        by_values[12] += t117 * (t269 + t211 * DENSITY_THRUST_IOTA[0][5]);
+        by_values[10]
+            += t118 * (t268 + t265 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] - t267);
+        by_values[11]
+            += length * (t202 + t187 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[3][0] - t196);
+        by_values[12] += t117 * (t269 + t211 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][5]);
         by_values[13] += t271;
         by_values[14] += t273;
-        by_values[15] += t116 * (t188 + t185 * DENSITY_THRUST_IOTA[0][5]);
+        by_values[15] += t116 * (t188 + t185 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][5]);
         by_values[16] += t271;
-        by_values[17] += t117 * (t274 + t243 * DENSITY_THRUST_IOTA[0][5]);
+        by_values[17] += t117 * (t274 + t243 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][5]);
         by_values[18] += t276;
-        by_values[19] += t116 * (t189 + t186 * DENSITY_THRUST_IOTA[0][5]);
+        by_values[19] += t116 * (t189 + t186 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][5]);
         by_values[20] += t273;
         by_values[21] += t276;
-        by_values[22] += t117 * (t277 + t265 * DENSITY_THRUST_IOTA[0][5]);
-        by_values[23] += t116 * (t190 + t187 * DENSITY_THRUST_IOTA[0][5]);
+        by_values[22] += t117 * (t277 + t265 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][5]);
+        by_values[23] += t116 * (t190 + t187 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[0][5]);
         by_values[24] += t118 * t213;
         by_values[25] += t278;
         by_values[26] += t279;
@@ -3366,18 +3537,18 @@ pub mod esail_slack_equations {
         by_values[33] += t280;
         by_values[34] += t118 * t267;
         by_values[35] += length * t196;
-        by_values[36] += t117 * (t281 + t211 * DENSITY_THRUST_IOTA[2][5]);
+        by_values[36] += t117 * (t281 + t211 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][5]);
         by_values[37] += t283;
         by_values[38] += t285;
-        by_values[39] += t116 * (t197 + t185 * DENSITY_THRUST_IOTA[2][5]);
+        by_values[39] += t116 * (t197 + t185 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][5]);
         by_values[40] += t283;
-        by_values[41] += t117 * (t286 + t243 * DENSITY_THRUST_IOTA[2][5]);
+        by_values[41] += t117 * (t286 + t243 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][5]);
         by_values[42] += t288;
-        by_values[43] += t116 * (t198 + t186 * DENSITY_THRUST_IOTA[2][5]);
+        by_values[43] += t116 * (t198 + t186 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][5]);
         by_values[44] += t285;
         by_values[45] += t288;
-        by_values[46] += t117 * (t289 + t265 * DENSITY_THRUST_IOTA[2][5]);
-        by_values[47] += t116 * (t199 + t187 * DENSITY_THRUST_IOTA[2][5]);
+        by_values[46] += t117 * (t289 + t265 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][5]);
+        by_values[47] += t116 * (t199 + t187 * CABLE_SPATIAL_SLACK_DENSITY_IOTA[2][5]);
     }
     /// [`density_tangent_thrust`] of four elements side by side.
     pub struct DensityTangentThrust<'a> {

@@ -101,25 +101,12 @@ impl ::rncf::Model for FlyballGovernor {
     const CONSTANTS: &'static [::rncf::model::ConstantArray] = &[];
     const KERNELS: &'static [::rncf::model::KernelCount] = &[
         ::rncf::model::KernelCount {
-            name: "free_shaft",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "free_slider",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
             name: "free_right",
             additions: 0,
             multiplications: 3,
             divisions: 0,
             functions: 0,
+            weighted: 3,
         },
         ::rncf::model::KernelCount {
             name: "free_left",
@@ -127,13 +114,7 @@ impl ::rncf::Model for FlyballGovernor {
             multiplications: 3,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "load_weight",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 3,
         },
         ::rncf::model::KernelCount {
             name: "constraint_position_foot",
@@ -141,6 +122,7 @@ impl ::rncf::Model for FlyballGovernor {
             multiplications: 6,
             divisions: 0,
             functions: 0,
+            weighted: 13,
         },
         ::rncf::model::KernelCount {
             name: "constraint_velocity_foot",
@@ -148,6 +130,7 @@ impl ::rncf::Model for FlyballGovernor {
             multiplications: 12,
             divisions: 0,
             functions: 0,
+            weighted: 25,
         },
         ::rncf::model::KernelCount {
             name: "constraint_acceleration_foot",
@@ -155,6 +138,7 @@ impl ::rncf::Model for FlyballGovernor {
             multiplications: 18,
             divisions: 0,
             functions: 0,
+            weighted: 43,
         },
         ::rncf::model::KernelCount {
             name: "constraint_jerk_foot",
@@ -162,27 +146,7 @@ impl ::rncf::Model for FlyballGovernor {
             multiplications: 24,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "constraint_gradient_foot",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "constraint_rate_gradient_foot",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "constraint_hessian_foot",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 67,
         },
         ::rncf::model::KernelCount {
             name: "constraint_position_guide",
@@ -190,6 +154,7 @@ impl ::rncf::Model for FlyballGovernor {
             multiplications: 15,
             divisions: 0,
             functions: 0,
+            weighted: 28,
         },
         ::rncf::model::KernelCount {
             name: "constraint_velocity_guide",
@@ -197,6 +162,7 @@ impl ::rncf::Model for FlyballGovernor {
             multiplications: 30,
             divisions: 0,
             functions: 0,
+            weighted: 61,
         },
         ::rncf::model::KernelCount {
             name: "constraint_acceleration_guide",
@@ -204,6 +170,7 @@ impl ::rncf::Model for FlyballGovernor {
             multiplications: 45,
             divisions: 0,
             functions: 0,
+            weighted: 109,
         },
         ::rncf::model::KernelCount {
             name: "constraint_jerk_guide",
@@ -211,6 +178,7 @@ impl ::rncf::Model for FlyballGovernor {
             multiplications: 60,
             divisions: 0,
             functions: 0,
+            weighted: 172,
         },
         ::rncf::model::KernelCount {
             name: "constraint_gradient_guide",
@@ -218,6 +186,7 @@ impl ::rncf::Model for FlyballGovernor {
             multiplications: 0,
             divisions: 0,
             functions: 0,
+            weighted: 3,
         },
         ::rncf::model::KernelCount {
             name: "constraint_rate_gradient_guide",
@@ -225,13 +194,7 @@ impl ::rncf::Model for FlyballGovernor {
             multiplications: 0,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "constraint_hessian_guide",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 3,
         },
         ::rncf::model::KernelCount {
             name: "force_value_right_strut",
@@ -239,6 +202,7 @@ impl ::rncf::Model for FlyballGovernor {
             multiplications: 11,
             divisions: 2,
             functions: 1,
+            weighted: 51,
         },
         ::rncf::model::KernelCount {
             name: "force_tangent_right_strut",
@@ -246,6 +210,7 @@ impl ::rncf::Model for FlyballGovernor {
             multiplications: 72,
             divisions: 27,
             functions: 1,
+            weighted: 245,
         },
         ::rncf::model::KernelCount {
             name: "outputs",
@@ -253,13 +218,7 @@ impl ::rncf::Model for FlyballGovernor {
             multiplications: 3,
             divisions: 0,
             functions: 1,
-        },
-        ::rncf::model::KernelCount {
-            name: "run_defaults",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 25,
         },
     ];
     fn params() -> &'static [::rncf::Param] {

@@ -71,53 +71,12 @@ impl ::rncf::Model for FourBar {
     const CONSTANTS: &'static [::rncf::model::ConstantArray] = &[];
     const KERNELS: &'static [::rncf::model::KernelCount] = &[
         ::rncf::model::KernelCount {
-            name: "free_link_0",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "free_link_1",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "free_link_2",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "free_coupler_1",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "free_coupler_2",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "load_weight",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
             name: "constraint_position_a0",
             additions: 2,
             multiplications: 0,
             divisions: 0,
             functions: 0,
+            weighted: 2,
         },
         ::rncf::model::KernelCount {
             name: "constraint_velocity_a0",
@@ -125,6 +84,7 @@ impl ::rncf::Model for FourBar {
             multiplications: 0,
             divisions: 0,
             functions: 0,
+            weighted: 2,
         },
         ::rncf::model::KernelCount {
             name: "constraint_acceleration_a0",
@@ -132,6 +92,7 @@ impl ::rncf::Model for FourBar {
             multiplications: 0,
             divisions: 0,
             functions: 0,
+            weighted: 2,
         },
         ::rncf::model::KernelCount {
             name: "constraint_jerk_a0",
@@ -139,27 +100,7 @@ impl ::rncf::Model for FourBar {
             multiplications: 0,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "constraint_gradient_a0",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "outputs",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "run_defaults",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 2,
         },
     ];
     fn params() -> &'static [::rncf::Param] {

@@ -95,6 +95,7 @@ impl ::rncf::Model for FreeFlight {
             multiplications: 118,
             divisions: 1,
             functions: 0,
+            weighted: 220,
         },
         ::rncf::model::KernelCount {
             name: "cable_spatial_elastic_tangent",
@@ -102,6 +103,7 @@ impl ::rncf::Model for FreeFlight {
             multiplications: 370,
             divisions: 1,
             functions: 0,
+            weighted: 784,
         },
         ::rncf::model::KernelCount {
             name: "cable_spatial_strain_energy",
@@ -109,6 +111,7 @@ impl ::rncf::Model for FreeFlight {
             multiplications: 93,
             divisions: 1,
             functions: 0,
+            weighted: 171,
         },
         ::rncf::model::KernelCount {
             name: "cable_spatial_mass",
@@ -116,6 +119,39 @@ impl ::rncf::Model for FreeFlight {
             multiplications: 12,
             divisions: 0,
             functions: 0,
+            weighted: 12,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_spatial_shapes_position_0",
+            additions: 6,
+            multiplications: 12,
+            divisions: 0,
+            functions: 0,
+            weighted: 18,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_spatial_shapes_position_1",
+            additions: 5,
+            multiplications: 9,
+            divisions: 1,
+            functions: 0,
+            weighted: 18,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_spatial_shapes_position_2",
+            additions: 4,
+            multiplications: 8,
+            divisions: 2,
+            functions: 0,
+            weighted: 20,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_spatial_field_forces",
+            additions: 20,
+            multiplications: 52,
+            divisions: 0,
+            functions: 0,
+            weighted: 72,
         },
         ::rncf::model::KernelCount {
             name: "cable_spatial_conserving_force",
@@ -123,6 +159,7 @@ impl ::rncf::Model for FreeFlight {
             multiplications: 154,
             divisions: 1,
             functions: 0,
+            weighted: 286,
         },
         ::rncf::model::KernelCount {
             name: "cable_spatial_conserving_tangent",
@@ -130,13 +167,7 @@ impl ::rncf::Model for FreeFlight {
             multiplications: 562,
             divisions: 1,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "free_f",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 1111,
         },
         ::rncf::model::KernelCount {
             name: "initial_cable",
@@ -144,6 +175,7 @@ impl ::rncf::Model for FreeFlight {
             multiplications: 6,
             divisions: 2,
             functions: 2,
+            weighted: 55,
         },
         ::rncf::model::KernelCount {
             name: "outputs",
@@ -151,13 +183,7 @@ impl ::rncf::Model for FreeFlight {
             multiplications: 3,
             divisions: 0,
             functions: 1,
-        },
-        ::rncf::model::KernelCount {
-            name: "run_defaults",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 28,
         },
     ];
     fn params() -> &'static [::rncf::Param] {

@@ -45,25 +45,12 @@ impl ::rncf::Model for HeavyTop {
     const CONSTANTS: &'static [::rncf::model::ConstantArray] = &[];
     const KERNELS: &'static [::rncf::model::KernelCount] = &[
         ::rncf::model::KernelCount {
-            name: "free_top",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "load_weight",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
             name: "constraint_position_pivot",
             additions: 3,
             multiplications: 0,
             divisions: 0,
             functions: 0,
+            weighted: 3,
         },
         ::rncf::model::KernelCount {
             name: "constraint_velocity_pivot",
@@ -71,6 +58,7 @@ impl ::rncf::Model for HeavyTop {
             multiplications: 0,
             divisions: 0,
             functions: 0,
+            weighted: 3,
         },
         ::rncf::model::KernelCount {
             name: "constraint_acceleration_pivot",
@@ -78,6 +66,7 @@ impl ::rncf::Model for HeavyTop {
             multiplications: 0,
             divisions: 0,
             functions: 0,
+            weighted: 3,
         },
         ::rncf::model::KernelCount {
             name: "constraint_jerk_pivot",
@@ -85,27 +74,7 @@ impl ::rncf::Model for HeavyTop {
             multiplications: 0,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "constraint_gradient_pivot",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "outputs",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "run_defaults",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 3,
         },
     ];
     fn params() -> &'static [::rncf::Param] {

@@ -70,6 +70,7 @@ impl ::rncf::Model for LateralBuckling {
             multiplications: 70,
             divisions: 0,
             functions: 0,
+            weighted: 103,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_points3_tangent",
@@ -77,6 +78,7 @@ impl ::rncf::Model for LateralBuckling {
             multiplications: 156,
             divisions: 0,
             functions: 0,
+            weighted: 225,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_points3_energy",
@@ -84,6 +86,7 @@ impl ::rncf::Model for LateralBuckling {
             multiplications: 41,
             divisions: 0,
             functions: 0,
+            weighted: 61,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_points2_force",
@@ -91,6 +94,7 @@ impl ::rncf::Model for LateralBuckling {
             multiplications: 81,
             divisions: 1,
             functions: 0,
+            weighted: 122,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_points2_tangent",
@@ -98,6 +102,7 @@ impl ::rncf::Model for LateralBuckling {
             multiplications: 342,
             divisions: 1,
             functions: 0,
+            weighted: 489,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_points2_energy",
@@ -105,6 +110,7 @@ impl ::rncf::Model for LateralBuckling {
             multiplications: 49,
             divisions: 1,
             functions: 0,
+            weighted: 72,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_mass",
@@ -112,6 +118,63 @@ impl ::rncf::Model for LateralBuckling {
             multiplications: 22,
             divisions: 0,
             functions: 0,
+            weighted: 22,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_shapes_position_0",
+            additions: 6,
+            multiplications: 12,
+            divisions: 0,
+            functions: 0,
+            weighted: 18,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_shapes_position_1",
+            additions: 5,
+            multiplications: 9,
+            divisions: 1,
+            functions: 0,
+            weighted: 18,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_shapes_section_y_0",
+            additions: 4,
+            multiplications: 5,
+            divisions: 0,
+            functions: 0,
+            weighted: 9,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_shapes_section_y_1",
+            additions: 3,
+            multiplications: 5,
+            divisions: 1,
+            functions: 0,
+            weighted: 12,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_shapes_section_z_0",
+            additions: 4,
+            multiplications: 5,
+            divisions: 0,
+            functions: 0,
+            weighted: 9,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_shapes_section_z_1",
+            additions: 3,
+            multiplications: 5,
+            divisions: 1,
+            functions: 0,
+            weighted: 12,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_field_forces",
+            additions: 130,
+            multiplications: 197,
+            divisions: 0,
+            functions: 0,
+            weighted: 327,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_points3_conserving_force",
@@ -119,6 +182,7 @@ impl ::rncf::Model for LateralBuckling {
             multiplications: 103,
             divisions: 0,
             functions: 0,
+            weighted: 163,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_points3_conserving_tangent",
@@ -126,6 +190,7 @@ impl ::rncf::Model for LateralBuckling {
             multiplications: 252,
             divisions: 0,
             functions: 0,
+            weighted: 375,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_points2_conserving_force",
@@ -133,6 +198,7 @@ impl ::rncf::Model for LateralBuckling {
             multiplications: 126,
             divisions: 1,
             functions: 0,
+            weighted: 200,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_points2_conserving_tangent",
@@ -140,13 +206,7 @@ impl ::rncf::Model for LateralBuckling {
             multiplications: 441,
             divisions: 1,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "load_weight",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 633,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_position",
@@ -154,6 +214,7 @@ impl ::rncf::Model for LateralBuckling {
             multiplications: 19,
             divisions: 0,
             functions: 0,
+            weighted: 34,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_jacobian",
@@ -161,13 +222,7 @@ impl ::rncf::Model for LateralBuckling {
             multiplications: 12,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "joint_root_absolute_prescribed",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 15,
         },
         ::rncf::model::KernelCount {
             name: "outputs",
@@ -175,13 +230,7 @@ impl ::rncf::Model for LateralBuckling {
             multiplications: 0,
             divisions: 0,
             functions: 1,
-        },
-        ::rncf::model::KernelCount {
-            name: "run_defaults",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 20,
         },
     ];
     fn params() -> &'static [::rncf::Param] {

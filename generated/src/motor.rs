@@ -101,6 +101,7 @@ impl ::rncf::Model for Motor {
             multiplications: 106,
             divisions: 0,
             functions: 0,
+            weighted: 169,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_damped_points3_tangent",
@@ -108,6 +109,7 @@ impl ::rncf::Model for Motor {
             multiplications: 396,
             divisions: 0,
             functions: 0,
+            weighted: 585,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_damped_points3_energy",
@@ -115,6 +117,7 @@ impl ::rncf::Model for Motor {
             multiplications: 41,
             divisions: 0,
             functions: 0,
+            weighted: 61,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_damped_points2_force",
@@ -122,6 +125,7 @@ impl ::rncf::Model for Motor {
             multiplications: 130,
             divisions: 1,
             functions: 0,
+            weighted: 209,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_damped_points2_tangent",
@@ -129,6 +133,7 @@ impl ::rncf::Model for Motor {
             multiplications: 796,
             divisions: 1,
             functions: 0,
+            weighted: 1144,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_damped_points2_energy",
@@ -136,6 +141,7 @@ impl ::rncf::Model for Motor {
             multiplications: 49,
             divisions: 1,
             functions: 0,
+            weighted: 72,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_damped_mass",
@@ -143,6 +149,63 @@ impl ::rncf::Model for Motor {
             multiplications: 22,
             divisions: 0,
             functions: 0,
+            weighted: 22,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_damped_shapes_position_0",
+            additions: 6,
+            multiplications: 12,
+            divisions: 0,
+            functions: 0,
+            weighted: 18,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_damped_shapes_position_1",
+            additions: 5,
+            multiplications: 9,
+            divisions: 1,
+            functions: 0,
+            weighted: 18,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_damped_shapes_section_y_0",
+            additions: 4,
+            multiplications: 5,
+            divisions: 0,
+            functions: 0,
+            weighted: 9,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_damped_shapes_section_y_1",
+            additions: 3,
+            multiplications: 5,
+            divisions: 1,
+            functions: 0,
+            weighted: 12,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_damped_shapes_section_z_0",
+            additions: 4,
+            multiplications: 5,
+            divisions: 0,
+            functions: 0,
+            weighted: 9,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_damped_shapes_section_z_1",
+            additions: 3,
+            multiplications: 5,
+            divisions: 1,
+            functions: 0,
+            weighted: 12,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_damped_field_forces",
+            additions: 195,
+            multiplications: 276,
+            divisions: 0,
+            functions: 0,
+            weighted: 471,
         },
         ::rncf::model::KernelCount {
             name: "frame_rotor",
@@ -150,6 +213,7 @@ impl ::rncf::Model for Motor {
             multiplications: 13,
             divisions: 6,
             functions: 4,
+            weighted: 125,
         },
         ::rncf::model::KernelCount {
             name: "joint_drive_end_referenced_position",
@@ -157,6 +221,7 @@ impl ::rncf::Model for Motor {
             multiplications: 19,
             divisions: 0,
             functions: 0,
+            weighted: 34,
         },
         ::rncf::model::KernelCount {
             name: "joint_drive_end_referenced_jacobian",
@@ -164,13 +229,7 @@ impl ::rncf::Model for Motor {
             multiplications: 12,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "joint_drive_end_referenced_prescribed",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 15,
         },
         ::rncf::model::KernelCount {
             name: "joint_drive_end_absolute_position",
@@ -178,6 +237,7 @@ impl ::rncf::Model for Motor {
             multiplications: 37,
             divisions: 5,
             functions: 3,
+            weighted: 142,
         },
         ::rncf::model::KernelCount {
             name: "joint_drive_end_absolute_velocity",
@@ -185,6 +245,7 @@ impl ::rncf::Model for Motor {
             multiplications: 50,
             divisions: 6,
             functions: 4,
+            weighted: 182,
         },
         ::rncf::model::KernelCount {
             name: "joint_drive_end_absolute_acceleration",
@@ -192,6 +253,7 @@ impl ::rncf::Model for Motor {
             multiplications: 86,
             divisions: 6,
             functions: 4,
+            weighted: 255,
         },
         ::rncf::model::KernelCount {
             name: "joint_drive_end_absolute_jerk",
@@ -199,6 +261,7 @@ impl ::rncf::Model for Motor {
             multiplications: 126,
             divisions: 6,
             functions: 4,
+            weighted: 351,
         },
         ::rncf::model::KernelCount {
             name: "joint_drive_end_absolute_jacobian",
@@ -206,6 +269,7 @@ impl ::rncf::Model for Motor {
             multiplications: 26,
             divisions: 5,
             functions: 3,
+            weighted: 118,
         },
         ::rncf::model::KernelCount {
             name: "joint_drive_end_absolute_prescribed",
@@ -213,6 +277,7 @@ impl ::rncf::Model for Motor {
             multiplications: 55,
             divisions: 6,
             functions: 4,
+            weighted: 187,
         },
         ::rncf::model::KernelCount {
             name: "joint_far_end_referenced_position",
@@ -220,20 +285,7 @@ impl ::rncf::Model for Motor {
             multiplications: 0,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "joint_far_end_referenced_jacobian",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "joint_far_end_referenced_prescribed",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 3,
         },
         ::rncf::model::KernelCount {
             name: "joint_far_end_absolute_position",
@@ -241,6 +293,7 @@ impl ::rncf::Model for Motor {
             multiplications: 10,
             divisions: 5,
             functions: 3,
+            weighted: 99,
         },
         ::rncf::model::KernelCount {
             name: "joint_far_end_absolute_velocity",
@@ -248,6 +301,7 @@ impl ::rncf::Model for Motor {
             multiplications: 15,
             divisions: 6,
             functions: 4,
+            weighted: 127,
         },
         ::rncf::model::KernelCount {
             name: "joint_far_end_absolute_acceleration",
@@ -255,6 +309,7 @@ impl ::rncf::Model for Motor {
             multiplications: 23,
             divisions: 6,
             functions: 4,
+            weighted: 139,
         },
         ::rncf::model::KernelCount {
             name: "joint_far_end_absolute_jerk",
@@ -262,13 +317,7 @@ impl ::rncf::Model for Motor {
             multiplications: 33,
             divisions: 6,
             functions: 4,
-        },
-        ::rncf::model::KernelCount {
-            name: "joint_far_end_absolute_jacobian",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 156,
         },
         ::rncf::model::KernelCount {
             name: "joint_far_end_absolute_prescribed",
@@ -276,27 +325,7 @@ impl ::rncf::Model for Motor {
             multiplications: 55,
             divisions: 6,
             functions: 4,
-        },
-        ::rncf::model::KernelCount {
-            name: "kinks",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "outputs",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "run_defaults",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 187,
         },
     ];
     fn params() -> &'static [::rncf::Param] {

@@ -67,6 +67,7 @@ impl ::rncf::Model for Nrel5mwBlade {
             multiplications: 336,
             divisions: 17,
             functions: 1,
+            weighted: 647,
         },
         ::rncf::model::KernelCount {
             name: "full_beam_spatial_curved_damped_points2_tangent",
@@ -74,6 +75,7 @@ impl ::rncf::Model for Nrel5mwBlade {
             multiplications: 3832,
             divisions: 64,
             functions: 1,
+            weighted: 6792,
         },
         ::rncf::model::KernelCount {
             name: "full_beam_spatial_curved_damped_points2_energy",
@@ -81,6 +83,7 @@ impl ::rncf::Model for Nrel5mwBlade {
             multiplications: 84,
             divisions: 3,
             functions: 1,
+            weighted: 172,
         },
         ::rncf::model::KernelCount {
             name: "full_beam_spatial_curved_damped_points3_force",
@@ -88,6 +91,7 @@ impl ::rncf::Model for Nrel5mwBlade {
             multiplications: 124,
             divisions: 1,
             functions: 1,
+            weighted: 232,
         },
         ::rncf::model::KernelCount {
             name: "full_beam_spatial_curved_damped_points3_tangent",
@@ -95,6 +99,7 @@ impl ::rncf::Model for Nrel5mwBlade {
             multiplications: 694,
             divisions: 4,
             functions: 1,
+            weighted: 1149,
         },
         ::rncf::model::KernelCount {
             name: "full_beam_spatial_curved_damped_points3_energy",
@@ -102,6 +107,7 @@ impl ::rncf::Model for Nrel5mwBlade {
             multiplications: 47,
             divisions: 0,
             functions: 1,
+            weighted: 98,
         },
         ::rncf::model::KernelCount {
             name: "full_beam_spatial_curved_damped_reference",
@@ -109,6 +115,63 @@ impl ::rncf::Model for Nrel5mwBlade {
             multiplications: 337,
             divisions: 5,
             functions: 5,
+            weighted: 712,
+        },
+        ::rncf::model::KernelCount {
+            name: "full_beam_spatial_curved_damped_shapes_position_0",
+            additions: 6,
+            multiplications: 12,
+            divisions: 0,
+            functions: 0,
+            weighted: 18,
+        },
+        ::rncf::model::KernelCount {
+            name: "full_beam_spatial_curved_damped_shapes_position_1",
+            additions: 5,
+            multiplications: 9,
+            divisions: 1,
+            functions: 0,
+            weighted: 18,
+        },
+        ::rncf::model::KernelCount {
+            name: "full_beam_spatial_curved_damped_shapes_section_y_0",
+            additions: 4,
+            multiplications: 5,
+            divisions: 0,
+            functions: 0,
+            weighted: 9,
+        },
+        ::rncf::model::KernelCount {
+            name: "full_beam_spatial_curved_damped_shapes_section_y_1",
+            additions: 3,
+            multiplications: 5,
+            divisions: 1,
+            functions: 0,
+            weighted: 12,
+        },
+        ::rncf::model::KernelCount {
+            name: "full_beam_spatial_curved_damped_shapes_section_z_0",
+            additions: 4,
+            multiplications: 5,
+            divisions: 0,
+            functions: 0,
+            weighted: 9,
+        },
+        ::rncf::model::KernelCount {
+            name: "full_beam_spatial_curved_damped_shapes_section_z_1",
+            additions: 3,
+            multiplications: 5,
+            divisions: 1,
+            functions: 0,
+            weighted: 12,
+        },
+        ::rncf::model::KernelCount {
+            name: "full_beam_spatial_curved_damped_field_forces",
+            additions: 468,
+            multiplications: 639,
+            divisions: 37,
+            functions: 2,
+            weighted: 1295,
         },
         ::rncf::model::KernelCount {
             name: "frame_rotor",
@@ -116,13 +179,7 @@ impl ::rncf::Model for Nrel5mwBlade {
             multiplications: 1,
             divisions: 0,
             functions: 2,
-        },
-        ::rncf::model::KernelCount {
-            name: "load_weight",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 41,
         },
         ::rncf::model::KernelCount {
             name: "joint_hub_referenced_position",
@@ -130,6 +187,7 @@ impl ::rncf::Model for Nrel5mwBlade {
             multiplications: 19,
             divisions: 0,
             functions: 0,
+            weighted: 34,
         },
         ::rncf::model::KernelCount {
             name: "joint_hub_referenced_jacobian",
@@ -137,13 +195,7 @@ impl ::rncf::Model for Nrel5mwBlade {
             multiplications: 12,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "joint_hub_referenced_prescribed",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 15,
         },
         ::rncf::model::KernelCount {
             name: "joint_hub_absolute_position",
@@ -151,6 +203,7 @@ impl ::rncf::Model for Nrel5mwBlade {
             multiplications: 32,
             divisions: 0,
             functions: 2,
+            weighted: 93,
         },
         ::rncf::model::KernelCount {
             name: "joint_hub_absolute_velocity",
@@ -158,6 +211,7 @@ impl ::rncf::Model for Nrel5mwBlade {
             multiplications: 42,
             divisions: 0,
             functions: 2,
+            weighted: 104,
         },
         ::rncf::model::KernelCount {
             name: "joint_hub_absolute_acceleration",
@@ -165,6 +219,7 @@ impl ::rncf::Model for Nrel5mwBlade {
             multiplications: 72,
             divisions: 0,
             functions: 2,
+            weighted: 167,
         },
         ::rncf::model::KernelCount {
             name: "joint_hub_absolute_jerk",
@@ -172,6 +227,7 @@ impl ::rncf::Model for Nrel5mwBlade {
             multiplications: 104,
             divisions: 0,
             functions: 2,
+            weighted: 248,
         },
         ::rncf::model::KernelCount {
             name: "joint_hub_absolute_jacobian",
@@ -179,6 +235,7 @@ impl ::rncf::Model for Nrel5mwBlade {
             multiplications: 21,
             divisions: 0,
             functions: 2,
+            weighted: 69,
         },
         ::rncf::model::KernelCount {
             name: "joint_hub_absolute_prescribed",
@@ -186,20 +243,7 @@ impl ::rncf::Model for Nrel5mwBlade {
             multiplications: 41,
             divisions: 0,
             functions: 2,
-        },
-        ::rncf::model::KernelCount {
-            name: "outputs",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "run_defaults",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 99,
         },
     ];
     fn params() -> &'static [::rncf::Param] {

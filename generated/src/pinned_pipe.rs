@@ -97,6 +97,7 @@ impl ::rncf::Model for PinnedPipe {
             multiplications: 103,
             divisions: 1,
             functions: 0,
+            weighted: 188,
         },
         ::rncf::model::KernelCount {
             name: "cable_planar_elastic_tangent",
@@ -104,6 +105,7 @@ impl ::rncf::Model for PinnedPipe {
             multiplications: 276,
             divisions: 1,
             functions: 0,
+            weighted: 557,
         },
         ::rncf::model::KernelCount {
             name: "cable_planar_strain_energy",
@@ -111,6 +113,7 @@ impl ::rncf::Model for PinnedPipe {
             multiplications: 76,
             divisions: 1,
             functions: 0,
+            weighted: 138,
         },
         ::rncf::model::KernelCount {
             name: "cable_planar_mass",
@@ -118,13 +121,39 @@ impl ::rncf::Model for PinnedPipe {
             multiplications: 12,
             divisions: 0,
             functions: 0,
+            weighted: 12,
         },
         ::rncf::model::KernelCount {
-            name: "free_own",
-            additions: 0,
-            multiplications: 0,
+            name: "cable_planar_shapes_position_0",
+            additions: 6,
+            multiplications: 12,
             divisions: 0,
             functions: 0,
+            weighted: 18,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_planar_shapes_position_1",
+            additions: 5,
+            multiplications: 9,
+            divisions: 1,
+            functions: 0,
+            weighted: 18,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_planar_shapes_position_2",
+            additions: 4,
+            multiplications: 8,
+            divisions: 2,
+            functions: 0,
+            weighted: 20,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_planar_field_forces",
+            additions: 10,
+            multiplications: 22,
+            divisions: 0,
+            functions: 0,
+            weighted: 32,
         },
         ::rncf::model::KernelCount {
             name: "force_value_support_0",
@@ -132,13 +161,7 @@ impl ::rncf::Model for PinnedPipe {
             multiplications: 2,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "force_tangent_support_0",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 4,
         },
         ::rncf::model::KernelCount {
             name: "force_energy_support_0",
@@ -146,6 +169,7 @@ impl ::rncf::Model for PinnedPipe {
             multiplications: 6,
             divisions: 0,
             functions: 0,
+            weighted: 9,
         },
         ::rncf::model::KernelCount {
             name: "force_value_shake",
@@ -153,20 +177,7 @@ impl ::rncf::Model for PinnedPipe {
             multiplications: 2,
             divisions: 0,
             functions: 1,
-        },
-        ::rncf::model::KernelCount {
-            name: "outputs",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "run_defaults",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 22,
         },
     ];
     fn params() -> &'static [::rncf::Param] {

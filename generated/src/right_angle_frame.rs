@@ -81,6 +81,7 @@ impl ::rncf::Model for RightAngleFrame {
             multiplications: 70,
             divisions: 0,
             functions: 0,
+            weighted: 103,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_points3_tangent",
@@ -88,6 +89,7 @@ impl ::rncf::Model for RightAngleFrame {
             multiplications: 156,
             divisions: 0,
             functions: 0,
+            weighted: 225,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_points3_energy",
@@ -95,6 +97,7 @@ impl ::rncf::Model for RightAngleFrame {
             multiplications: 41,
             divisions: 0,
             functions: 0,
+            weighted: 61,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_points2_force",
@@ -102,6 +105,7 @@ impl ::rncf::Model for RightAngleFrame {
             multiplications: 81,
             divisions: 1,
             functions: 0,
+            weighted: 122,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_points2_tangent",
@@ -109,6 +113,7 @@ impl ::rncf::Model for RightAngleFrame {
             multiplications: 342,
             divisions: 1,
             functions: 0,
+            weighted: 489,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_points2_energy",
@@ -116,6 +121,7 @@ impl ::rncf::Model for RightAngleFrame {
             multiplications: 49,
             divisions: 1,
             functions: 0,
+            weighted: 72,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_mass",
@@ -123,6 +129,63 @@ impl ::rncf::Model for RightAngleFrame {
             multiplications: 22,
             divisions: 0,
             functions: 0,
+            weighted: 22,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_shapes_position_0",
+            additions: 6,
+            multiplications: 12,
+            divisions: 0,
+            functions: 0,
+            weighted: 18,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_shapes_position_1",
+            additions: 5,
+            multiplications: 9,
+            divisions: 1,
+            functions: 0,
+            weighted: 18,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_shapes_section_y_0",
+            additions: 4,
+            multiplications: 5,
+            divisions: 0,
+            functions: 0,
+            weighted: 9,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_shapes_section_y_1",
+            additions: 3,
+            multiplications: 5,
+            divisions: 1,
+            functions: 0,
+            weighted: 12,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_shapes_section_z_0",
+            additions: 4,
+            multiplications: 5,
+            divisions: 0,
+            functions: 0,
+            weighted: 9,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_shapes_section_z_1",
+            additions: 3,
+            multiplications: 5,
+            divisions: 1,
+            functions: 0,
+            weighted: 12,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_spatial_field_forces",
+            additions: 130,
+            multiplications: 197,
+            divisions: 0,
+            functions: 0,
+            weighted: 327,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_points3_conserving_force",
@@ -130,6 +193,7 @@ impl ::rncf::Model for RightAngleFrame {
             multiplications: 103,
             divisions: 0,
             functions: 0,
+            weighted: 163,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_points3_conserving_tangent",
@@ -137,6 +201,7 @@ impl ::rncf::Model for RightAngleFrame {
             multiplications: 252,
             divisions: 0,
             functions: 0,
+            weighted: 375,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_points2_conserving_force",
@@ -144,6 +209,7 @@ impl ::rncf::Model for RightAngleFrame {
             multiplications: 126,
             divisions: 1,
             functions: 0,
+            weighted: 200,
         },
         ::rncf::model::KernelCount {
             name: "beam_spatial_points2_conserving_tangent",
@@ -151,13 +217,7 @@ impl ::rncf::Model for RightAngleFrame {
             multiplications: 441,
             divisions: 1,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "load_push",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 633,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_position",
@@ -165,6 +225,7 @@ impl ::rncf::Model for RightAngleFrame {
             multiplications: 19,
             divisions: 0,
             functions: 0,
+            weighted: 34,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_jacobian",
@@ -172,13 +233,7 @@ impl ::rncf::Model for RightAngleFrame {
             multiplications: 12,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "joint_root_absolute_prescribed",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 15,
         },
         ::rncf::model::KernelCount {
             name: "constraint_position_corner",
@@ -186,6 +241,7 @@ impl ::rncf::Model for RightAngleFrame {
             multiplications: 9,
             divisions: 0,
             functions: 0,
+            weighted: 18,
         },
         ::rncf::model::KernelCount {
             name: "constraint_velocity_corner",
@@ -193,6 +249,7 @@ impl ::rncf::Model for RightAngleFrame {
             multiplications: 18,
             divisions: 0,
             functions: 0,
+            weighted: 36,
         },
         ::rncf::model::KernelCount {
             name: "constraint_acceleration_corner",
@@ -200,6 +257,7 @@ impl ::rncf::Model for RightAngleFrame {
             multiplications: 27,
             divisions: 0,
             functions: 0,
+            weighted: 63,
         },
         ::rncf::model::KernelCount {
             name: "constraint_jerk_corner",
@@ -207,27 +265,7 @@ impl ::rncf::Model for RightAngleFrame {
             multiplications: 36,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "constraint_gradient_corner",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "constraint_rate_gradient_corner",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "constraint_hessian_corner",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 99,
         },
         ::rncf::model::KernelCount {
             name: "outputs",
@@ -235,13 +273,7 @@ impl ::rncf::Model for RightAngleFrame {
             multiplications: 0,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "run_defaults",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 2,
         },
     ];
     fn params() -> &'static [::rncf::Param] {

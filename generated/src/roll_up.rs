@@ -77,6 +77,7 @@ impl ::rncf::Model for RollUp {
             multiplications: 27,
             divisions: 0,
             functions: 0,
+            weighted: 36,
         },
         ::rncf::model::KernelCount {
             name: "beam_planar_points3_tangent",
@@ -84,6 +85,7 @@ impl ::rncf::Model for RollUp {
             multiplications: 47,
             divisions: 0,
             functions: 0,
+            weighted: 64,
         },
         ::rncf::model::KernelCount {
             name: "beam_planar_points3_energy",
@@ -91,6 +93,7 @@ impl ::rncf::Model for RollUp {
             multiplications: 18,
             divisions: 0,
             functions: 0,
+            weighted: 25,
         },
         ::rncf::model::KernelCount {
             name: "beam_planar_points2_force",
@@ -98,6 +101,7 @@ impl ::rncf::Model for RollUp {
             multiplications: 20,
             divisions: 1,
             functions: 0,
+            weighted: 28,
         },
         ::rncf::model::KernelCount {
             name: "beam_planar_points2_tangent",
@@ -105,6 +109,7 @@ impl ::rncf::Model for RollUp {
             multiplications: 43,
             divisions: 1,
             functions: 0,
+            weighted: 56,
         },
         ::rncf::model::KernelCount {
             name: "beam_planar_points2_energy",
@@ -112,6 +117,7 @@ impl ::rncf::Model for RollUp {
             multiplications: 14,
             divisions: 1,
             functions: 0,
+            weighted: 21,
         },
         ::rncf::model::KernelCount {
             name: "beam_planar_mass",
@@ -119,6 +125,47 @@ impl ::rncf::Model for RollUp {
             multiplications: 17,
             divisions: 0,
             functions: 0,
+            weighted: 17,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_planar_shapes_position_0",
+            additions: 6,
+            multiplications: 12,
+            divisions: 0,
+            functions: 0,
+            weighted: 18,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_planar_shapes_position_1",
+            additions: 5,
+            multiplications: 9,
+            divisions: 1,
+            functions: 0,
+            weighted: 18,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_planar_shapes_section_y_0",
+            additions: 4,
+            multiplications: 5,
+            divisions: 0,
+            functions: 0,
+            weighted: 9,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_planar_shapes_section_y_1",
+            additions: 3,
+            multiplications: 5,
+            divisions: 1,
+            functions: 0,
+            weighted: 12,
+        },
+        ::rncf::model::KernelCount {
+            name: "beam_planar_field_forces",
+            additions: 29,
+            multiplications: 53,
+            divisions: 0,
+            functions: 0,
+            weighted: 82,
         },
         ::rncf::model::KernelCount {
             name: "load_bend",
@@ -126,6 +173,7 @@ impl ::rncf::Model for RollUp {
             multiplications: 7,
             divisions: 1,
             functions: 0,
+            weighted: 11,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_position",
@@ -133,20 +181,7 @@ impl ::rncf::Model for RollUp {
             multiplications: 0,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "joint_root_absolute_jacobian",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "joint_root_absolute_prescribed",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 4,
         },
         ::rncf::model::KernelCount {
             name: "moment_planar",
@@ -154,6 +189,7 @@ impl ::rncf::Model for RollUp {
             multiplications: 4,
             divisions: 2,
             functions: 0,
+            weighted: 15,
         },
         ::rncf::model::KernelCount {
             name: "moment_tangent_planar",
@@ -161,6 +197,7 @@ impl ::rncf::Model for RollUp {
             multiplications: 10,
             divisions: 6,
             functions: 0,
+            weighted: 41,
         },
         ::rncf::model::KernelCount {
             name: "outputs",
@@ -168,13 +205,7 @@ impl ::rncf::Model for RollUp {
             multiplications: 2,
             divisions: 0,
             functions: 1,
-        },
-        ::rncf::model::KernelCount {
-            name: "run_defaults",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 25,
         },
     ];
     fn params() -> &'static [::rncf::Param] {

@@ -86,6 +86,7 @@ impl ::rncf::Model for RotatingCantilever {
             multiplications: 118,
             divisions: 1,
             functions: 0,
+            weighted: 220,
         },
         ::rncf::model::KernelCount {
             name: "cable_spatial_elastic_tangent",
@@ -93,6 +94,7 @@ impl ::rncf::Model for RotatingCantilever {
             multiplications: 370,
             divisions: 1,
             functions: 0,
+            weighted: 784,
         },
         ::rncf::model::KernelCount {
             name: "cable_spatial_strain_energy",
@@ -100,6 +102,7 @@ impl ::rncf::Model for RotatingCantilever {
             multiplications: 93,
             divisions: 1,
             functions: 0,
+            weighted: 171,
         },
         ::rncf::model::KernelCount {
             name: "cable_spatial_mass",
@@ -107,6 +110,39 @@ impl ::rncf::Model for RotatingCantilever {
             multiplications: 12,
             divisions: 0,
             functions: 0,
+            weighted: 12,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_spatial_shapes_position_0",
+            additions: 6,
+            multiplications: 12,
+            divisions: 0,
+            functions: 0,
+            weighted: 18,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_spatial_shapes_position_1",
+            additions: 5,
+            multiplications: 9,
+            divisions: 1,
+            functions: 0,
+            weighted: 18,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_spatial_shapes_position_2",
+            additions: 4,
+            multiplications: 8,
+            divisions: 2,
+            functions: 0,
+            weighted: 20,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_spatial_field_forces",
+            additions: 20,
+            multiplications: 52,
+            divisions: 0,
+            functions: 0,
+            weighted: 72,
         },
         ::rncf::model::KernelCount {
             name: "frame_hub",
@@ -114,6 +150,7 @@ impl ::rncf::Model for RotatingCantilever {
             multiplications: 1,
             divisions: 0,
             functions: 2,
+            weighted: 41,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_referenced_position",
@@ -121,20 +158,7 @@ impl ::rncf::Model for RotatingCantilever {
             multiplications: 6,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "joint_root_referenced_jacobian",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "joint_root_referenced_prescribed",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 13,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_position",
@@ -142,6 +166,7 @@ impl ::rncf::Model for RotatingCantilever {
             multiplications: 19,
             divisions: 0,
             functions: 2,
+            weighted: 72,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_velocity",
@@ -149,6 +174,7 @@ impl ::rncf::Model for RotatingCantilever {
             multiplications: 19,
             divisions: 0,
             functions: 2,
+            weighted: 67,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_acceleration",
@@ -156,6 +182,7 @@ impl ::rncf::Model for RotatingCantilever {
             multiplications: 33,
             divisions: 0,
             functions: 2,
+            weighted: 93,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_jerk",
@@ -163,6 +190,7 @@ impl ::rncf::Model for RotatingCantilever {
             multiplications: 47,
             divisions: 0,
             functions: 2,
+            weighted: 123,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_jacobian",
@@ -170,6 +198,7 @@ impl ::rncf::Model for RotatingCantilever {
             multiplications: 9,
             divisions: 0,
             functions: 2,
+            weighted: 53,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_prescribed",
@@ -177,6 +206,7 @@ impl ::rncf::Model for RotatingCantilever {
             multiplications: 29,
             divisions: 0,
             functions: 2,
+            weighted: 81,
         },
         ::rncf::model::KernelCount {
             name: "outputs",
@@ -184,13 +214,7 @@ impl ::rncf::Model for RotatingCantilever {
             multiplications: 0,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "run_defaults",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 2,
         },
     ];
     fn params() -> &'static [::rncf::Param] {

@@ -108,6 +108,7 @@ impl ::rncf::Model for SliderCrank {
             multiplications: 534,
             divisions: 11,
             functions: 0,
+            weighted: 876,
         },
         ::rncf::model::KernelCount {
             name: "cable_spatial_exact_damped_elastic_tangent",
@@ -115,6 +116,7 @@ impl ::rncf::Model for SliderCrank {
             multiplications: 2898,
             divisions: 16,
             functions: 0,
+            weighted: 5141,
         },
         ::rncf::model::KernelCount {
             name: "cable_spatial_exact_damped_strain_energy",
@@ -122,6 +124,7 @@ impl ::rncf::Model for SliderCrank {
             multiplications: 218,
             divisions: 6,
             functions: 0,
+            weighted: 356,
         },
         ::rncf::model::KernelCount {
             name: "cable_spatial_exact_damped_mass",
@@ -129,6 +132,39 @@ impl ::rncf::Model for SliderCrank {
             multiplications: 12,
             divisions: 0,
             functions: 0,
+            weighted: 12,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_spatial_exact_damped_shapes_position_0",
+            additions: 6,
+            multiplications: 12,
+            divisions: 0,
+            functions: 0,
+            weighted: 18,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_spatial_exact_damped_shapes_position_1",
+            additions: 5,
+            multiplications: 9,
+            divisions: 1,
+            functions: 0,
+            weighted: 18,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_spatial_exact_damped_shapes_position_2",
+            additions: 4,
+            multiplications: 8,
+            divisions: 2,
+            functions: 0,
+            weighted: 20,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_spatial_exact_damped_field_forces",
+            additions: 27,
+            multiplications: 76,
+            divisions: 4,
+            functions: 0,
+            weighted: 119,
         },
         ::rncf::model::KernelCount {
             name: "frame_pin_frame",
@@ -136,13 +172,7 @@ impl ::rncf::Model for SliderCrank {
             multiplications: 37,
             divisions: 6,
             functions: 4,
-        },
-        ::rncf::model::KernelCount {
-            name: "free_rod",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 159,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_referenced_position",
@@ -150,20 +180,7 @@ impl ::rncf::Model for SliderCrank {
             multiplications: 0,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "joint_root_referenced_jacobian",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "joint_root_referenced_prescribed",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 3,
         },
         ::rncf::model::KernelCount {
             name: "joint_chord_y_referenced_position",
@@ -171,20 +188,7 @@ impl ::rncf::Model for SliderCrank {
             multiplications: 0,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "joint_chord_y_referenced_jacobian",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "joint_chord_y_referenced_prescribed",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 1,
         },
         ::rncf::model::KernelCount {
             name: "joint_chord_z_referenced_position",
@@ -192,20 +196,7 @@ impl ::rncf::Model for SliderCrank {
             multiplications: 0,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "joint_chord_z_referenced_jacobian",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "joint_chord_z_referenced_prescribed",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 1,
         },
         ::rncf::model::KernelCount {
             name: "constraint_position_root",
@@ -213,6 +204,7 @@ impl ::rncf::Model for SliderCrank {
             multiplications: 0,
             divisions: 0,
             functions: 0,
+            weighted: 3,
         },
         ::rncf::model::KernelCount {
             name: "constraint_velocity_root",
@@ -220,6 +212,7 @@ impl ::rncf::Model for SliderCrank {
             multiplications: 0,
             divisions: 0,
             functions: 0,
+            weighted: 3,
         },
         ::rncf::model::KernelCount {
             name: "constraint_acceleration_root",
@@ -227,6 +220,7 @@ impl ::rncf::Model for SliderCrank {
             multiplications: 0,
             divisions: 0,
             functions: 0,
+            weighted: 3,
         },
         ::rncf::model::KernelCount {
             name: "constraint_jerk_root",
@@ -234,13 +228,7 @@ impl ::rncf::Model for SliderCrank {
             multiplications: 0,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "constraint_gradient_root",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 3,
         },
         ::rncf::model::KernelCount {
             name: "constraint_position_chord_y",
@@ -248,6 +236,7 @@ impl ::rncf::Model for SliderCrank {
             multiplications: 3,
             divisions: 0,
             functions: 0,
+            weighted: 8,
         },
         ::rncf::model::KernelCount {
             name: "constraint_velocity_chord_y",
@@ -255,6 +244,7 @@ impl ::rncf::Model for SliderCrank {
             multiplications: 6,
             divisions: 0,
             functions: 0,
+            weighted: 17,
         },
         ::rncf::model::KernelCount {
             name: "constraint_acceleration_chord_y",
@@ -262,6 +252,7 @@ impl ::rncf::Model for SliderCrank {
             multiplications: 9,
             divisions: 0,
             functions: 0,
+            weighted: 29,
         },
         ::rncf::model::KernelCount {
             name: "constraint_jerk_chord_y",
@@ -269,6 +260,7 @@ impl ::rncf::Model for SliderCrank {
             multiplications: 12,
             divisions: 0,
             functions: 0,
+            weighted: 44,
         },
         ::rncf::model::KernelCount {
             name: "constraint_gradient_chord_y",
@@ -276,6 +268,7 @@ impl ::rncf::Model for SliderCrank {
             multiplications: 0,
             divisions: 0,
             functions: 0,
+            weighted: 3,
         },
         ::rncf::model::KernelCount {
             name: "constraint_rate_gradient_chord_y",
@@ -283,13 +276,7 @@ impl ::rncf::Model for SliderCrank {
             multiplications: 0,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "constraint_hessian_chord_y",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 3,
         },
         ::rncf::model::KernelCount {
             name: "constraint_position_cross_axis",
@@ -297,6 +284,7 @@ impl ::rncf::Model for SliderCrank {
             multiplications: 8,
             divisions: 5,
             functions: 3,
+            weighted: 93,
         },
         ::rncf::model::KernelCount {
             name: "constraint_velocity_cross_axis",
@@ -304,6 +292,7 @@ impl ::rncf::Model for SliderCrank {
             multiplications: 15,
             divisions: 6,
             functions: 4,
+            weighted: 128,
         },
         ::rncf::model::KernelCount {
             name: "constraint_acceleration_cross_axis",
@@ -311,6 +300,7 @@ impl ::rncf::Model for SliderCrank {
             multiplications: 25,
             divisions: 6,
             functions: 4,
+            weighted: 146,
         },
         ::rncf::model::KernelCount {
             name: "constraint_jerk_cross_axis",
@@ -318,6 +308,7 @@ impl ::rncf::Model for SliderCrank {
             multiplications: 37,
             divisions: 6,
             functions: 4,
+            weighted: 171,
         },
         ::rncf::model::KernelCount {
             name: "constraint_gradient_cross_axis",
@@ -325,6 +316,7 @@ impl ::rncf::Model for SliderCrank {
             multiplications: 6,
             divisions: 5,
             functions: 3,
+            weighted: 90,
         },
         ::rncf::model::KernelCount {
             name: "constraint_rate_gradient_cross_axis",
@@ -332,83 +324,7 @@ impl ::rncf::Model for SliderCrank {
             multiplications: 11,
             divisions: 6,
             functions: 4,
-        },
-        ::rncf::model::KernelCount {
-            name: "constraint_position_guide_y",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "constraint_velocity_guide_y",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "constraint_acceleration_guide_y",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "constraint_jerk_guide_y",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "constraint_gradient_guide_y",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "constraint_position_guide_z",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "constraint_velocity_guide_z",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "constraint_acceleration_guide_z",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "constraint_jerk_guide_z",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "constraint_gradient_guide_z",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "kinks",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 121,
         },
         ::rncf::model::KernelCount {
             name: "outputs",
@@ -416,13 +332,7 @@ impl ::rncf::Model for SliderCrank {
             multiplications: 14,
             divisions: 5,
             functions: 4,
-        },
-        ::rncf::model::KernelCount {
-            name: "run_defaults",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 129,
         },
     ];
     fn params() -> &'static [::rncf::Param] {

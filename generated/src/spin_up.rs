@@ -83,6 +83,7 @@ impl ::rncf::Model for SpinUp {
             multiplications: 103,
             divisions: 1,
             functions: 0,
+            weighted: 188,
         },
         ::rncf::model::KernelCount {
             name: "cable_planar_elastic_tangent",
@@ -90,6 +91,7 @@ impl ::rncf::Model for SpinUp {
             multiplications: 276,
             divisions: 1,
             functions: 0,
+            weighted: 557,
         },
         ::rncf::model::KernelCount {
             name: "cable_planar_strain_energy",
@@ -97,6 +99,7 @@ impl ::rncf::Model for SpinUp {
             multiplications: 76,
             divisions: 1,
             functions: 0,
+            weighted: 138,
         },
         ::rncf::model::KernelCount {
             name: "cable_planar_mass",
@@ -104,6 +107,39 @@ impl ::rncf::Model for SpinUp {
             multiplications: 12,
             divisions: 0,
             functions: 0,
+            weighted: 12,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_planar_shapes_position_0",
+            additions: 6,
+            multiplications: 12,
+            divisions: 0,
+            functions: 0,
+            weighted: 18,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_planar_shapes_position_1",
+            additions: 5,
+            multiplications: 9,
+            divisions: 1,
+            functions: 0,
+            weighted: 18,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_planar_shapes_position_2",
+            additions: 4,
+            multiplications: 8,
+            divisions: 2,
+            functions: 0,
+            weighted: 20,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_planar_field_forces",
+            additions: 10,
+            multiplications: 22,
+            divisions: 0,
+            functions: 0,
+            weighted: 32,
         },
         ::rncf::model::KernelCount {
             name: "frame_hub",
@@ -111,6 +147,7 @@ impl ::rncf::Model for SpinUp {
             multiplications: 13,
             divisions: 6,
             functions: 4,
+            weighted: 125,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_referenced_position",
@@ -118,20 +155,7 @@ impl ::rncf::Model for SpinUp {
             multiplications: 2,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "joint_root_referenced_jacobian",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "joint_root_referenced_prescribed",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 5,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_position",
@@ -139,6 +163,7 @@ impl ::rncf::Model for SpinUp {
             multiplications: 16,
             divisions: 5,
             functions: 3,
+            weighted: 107,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_velocity",
@@ -146,6 +171,7 @@ impl ::rncf::Model for SpinUp {
             multiplications: 21,
             divisions: 6,
             functions: 4,
+            weighted: 136,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_acceleration",
@@ -153,6 +179,7 @@ impl ::rncf::Model for SpinUp {
             multiplications: 35,
             divisions: 6,
             functions: 4,
+            weighted: 160,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_jerk",
@@ -160,6 +187,7 @@ impl ::rncf::Model for SpinUp {
             multiplications: 51,
             divisions: 6,
             functions: 4,
+            weighted: 191,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_jacobian",
@@ -167,6 +195,7 @@ impl ::rncf::Model for SpinUp {
             multiplications: 10,
             divisions: 5,
             functions: 3,
+            weighted: 96,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_prescribed",
@@ -174,13 +203,7 @@ impl ::rncf::Model for SpinUp {
             multiplications: 43,
             divisions: 6,
             functions: 4,
-        },
-        ::rncf::model::KernelCount {
-            name: "kinks",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 169,
         },
         ::rncf::model::KernelCount {
             name: "outputs",
@@ -188,13 +211,7 @@ impl ::rncf::Model for SpinUp {
             multiplications: 0,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "run_defaults",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 1,
         },
     ];
     fn params() -> &'static [::rncf::Param] {

@@ -84,6 +84,7 @@ impl ::rncf::Model for SpinUpSpatial {
             multiplications: 118,
             divisions: 1,
             functions: 0,
+            weighted: 220,
         },
         ::rncf::model::KernelCount {
             name: "cable_spatial_elastic_tangent",
@@ -91,6 +92,7 @@ impl ::rncf::Model for SpinUpSpatial {
             multiplications: 370,
             divisions: 1,
             functions: 0,
+            weighted: 784,
         },
         ::rncf::model::KernelCount {
             name: "cable_spatial_strain_energy",
@@ -98,6 +100,7 @@ impl ::rncf::Model for SpinUpSpatial {
             multiplications: 93,
             divisions: 1,
             functions: 0,
+            weighted: 171,
         },
         ::rncf::model::KernelCount {
             name: "cable_spatial_mass",
@@ -105,6 +108,39 @@ impl ::rncf::Model for SpinUpSpatial {
             multiplications: 12,
             divisions: 0,
             functions: 0,
+            weighted: 12,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_spatial_shapes_position_0",
+            additions: 6,
+            multiplications: 12,
+            divisions: 0,
+            functions: 0,
+            weighted: 18,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_spatial_shapes_position_1",
+            additions: 5,
+            multiplications: 9,
+            divisions: 1,
+            functions: 0,
+            weighted: 18,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_spatial_shapes_position_2",
+            additions: 4,
+            multiplications: 8,
+            divisions: 2,
+            functions: 0,
+            weighted: 20,
+        },
+        ::rncf::model::KernelCount {
+            name: "cable_spatial_field_forces",
+            additions: 20,
+            multiplications: 52,
+            divisions: 0,
+            functions: 0,
+            weighted: 72,
         },
         ::rncf::model::KernelCount {
             name: "frame_hub",
@@ -112,6 +148,7 @@ impl ::rncf::Model for SpinUpSpatial {
             multiplications: 13,
             divisions: 6,
             functions: 4,
+            weighted: 125,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_referenced_position",
@@ -119,20 +156,7 @@ impl ::rncf::Model for SpinUpSpatial {
             multiplications: 6,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "joint_root_referenced_jacobian",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "joint_root_referenced_prescribed",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 13,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_position",
@@ -140,6 +164,7 @@ impl ::rncf::Model for SpinUpSpatial {
             multiplications: 24,
             divisions: 5,
             functions: 3,
+            weighted: 121,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_velocity",
@@ -147,6 +172,7 @@ impl ::rncf::Model for SpinUpSpatial {
             multiplications: 27,
             divisions: 6,
             functions: 4,
+            weighted: 145,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_acceleration",
@@ -154,6 +180,7 @@ impl ::rncf::Model for SpinUpSpatial {
             multiplications: 47,
             divisions: 6,
             functions: 4,
+            weighted: 181,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_jerk",
@@ -161,6 +188,7 @@ impl ::rncf::Model for SpinUpSpatial {
             multiplications: 69,
             divisions: 6,
             functions: 4,
+            weighted: 226,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_jacobian",
@@ -168,6 +196,7 @@ impl ::rncf::Model for SpinUpSpatial {
             multiplications: 14,
             divisions: 5,
             functions: 3,
+            weighted: 102,
         },
         ::rncf::model::KernelCount {
             name: "joint_root_absolute_prescribed",
@@ -175,13 +204,7 @@ impl ::rncf::Model for SpinUpSpatial {
             multiplications: 43,
             divisions: 6,
             functions: 4,
-        },
-        ::rncf::model::KernelCount {
-            name: "kinks",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 169,
         },
         ::rncf::model::KernelCount {
             name: "outputs",
@@ -189,13 +212,7 @@ impl ::rncf::Model for SpinUpSpatial {
             multiplications: 0,
             divisions: 0,
             functions: 0,
-        },
-        ::rncf::model::KernelCount {
-            name: "run_defaults",
-            additions: 0,
-            multiplications: 0,
-            divisions: 0,
-            functions: 0,
+            weighted: 1,
         },
     ];
     fn params() -> &'static [::rncf::Param] {

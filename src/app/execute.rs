@@ -55,19 +55,17 @@ impl From<&RunError> for Failure {
 
 /// Does what the arguments say and writes; the text for standard output.
 pub(super) fn execute(arguments: &Arguments, interrupted: impl Fn() -> bool) -> Result<String, Failure> {
-    if arguments.command == Command::Explain {
-        return explain::execute(arguments);
+    let failed = |text| Failure::new(FAILURE, text);
+    if arguments.command != Command::Explain {
+        files::create_folder(&arguments.out).map_err(failed)?;
     }
-    files::create_folder(&arguments.out).map_err(|text| Failure::new(FAILURE, text))?;
     if let Some(path) = &arguments.saved {
         scenario::keep(arguments, path)?;
     }
-    if arguments.command == Command::Task {
-        // Tasks of one plan work side by side: each writes a file of its own.
-        return plan::task(arguments, interrupted);
-    }
-    let claimed = files::claim(&arguments.out);
-    let _claim = claimed.map_err(|text| Failure::new(FAILURE, text))?;
+    // Tasks of one plan work side by side: each writes a file of its own.
+    let shares = matches!(arguments.command, Command::Task | Command::Explain);
+    let claimed = (!shares).then(|| files::claim(&arguments.out));
+    let _claim = claimed.transpose().map_err(failed)?;
     match arguments.command {
         Command::Run => execute_run(arguments, interrupted),
         Command::Steady => execute_equilibria(arguments, Kind::Steady, interrupted),

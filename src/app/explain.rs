@@ -14,9 +14,6 @@ use crate::{AnyModel, Formulation, Joints, Scene, State, System};
 /// How long each part is timed.
 const TIMED: Duration = Duration::from_millis(20);
 
-/// Additions, multiplications, divisions and calls of functions in the order of a processor's latencies, as the generator weighs them.
-const WEIGHTS: [usize; 4] = [1, 1, 4, 20];
-
 /// The text for standard output.
 pub(super) fn execute(arguments: &Arguments) -> Result<String, Failure> {
     let model = arguments.model();
@@ -102,20 +99,17 @@ fn derived(model: &dyn AnyModel) -> String {
             "  {:52}{:>8}{:>8}{:>8}{:>8}{:>10}",
             "", "+ -", "*", "/", "calls", "weighted"
         );
-        // What only copies costs nothing.
         for kernel in kernels {
-            let counts = [
+            let _ = writeln!(
+                text,
+                "  {:52}{:>8}{:>8}{:>8}{:>8}{:>10}",
+                kernel.name,
                 kernel.additions,
                 kernel.multiplications,
                 kernel.divisions,
                 kernel.functions,
-            ];
-            let weighted: usize = counts.iter().zip(WEIGHTS).map(|(count, weight)| count * weight).sum();
-            if weighted == 0 {
-                continue;
-            }
-            let [a, b, c, d] = counts;
-            let _ = writeln!(text, "  {:52}{a:>8}{b:>8}{c:>8}{d:>8}{weighted:>10}", kernel.name);
+                kernel.weighted
+            );
         }
     }
     text

@@ -11,7 +11,7 @@ pub struct ConstantArray {
     pub doc: &'static str,
 }
 
-/// A function of the generated code, with the operations of one evaluation, loops multiplied out.
+/// A function of the generated code that does arithmetic, with the operations of one evaluation, loops multiplied out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct KernelCount {
     /// Name in the generated code, e.g. `cable_planar_elastic_force`.
@@ -24,4 +24,6 @@ pub struct KernelCount {
     pub divisions: usize,
     /// Calls of functions, square roots included.
     pub functions: usize,
+    /// All of them by what they cost, as the generator weighs them.
+    pub weighted: usize,
 }

@@ -169,12 +169,21 @@ fn derived(equations: &Equations) -> String {
         );
     }
     text += "];\nconst KERNELS: &'static [::rncf::model::KernelCount] = &[\n";
-    for kernel in equations.kernels() {
-        let cost = kernel.cost();
+    // What only copies, or calls others, has no operations of its own.
+    let costs = equations
+        .kernels()
+        .into_iter()
+        .map(|(kernel, _)| (kernel, kernel.cost()));
+    for (kernel, cost) in costs.filter(|(kernel, cost)| !kernel.outputs.is_empty() && cost.weighted() > 0) {
         let _ = writeln!(
             text,
-            "::rncf::model::KernelCount {{ name: {:?}, additions: {}, multiplications: {}, divisions: {}, functions: {} }},",
-            kernel.name, cost.additions, cost.multiplications, cost.divisions, cost.functions
+            "::rncf::model::KernelCount {{ name: {:?}, additions: {}, multiplications: {}, divisions: {}, functions: {}, weighted: {} }},",
+            kernel.name,
+            cost.additions,
+            cost.multiplications,
+            cost.divisions,
+            cost.functions,
+            cost.weighted()
         );
     }
     text + "];\n"

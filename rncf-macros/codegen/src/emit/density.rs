@@ -2,9 +2,8 @@
 
 use std::fmt::Write;
 
-use super::elements::side_by_side;
 use super::equations::Equations;
-use super::kernel::{fits_lanes, function, function_of_lanes};
+use super::kernel::fits_lanes;
 use super::parts::Parts;
 use crate::lower::density::DensityKernels;
 use crate::lower::{Kernel, camel_case};
@@ -15,34 +14,27 @@ const FOUR: &str = "density: usize, elements: &[(usize, usize); 4], values: &[[f
 const VECTORS: &str = "&[[f64; 3]]";
 
 impl Equations {
-    /// The functions of densities and fields.
-    pub(super) fn density_functions(&self) -> String {
-        let mut text = String::new();
-        for kernels in &self.densities {
-            for kernel in kernels.value.iter().chain(&kernels.gradient) {
-                text += &function(kernel);
-            }
-            for kernel in [&kernels.force, &kernels.tangent] {
-                if fits_lanes(kernel) {
-                    text += &function_of_lanes(kernel);
-                    text += &side_by_side(kernel);
-                } else {
-                    text += &function(kernel);
-                }
-            }
+    /// The functions of loads per length and fields in the order of the text, and whether each is written for four elements side by
+    /// side, too.
+    pub(super) fn load_kernels(&self) -> Vec<(&Kernel, bool)> {
+        let mut kernels = Vec::new();
+        for density in &self.densities {
+            let values = density.value.iter().chain(&density.gradient);
+            kernels.extend(values.map(|kernel| (kernel, false)));
+            kernels.extend([&density.force, &density.tangent].map(|kernel| (kernel, fits_lanes(kernel))));
         }
-        for kernels in &self.distributed {
-            text += &function(&kernels.force);
-            text += &kernels.tangent.as_ref().map_or(String::new(), function);
+        let mut single: Vec<&Kernel> = Vec::new();
+        for distributed in &self.distributed {
+            single.push(&distributed.force);
+            single.extend(&distributed.tangent);
         }
-        for (_, kernels) in &self.around {
-            kernels.iter().for_each(|kernel| text += &function(kernel));
-        }
+        single.extend(self.around.iter().flat_map(|(_, kernels)| kernels));
         for field in &self.fields {
-            text += &function(&field.value);
-            text += &field.gradient.as_ref().map_or(String::new(), function);
+            single.push(&field.value);
+            single.extend(&field.gradient);
         }
-        text
+        kernels.extend(single.into_iter().map(|kernel| (kernel, false)));
+        kernels
     }
 }
 

@@ -38,6 +38,24 @@ pub struct VariantKernels {
 }
 
 impl VariantKernels {
+    /// Its functions in the order of the text, and whether each is written for four elements side by side, too.
+    fn kernels(&self) -> Vec<(&Kernel, bool)> {
+        let elastic = &self.elastic;
+        let points = elastic.fields.iter().flat_map(|fields| &fields.rules);
+        let before = points.flat_map(|rule| rule.particles.iter().chain(&rule.kernels));
+        let in_lanes = self.side_by_side();
+        let mut after = vec![&elastic.energy];
+        after.extend(&elastic.reference);
+        after.extend((!self.variant.varying).then_some(&self.mass));
+        after.extend(self.shapes.iter().flat_map(|(_, orders)| orders));
+        after.push(&self.field_forces);
+        let alone = |kernel| (kernel, false);
+        let mut kernels: Vec<(&Kernel, bool)> = before.map(alone).collect();
+        kernels.extend([&elastic.force, &elastic.tangent].map(|kernel| (kernel, in_lanes)));
+        kernels.extend(after.into_iter().map(alone));
+        kernels
+    }
+
     /// Whether four of its elements can be evaluated side by side.
     pub fn side_by_side(&self) -> bool {
         fit_lanes(&self.variant, &self.elastic)
@@ -172,42 +190,14 @@ impl Equations {
     /// All functions and constants as text.
     pub fn functions(&self) -> String {
         let mut text = String::new();
-        for variant in &self.variants {
-            let mut add = |kernel: &Kernel| text += &function(kernel);
-            if let Some(fields) = &variant.elastic.fields {
-                let kernels = fields
-                    .rules
-                    .iter()
-                    .flat_map(|rule| rule.particles.iter().chain(&rule.kernels));
-                kernels.for_each(&mut add);
+        for (kernel, in_lanes) in self.kernels() {
+            if in_lanes {
+                text += &function_of_lanes(kernel);
+                text += &side_by_side(kernel);
+            } else {
+                text += &function(kernel);
             }
-            for kernel in [&variant.elastic.force, &variant.elastic.tangent] {
-                if variant.side_by_side() {
-                    text += &function_of_lanes(kernel);
-                    text += &side_by_side(kernel);
-                } else {
-                    text += &function(kernel);
-                }
-            }
-            let mut add = |kernel: &Kernel| text += &function(kernel);
-            add(&variant.elastic.energy);
-            if let Some(kernel) = &variant.elastic.reference {
-                add(kernel);
-            }
-            if !variant.variant.varying {
-                add(&variant.mass);
-            }
-            variant.shapes.iter().flat_map(|(_, orders)| orders).for_each(&mut add);
-            add(&variant.field_forces);
         }
-        for between in &self.conserving.kernels {
-            let points = between.rules.iter().flat_map(|rule| &rule.kernels);
-            points
-                .chain(&between.kernels)
-                .for_each(|kernel| text += &function(kernel));
-        }
-        self.rest().into_iter().for_each(|kernel| text += &function(kernel));
-        text += &self.density_functions();
         let rows: String = self.variants.iter().map(|variant| variant.row.clone()).collect();
         let tables = self.variants.iter().filter_map(|variant| {
             let fields = variant.elastic.fields.as_ref()?;
@@ -241,32 +231,20 @@ impl Equations {
             .chain(densities)
     }
 
-    /// All functions in the order of the text that do arithmetic.
-    pub fn kernels(&self) -> Vec<&Kernel> {
-        let mut kernels: Vec<&Kernel> = Vec::new();
+    /// All functions in the order of the text, and whether each is written for four elements side by side, too.
+    pub fn kernels(&self) -> Vec<(&Kernel, bool)> {
+        let mut kernels = Vec::new();
         for variant in &self.variants {
-            let elastic = &variant.elastic;
-            let points = elastic.fields.iter().flat_map(|fields| &fields.rules);
-            kernels.extend(points.flat_map(|rule| rule.particles.iter().chain(&rule.kernels)));
-            kernels.extend([&elastic.force, &elastic.tangent, &elastic.energy]);
-            kernels.extend(&elastic.reference);
-            kernels.extend((!variant.variant.varying).then_some(&variant.mass));
+            kernels.extend(variant.kernels());
         }
+        let mut single: Vec<&Kernel> = Vec::new();
         for between in &self.conserving.kernels {
-            kernels.extend(
-                between
-                    .rules
-                    .iter()
-                    .flat_map(|rule| &rule.kernels)
-                    .chain(&between.kernels),
-            );
+            single.extend(between.rules.iter().flat_map(|rule| &rule.kernels));
+            single.extend(&between.kernels);
         }
-        kernels.extend(self.rest());
-        for density in &self.densities {
-            kernels.extend(density.value.iter().chain(&density.gradient));
-            kernels.extend([&density.force, &density.tangent]);
-        }
-        kernels.retain(|kernel| !kernel.outputs.is_empty());
+        single.extend(self.rest());
+        kernels.extend(single.into_iter().map(|kernel| (kernel, false)));
+        kernels.extend(self.load_kernels());
         kernels
     }
 

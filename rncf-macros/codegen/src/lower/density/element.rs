@@ -29,18 +29,18 @@ pub(super) struct Part {
 }
 
 /// Symbols of an element.
-pub(super) struct Element {
+pub(super) struct Element<'r> {
     length: Id,
     /// Nodal vectors.
     q: Vec<Vector>,
     /// Vectors relative to the base, positions divided by the length; index and components.
     pub relative: Vec<(usize, Vector)>,
     base: usize,
-    rule: Rule,
+    rule: &'r Rule,
 }
 
-impl Element {
-    pub fn new(of: &Law, graph: &mut Graph, rule: Rule) -> Self {
+impl<'r> Element<'r> {
+    pub fn new(of: &Law, graph: &mut Graph, rule: &'r Rule) -> Self {
         let length = graph.symbol("length");
         let names = of.variant.component_names(of.library, "");
         let q: Vec<Vector> = names
@@ -91,7 +91,7 @@ impl Element {
 
     /// Generalised forces: those of positions add up to the whole, `Q_base = F - sum Q_position`.
     pub fn forces(&self, of: &Law, split: &mut Split) -> Vector {
-        let part = match &self.rule {
+        let part = match self.rule {
             Rule::Points(points) => self.force_by_points(of, split, points),
             Rule::Tensors(integrals) => self.force_by_tensors(split, integrals),
         };
@@ -148,7 +148,7 @@ impl Element {
         let (d, count) = (of.axes.len(), self.q.len());
         let size = d * count;
         let zero = split.marked.time.graph.zero();
-        let parts = match &self.rule {
+        let parts = match self.rule {
             Rule::Points(points) => self.tangent_by_points(of, split, points),
             Rule::Tensors(integrals) => self.tangent_by_tensors(split, integrals),
         };

@@ -115,13 +115,6 @@ pub fn field_kernels(model: &Model) -> Vec<FieldKernels> {
     fields.collect()
 }
 
-/// How the integral over an element is taken.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Form {
-    Points,
-    Tensors,
-}
-
 /// A density on its way to functions.
 struct Law<'m> {
     model: &'m Model,
@@ -186,12 +179,12 @@ impl<'m> Law<'m> {
 
     /// Force and tangent in the form that takes fewer operations, with the counts of both.
     fn of_elements(&self, quadratic: bool) -> (Kernel, Kernel) {
-        let build = |form: Form| (self.force(form), self.tangent(form));
-        let points = build(Form::Points);
+        let build = |rule: &Rule| (self.force(rule), self.tangent(rule));
+        let points = build(&Rule::Points(self.points()));
         if !quadratic {
             return points;
         }
-        let tensors = build(Form::Tensors);
+        let tensors = build(&Rule::Tensors(self.integrals()));
         let cost = |(force, tangent): &(Kernel, Kernel)| (force.cost() + tangent.cost()).weighted();
         let (by_points, by_tensors) = (cost(&points), cost(&tensors));
         let mut chosen = if by_tensors < by_points { tensors } else { points };
@@ -204,25 +197,32 @@ impl<'m> Law<'m> {
         chosen
     }
 
-    /// How a form integrates, and the arrays that it reads.
-    fn rule(&self, form: Form) -> (Rule, Vec<Array>) {
-        if form == Form::Points {
-            return (Rule::Points(self.points()), Vec::new());
+    /// Integrals of products of the relative vectors' shape functions on the axis.
+    fn integrals(&self) -> Integrals {
+        let shapes = relative_shapes(&self.vectors).into_iter();
+        let on_axis = shapes.map(|(index, shape)| match self.vectors[index].of {
+            Interpolant::Position => shape,
+            _ => Polynomial::zero(),
+        });
+        Integrals::of(&on_axis.collect::<Vec<_>>())
+    }
+
+    /// How a rule integrates, in a sentence, and the arrays that it reads.
+    fn told(&self, rule: &Rule) -> (String, Vec<Array>) {
+        match rule {
+            Rule::Points(points) => (
+                format!("Integrated exactly by {} Gauss points.", points.len()),
+                Vec::new(),
+            ),
+            Rule::Tensors(integrals) => {
+                let shapes = relative_shapes(&self.vectors);
+                let names: Vec<&str> = shapes.iter().map(|&(index, _)| self.vectors[index].name).collect();
+                (
+                    "Integrated exactly by constant tensors.".to_string(),
+                    integrals.arrays(&self.variant.name(self.library), &names),
+                )
+            }
         }
-        let shapes: Vec<(usize, Polynomial)> = relative_shapes(&self.vectors)
-            .into_iter()
-            .map(|(index, shape)| match self.vectors[index].of {
-                Interpolant::Position => (index, shape),
-                _ => (index, Polynomial::zero()),
-            })
-            .collect();
-        let names: Vec<String> = shapes
-            .iter()
-            .map(|(index, _)| self.vectors[*index].name.to_string())
-            .collect();
-        let integrals = Integrals::of(&shapes.into_iter().map(|(_, shape)| shape).collect::<Vec<_>>());
-        let arrays = integrals.arrays(&self.name, &names);
-        (Rule::Tensors(integrals), arrays)
     }
 
     /// Splits the density into what is the same along the body and a polynomial.
@@ -343,7 +343,7 @@ impl<'m> Law<'m> {
     fn of_element(
         &self,
         mut split: Split,
-        form: Form,
+        rule: &Rule,
         what: &str,
         title: &str,
         outputs: Vec<(String, Id)>,
@@ -357,11 +357,7 @@ impl<'m> Law<'m> {
         ];
         arguments.extend(results.iter().cloned());
         let names = self.variant.component_names(self.library, "").concat();
-        let (_, arrays) = self.rule(form);
-        let integrated = match form {
-            Form::Points => format!("Integrated exactly by {} Gauss points.", self.points().len()),
-            Form::Tensors => "Integrated exactly by constant tensors.".to_string(),
-        };
+        let (integrated, arrays) = self.told(rule);
         let roots = outputs.iter().map(|&(_, id)| id);
         split.marked.time.graph.read_from(roots, arrays, &[]);
         Kernel {
@@ -379,16 +375,16 @@ impl<'m> Law<'m> {
         }
     }
 
-    fn force(&self, form: Form) -> Kernel {
+    fn force(&self, rule: &Rule) -> Kernel {
         let mut split = self.split();
-        let element = Element::new(self, &mut split.marked.time.graph, self.rule(form).0);
+        let element = Element::new(self, &mut split.marked.time.graph, rule);
         let outputs = values(&element.forces(self, &mut split), "force");
         let size = self.variant.size(self.library);
         let title =
             "adds the generalised forces on the nodal vectors of one element, int s_a f dx, axes of the body's frame.";
         self.of_element(
             split,
-            form,
+            rule,
             "force",
             title,
             outputs,
@@ -396,9 +392,9 @@ impl<'m> Law<'m> {
         )
     }
 
-    fn tangent(&self, form: Form) -> Kernel {
+    fn tangent(&self, rule: &Rule) -> Kernel {
         let mut split = self.split();
-        let element = Element::new(self, &mut split.marked.time.graph, self.rule(form).0);
+        let element = Element::new(self, &mut split.marked.time.graph, rule);
         let (size, count) = (self.variant.size(self.library), split.values.len());
         let mut outputs = element.by_q(self, &mut split);
         let force = element.forces(self, &mut split);
@@ -415,7 +411,7 @@ impl<'m> Law<'m> {
             format!("by_q: &mut [f64; {}]", size * size),
             format!("by_values: &mut [f64; {}]", size * count),
         ];
-        self.of_element(split, form, "tangent", title, outputs, &results)
+        self.of_element(split, rule, "tangent", title, outputs, &results)
     }
 }
 

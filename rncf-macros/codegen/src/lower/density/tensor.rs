@@ -54,9 +54,9 @@ impl Integrals {
         place.map_or(0.0, |place| self.quadratic[row][place])
     }
 
-    /// The tensors as they stand in generated code: what the density needs of them.
-    pub fn arrays(&self, density: &str, vectors: &[String]) -> Vec<Array> {
-        let name = |what: &str| format!("density_{density}_{what}").to_uppercase();
+    /// The tensors as they stand in generated code, for an element's variant and its relative vectors.
+    pub fn arrays(&self, variant: &str, vectors: &[&str]) -> Vec<Array> {
+        let name = |what: &str| format!("{variant}_density_{what}").to_uppercase();
         let rows = format!(
             "Rows: {}, and 1 in place of a shape function (zeta).",
             vectors.join(", ")
@@ -68,9 +68,7 @@ impl Integrals {
             Array {
                 name: name("iota"),
                 doc: vec![
-                    format!(
-                        "Tensor iota of the unit element for the load `{density}`: the integrals of s_a h_j' h_m' over xi from 0 to 1."
-                    ),
+                    "Tensor iota of the unit element for loads per length: the integrals of s_a h_j' h_m' over xi from 0 to 1.".to_string(),
                     format!("{rows} Columns: {}.", columns.join(", ")),
                 ],
                 rows: self.quadratic.clone(),
@@ -78,7 +76,7 @@ impl Integrals {
             Array {
                 name: name("linear"),
                 doc: vec![
-                    format!("Integrals of s_a h_j' over the unit element for the load `{density}`."),
+                    "Integrals of s_a h_j' over the unit element, for loads per length.".to_string(),
                     format!("{rows} Columns: {}.", vectors.join(", ")),
                 ],
                 rows: self.linear.clone(),
@@ -110,7 +108,7 @@ pub(super) fn is_quadratic(split: &mut Split) -> bool {
     }) && force.iter().any(|&component| of_slope(graph, component))
 }
 
-impl Element {
+impl Element<'_> {
     /// The density with the slope replaced.
     fn at(&self, split: &mut Split, of: &[Id], slope: &[Id]) -> Vector {
         let symbols = split.locals[1].clone();

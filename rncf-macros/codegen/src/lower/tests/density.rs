@@ -241,6 +241,6 @@ fn what_is_the_same_along_the_body_is_a_value() {
         .iter()
         .map(|array| array.name.as_str())
         .collect();
-    assert_eq!(arrays, ["DENSITY_PUSH_IOTA"]);
+    assert_eq!(arrays, ["CABLE_SPATIAL_DENSITY_IOTA"]);
     assert!(thrust.gradient.is_none());
 }
