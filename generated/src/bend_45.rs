@@ -252,18 +252,21 @@ impl ::rncf::Model for Bend45 {
             ::rncf::Output {
                 name: "x",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Position of the tip along x.",
             },
             ::rncf::Output {
                 name: "y",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Position of the tip along y.",
             },
             ::rncf::Output {
                 name: "z",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Position of the tip along z.",
             },

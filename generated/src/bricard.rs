@@ -134,18 +134,21 @@ impl ::rncf::Model for Bricard {
             ::rncf::Output {
                 name: "x",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Point P3, x.",
             },
             ::rncf::Output {
                 name: "y",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Point P3, y.",
             },
             ::rncf::Output {
                 name: "z",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Point P3, z.",
             },

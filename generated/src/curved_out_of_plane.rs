@@ -313,18 +313,21 @@ impl ::rncf::Model for CurvedOutOfPlane {
             ::rncf::Output {
                 name: "u",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Deflection of the tip from its stress-free place along x of the hub, which is the tangent at the root.",
             },
             ::rncf::Output {
                 name: "v",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "The same along y, in the plane of rotation.",
             },
             ::rncf::Output {
                 name: "w",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "The same along z, the axis of rotation.",
             },

@@ -257,12 +257,14 @@ impl ::rncf::Model for Elastica {
             ::rncf::Output {
                 name: "u",
                 unit: "1",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Shortening of the tip over the length.",
             },
             ::rncf::Output {
                 name: "w",
                 unit: "1",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Deflection of the tip over the length.",
             },

@@ -239,18 +239,21 @@ impl ::rncf::Model for FlyballGovernor {
             ::rncf::Output {
                 name: "alpha",
                 unit: "rad",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Angle of the arms below the horizontal.",
             },
             ::rncf::Output {
                 name: "s",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Height of the slider.",
             },
             ::rncf::Output {
                 name: "spin",
                 unit: "rad/s",
+                time_exponent: -1.0,
                 components: &[],
                 doc: "Spin of the shaft.",
             },

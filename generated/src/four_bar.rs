@@ -121,12 +121,14 @@ impl ::rncf::Model for FourBar {
             ::rncf::Output {
                 name: "x",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Point B0, the upper end of the first link, x.",
             },
             ::rncf::Output {
                 name: "y",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Point B0, y.",
             },

@@ -249,18 +249,21 @@ impl ::rncf::Model for FreeFlight {
             ::rncf::Output {
                 name: "start",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &["x", "y", "z"],
                 doc: "Start of the cable in space.",
             },
             ::rncf::Output {
                 name: "end",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &["x", "y", "z"],
                 doc: "End of the cable in space.",
             },
             ::rncf::Output {
                 name: "span",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Distance between the ends.",
             },

@@ -85,24 +85,28 @@ impl ::rncf::Model for HeavyTop {
             ::rncf::Output {
                 name: "x",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Centre of mass in space, x.",
             },
             ::rncf::Output {
                 name: "y",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Centre of mass in space, y.",
             },
             ::rncf::Output {
                 name: "z",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Centre of mass in space, z.",
             },
             ::rncf::Output {
                 name: "force",
                 unit: "N",
+                time_exponent: -2.0,
                 components: &["x", "y", "z"],
                 doc: "Force of the pivot on the top, in space.",
             },

@@ -224,18 +224,21 @@ impl ::rncf::Model for Iea15mwBlade {
             ::rncf::Output {
                 name: "tip",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &["x", "y", "z"],
                 doc: "Position of the tip.",
             },
             ::rncf::Output {
                 name: "mass",
                 unit: "kg",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Mass.",
             },
             ::rncf::Output {
                 name: "root",
                 unit: "N m",
+                time_exponent: -2.0,
                 components: &["x", "y", "z"],
                 doc: "Moment that the blade exerts on its clamp.",
             },

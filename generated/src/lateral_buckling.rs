@@ -269,18 +269,21 @@ impl ::rncf::Model for LateralBuckling {
             ::rncf::Output {
                 name: "y",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Displacement of the tip along the strip's thin side.",
             },
             ::rncf::Output {
                 name: "z",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Displacement of the tip along its wide side.",
             },
             ::rncf::Output {
                 name: "twist",
                 unit: "rad",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Twist of the tip.",
             },

@@ -382,24 +382,28 @@ impl ::rncf::Model for Motor {
             ::rncf::Output {
                 name: "v_mid",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Deflection of the shaft's middle towards the disc's centre, in the rotating frame.",
             },
             ::rncf::Output {
                 name: "w_mid",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Deflection of the shaft's middle across it.",
             },
             ::rncf::Output {
                 name: "clamp_moment",
                 unit: "N m",
+                time_exponent: -2.0,
                 components: &[],
                 doc: "Bending moment in the clamp.",
             },
             ::rncf::Output {
                 name: "clamp_stress",
                 unit: "Pa",
+                time_exponent: -2.0,
                 components: &[],
                 doc: "Largest stress in the clamp.",
             },

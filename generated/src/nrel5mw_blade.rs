@@ -282,18 +282,21 @@ impl ::rncf::Model for Nrel5mwBlade {
             ::rncf::Output {
                 name: "tip_x",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Displacement of the tip downwind.",
             },
             ::rncf::Output {
                 name: "tip_y",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Displacement of the tip edgewise.",
             },
             ::rncf::Output {
                 name: "mass",
                 unit: "kg",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Mass.",
             },

@@ -225,12 +225,14 @@ impl ::rncf::Model for PinnedPipe {
             ::rncf::Output {
                 name: "v",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Deflection under the force.",
             },
             ::rncf::Output {
                 name: "v_end",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Deflection of the far end.",
             },

@@ -277,18 +277,21 @@ impl ::rncf::Model for PrincetonBeam {
             ::rncf::Output {
                 name: "tip_x",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Displacement of the tip along the strip.",
             },
             ::rncf::Output {
                 name: "tip_y",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Displacement of the tip along its wide side.",
             },
             ::rncf::Output {
                 name: "tip_z",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Displacement of the tip along its thin side.",
             },

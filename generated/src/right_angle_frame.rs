@@ -312,18 +312,21 @@ impl ::rncf::Model for RightAngleFrame {
             ::rncf::Output {
                 name: "x",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Displacement of the free end along the load.",
             },
             ::rncf::Output {
                 name: "y",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Displacement of the free end along the second leg.",
             },
             ::rncf::Output {
                 name: "z",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Displacement of the free end out of the plane.",
             },

@@ -244,18 +244,21 @@ impl ::rncf::Model for RollUp {
             ::rncf::Output {
                 name: "x",
                 unit: "1",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Position of the tip over the length.",
             },
             ::rncf::Output {
                 name: "y",
                 unit: "1",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Position of the tip over the length.",
             },
             ::rncf::Output {
                 name: "gap",
                 unit: "1",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Distance of the tip from the root over the length.",
             },

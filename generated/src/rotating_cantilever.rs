@@ -253,24 +253,28 @@ impl ::rncf::Model for RotatingCantilever {
             ::rncf::Output {
                 name: "u",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Elongation of the tip.",
             },
             ::rncf::Output {
                 name: "v",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Deflection of the tip in the plane of rotation.",
             },
             ::rncf::Output {
                 name: "w",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Deflection of the tip along the axis of rotation.",
             },
             ::rncf::Output {
                 name: "tension",
                 unit: "N",
+                time_exponent: -2.0,
                 components: &[],
                 doc: "Tension in the root.",
             },

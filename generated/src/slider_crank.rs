@@ -389,18 +389,21 @@ impl ::rncf::Model for SliderCrank {
             ::rncf::Output {
                 name: "x_slider",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Position of the slider.",
             },
             ::rncf::Output {
                 name: "dx",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "The same less that of a rigid rod.",
             },
             ::rncf::Output {
                 name: "mid",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Distance of the rod's middle from its chord's.",
             },

@@ -250,12 +250,14 @@ impl ::rncf::Model for SpinUp {
             ::rncf::Output {
                 name: "u",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Elongation of the tip in the frame.",
             },
             ::rncf::Output {
                 name: "v",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Deflection of the tip in the frame.",
             },

@@ -251,18 +251,21 @@ impl ::rncf::Model for SpinUpSpatial {
             ::rncf::Output {
                 name: "u",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Elongation of the tip in the frame.",
             },
             ::rncf::Output {
                 name: "v",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Deflection of the tip in the plane of rotation.",
             },
             ::rncf::Output {
                 name: "w",
                 unit: "m",
+                time_exponent: 0.0,
                 components: &[],
                 doc: "Deflection of the tip along the axis of rotation; zero by symmetry.",
             },

@@ -5,7 +5,7 @@
 //! the run is the error of the run. Where that takes too long, the run is repeated with a hundred times the tolerance, in a fifth of the steps: its
 //! distance, over what the order of the method promises, is the least error of the run.
 
-use super::marks::{Again, Marks, again, told};
+use super::marks::{Again, Marks, TOLD, again, is_of_motion, told};
 use crate::{Method, Options, Output, Scene, State, StepSize};
 
 /// Tolerance of the second run, in those of the first, and the largest one.
@@ -55,7 +55,7 @@ pub(super) fn accumulated(
         goes_on,
     );
     if let Some(rows) = by_radau {
-        let names = told(outputs, &run.marks.differences(outputs, &rows, options.rtol))?;
+        let names = told_of_motion(outputs, &run.marks.differences(outputs, &rows, options.rtol))?;
         return Some(format!(
             "The tolerance holds for each step, and errors of {} steps add up: Radau with the same tolerance finds another motion, from which outputs differ by parts of their largest change or value, {names}. Take `--integrator radau`, or a smaller `--rtol`.",
             run.steps
@@ -69,11 +69,17 @@ pub(super) fn accumulated(
     let rows = whole(scene, start, (run.t_end, method, looser, most[1]), run.marks, goes_on)?;
     let mut found = run.marks.differences(outputs, &rows, options.rtol);
     found.iter_mut().for_each(|(_, part)| *part /= ORDER - 1.0);
-    let names = told(outputs, &found)?;
+    let names = told_of_motion(outputs, &found)?;
     Some(format!(
         "The tolerance holds for each step, and errors of {} steps add up: the same run with a hundred times the tolerance ends so far away that outputs of this one may be off by parts of their largest change or value, {names} or more. Take `--integrator radau`, or a smaller `--rtol`.",
         run.steps
     ))
+}
+
+/// What is off, where places or speeds are: errors of forces alone do not add up.
+fn told_of_motion(outputs: &[Output], found: &[(usize, f64)]) -> Option<String> {
+    let moves = |&(index, part): &(usize, f64)| part > TOLD && is_of_motion(&outputs[index]);
+    found.iter().any(moves).then(|| told(outputs, found))?
 }
 
 /// Rows at the times of the marks of a run with other options; `None` where it fails, or takes more iterations than these.

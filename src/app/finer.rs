@@ -7,7 +7,7 @@
 //! of its steps.
 
 use super::accumulated::Ended;
-use super::marks::{Again, Marks, TOLD, again, is_judged, told};
+use super::marks::{Again, Marks, TOLD, again, is_of_motion, largest, told};
 use crate::model::Fidelity;
 use crate::{Method, Options, Output, Scene, State, StepSize};
 
@@ -38,29 +38,88 @@ pub(super) struct Found {
     pub steps: Option<String>,
 }
 
-impl Found {
-    fn reaches(&mut self, seen: &Marks, all: &Marks) {
-        self.until = seen.rows.last().map_or(0.0, |row| row.0);
-        self.is_whole = seen.rows.len() == all.rows.len();
-    }
-
-    fn with(self, steps: Option<String>) -> Self {
-        Self { steps, ..self }
-    }
-
-    /// What was found before, where this is of less of the run.
-    fn or(self, earlier: Option<Self>) -> Self {
-        match earlier {
-            Some(earlier) if earlier.until > self.until => earlier,
-            _ => self,
-        }
-    }
-}
-
 /// A scene with the state in which it starts.
 pub(super) struct Begun<'s> {
     pub scene: &'s mut dyn Scene,
     pub start: State,
+}
+
+/// What is known of outputs of one kind, those of motion or the others.
+struct Kind<'r> {
+    run: Ended<'r>,
+    outputs: &'r [Output],
+    is_of_motion: bool,
+    is_settled: bool,
+    /// Until when they were compared, s.
+    until: f64,
+    /// Parts of outputs that are off for the mesh, until then, and, with the tolerance of Radau that tells it, for steps.
+    mesh: Vec<(usize, f64)>,
+    steps: (f64, Vec<(usize, f64)>),
+}
+
+impl<'r> Kind<'r> {
+    fn new(run: Ended<'r>, outputs: &'r [Output], is_motion: bool) -> Self {
+        Self {
+            run,
+            outputs,
+            is_of_motion: is_motion,
+            is_settled: !outputs.iter().any(|output| is_of_motion(output) == is_motion),
+            until: 0.0,
+            mesh: Vec::new(),
+            steps: (0.0, Vec::new()),
+        }
+    }
+
+    /// The parts that are of this kind.
+    fn of(&self, parts: &[(usize, f64)]) -> Vec<(usize, f64)> {
+        let same = |&&(index, _): &&(usize, f64)| is_of_motion(&self.outputs[index]) == self.is_of_motion;
+        parts.iter().filter(same).copied().collect()
+    }
+
+    /// Nothing differs on finer meshes.
+    fn meet_finer(&mut self, until: f64, beyond: &[(usize, f64)]) {
+        if !self.is_settled && largest(&self.of(beyond)) <= TOLD {
+            self.is_settled = true;
+            if until >= self.until {
+                (self.until, self.mesh) = (until, Vec::new());
+            }
+        }
+    }
+
+    /// What other meshes and other steps make of a second run with a tolerance.
+    fn meet(&mut self, rtol: f64, is_last: bool, until: f64, meshes: &[(usize, f64)], steps: &[(usize, f64)]) {
+        if self.is_settled {
+            return;
+        }
+        let (mut meshes, mut steps) = (self.of(meshes), self.of(steps));
+        let is_exact = is_exact(&self.run);
+        let [by_meshes, by_steps] = [largest(&meshes), largest(&steps)];
+        let mut is_clear = by_steps <= STEPS * by_meshes.max(TOLD);
+        if !self.is_of_motion {
+            // Steps that suffice for one force do not for another.
+            let of =
+                |parts: &[(usize, f64)], index: usize| parts.iter().find(|of| of.0 == index).map_or(0.0, |of| of.1);
+            is_clear = steps
+                .iter()
+                .all(|&(index, part)| part <= STEPS * of(&meshes, index).max(TOLD));
+            meshes.retain(|&(index, part)| of(&steps, index) <= (STEPS * part).max(TOLD));
+        }
+        let looser = rtol / self.run.options.rtol;
+        if !is_exact && is_last || is_exact && looser < 2.0 * TEN {
+            // The error of the run is at most so much less than that of larger steps.
+            let less = if is_exact { looser.max(1.0) } else { 1.0 };
+            steps.iter_mut().for_each(|(_, part)| *part /= less);
+            if largest(&steps) > TOLD {
+                self.steps = (rtol, steps);
+            }
+        }
+        self.is_settled = is_last || is_clear;
+        // Otherwise the errors of these steps stand in the way of what is looked for.
+        if (self.is_settled || by_meshes > by_steps) && until >= self.until {
+            meshes.retain(|mesh| mesh.1 > TOLD);
+            (self.until, self.mesh) = (until, meshes);
+        }
+    }
 }
 
 /// Compares a run that went from the start of `own` with the motion of the `finer` meshes, where there are any, and with that of other steps.
@@ -71,9 +130,6 @@ pub(super) fn compare(
     outputs: &[Output],
     goes_on: &mut dyn FnMut() -> bool,
 ) -> Found {
-    if !outputs.iter().any(is_judged) {
-        return Found::default();
-    }
     let unknowns = |of: &Begun<'_>| of.scene.unknowns().max(1) as f64;
     let mut left = AFFORDED.max(SHARE * run.iterations as f64 * unknowns(&own));
     let mut rows = |of: &mut Begun<'_>, rtol: f64, share: f64, marks: &Marks| {
@@ -91,51 +147,63 @@ pub(super) fn compare(
         left -= iterations as f64 * unknowns(of);
         rows
     };
-    let is_exact = run.method == Method::Radau && run.options.step == StepSize::Adaptive;
-    let tolerances = tolerances(run.options.rtol, is_exact, finer.is_some());
-    let mut earlier: Option<Found> = None;
-    let mut on_steps = None;
+    let mut kinds = [true, false].map(|is_motion| Kind::new(run, outputs, is_motion));
+    let tolerances = tolerances(run.options.rtol, is_exact(&run), finer.is_some());
     for (place, &rtol) in tolerances.iter().enumerate() {
-        let is_last = place + 1 == tolerances.len();
+        if kinds.iter().all(|kind| kind.is_settled) {
+            break;
+        }
         let mut seen = run.marks.clone();
-        let mut found = Found::default();
         let there = finer.as_mut().map(|finer| rows(finer, rtol, FIRST, run.marks));
         if let Some(there) = &there {
             seen.rows.truncate(there.len());
-            found.reaches(&seen, run.marks);
-            if largest(&run.marks.differences(outputs, there, rtol)) <= TOLD {
-                return found.or(earlier).with(on_steps);
+            let beyond = run.marks.differences(outputs, there, rtol);
+            kinds.iter_mut().for_each(|kind| kind.meet_finer(seen.until(), &beyond));
+            if kinds.iter().all(|kind| kind.is_settled) {
+                break;
             }
         }
         // The run itself serves where its steps are those of the second one.
         let mut steps = Vec::new();
-        if !is_exact || run.options.rtol != rtol {
+        if !is_exact(&run) || run.options.rtol != rtol {
             let here = rows(&mut own, rtol, 1.0, &seen);
             steps = run.marks.differences(outputs, &here, rtol);
             seen = run.marks.with(here);
-            found.reaches(&seen, run.marks);
         }
-        let meshes = there.map_or(Vec::new(), |there| seen.differences(outputs, &there, rtol));
-        if let Some(names) = told(outputs, &meshes) {
-            let until = Some(found.until).filter(|_| !found.is_whole);
-            found.mesh = Some(on_meshes(own.scene, &names, until));
-        }
-        let [by_meshes, by_steps] = [largest(&meshes), largest(&steps)];
-        let looser = rtol / run.options.rtol;
-        if !is_exact && is_last || is_exact && looser < 2.0 * TEN {
-            // The error of the run is at most so much less than that of larger steps.
-            let less = if is_exact { looser.max(1.0) } else { 1.0 };
-            steps.iter_mut().for_each(|(_, part)| *part /= less);
-            let sentence = told(outputs, &steps).map(|names| sentence_on_steps(&run, rtol, &names, is_exact));
-            on_steps = sentence.or(on_steps);
-        }
-        if is_last || by_steps <= STEPS * by_meshes.max(TOLD) {
-            return found.or(earlier).with(on_steps);
-        }
-        // The errors of these steps stand in the way of what is looked for.
-        earlier = Some(found).filter(|_| by_meshes > by_steps);
+        let meshes = there.map_or(Vec::new(), |there| run.marks.between(outputs, &seen, &there, rtol));
+        let is_last = place + 1 == tolerances.len();
+        kinds
+            .iter_mut()
+            .for_each(|kind| kind.meet(rtol, is_last, seen.until(), &meshes, &steps));
     }
-    earlier.unwrap_or_default().with(on_steps)
+    found(own.scene, &run, outputs, kinds)
+}
+
+/// The sentences.
+fn found(scene: &dyn Scene, run: &Ended<'_>, outputs: &[Output], kinds: [Kind<'_>; 2]) -> Found {
+    let there = || {
+        kinds
+            .iter()
+            .filter(|kind| outputs.iter().any(|output| is_of_motion(output) == kind.is_of_motion))
+    };
+    let until = there().map(|kind| kind.until).fold(f64::INFINITY, f64::min);
+    let until = if until.is_finite() { until } else { 0.0 };
+    let whole = run.marks.until();
+    let mut meshes: Vec<(usize, f64)> = kinds.iter().flat_map(|kind| kind.mesh.clone()).collect();
+    meshes.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let seen = kinds.iter().filter(|kind| !kind.mesh.is_empty()).map(|kind| kind.until);
+    let seen = Some(seen.fold(whole, f64::min)).filter(|&seen| seen < whole);
+    let [motion, others] = kinds.map(|kind| kind.steps);
+    // What is off in places is off in forces too.
+    let rtol = if motion.1.is_empty() { others.0 } else { motion.0 };
+    let mut steps = [motion.1, others.1].concat();
+    steps.sort_by(|a, b| b.1.total_cmp(&a.1));
+    Found {
+        until,
+        is_whole: until >= whole,
+        mesh: told(outputs, &meshes).map(|names| on_meshes(scene, &names, seen)),
+        steps: sentence_on_steps(run, rtol, outputs, &steps),
+    }
 }
 
 /// The tolerances to compare with, the largest first. Where outputs hardly differ, the first one suffices; else errors of meshes and
@@ -155,22 +223,34 @@ fn tolerances(rtol: f64, is_exact: bool, has_meshes: bool) -> Vec<f64> {
     all
 }
 
-fn sentence_on_steps(run: &Ended<'_>, rtol: f64, names: &str, is_exact: bool) -> String {
+/// What parts of outputs say of the steps of a run, from what Radau finds with a tolerance.
+fn sentence_on_steps(run: &Ended<'_>, rtol: f64, outputs: &[Output], parts: &[(usize, f64)]) -> Option<String> {
+    let names = told(outputs, parts)?;
+    let is_exact = is_exact(run);
+    let moves = parts
+        .iter()
+        .any(|&(index, part)| part > TOLD && is_of_motion(&outputs[index]));
+    if !is_exact && !moves {
+        return Some(format!(
+            "Radau with a tolerance of {rtol:.0e} finds the same motion with other forces, accelerations or energies, which differ by parts of their largest change or value, {names}. They follow vibrations that are too quick for the steps, which one method damps and the other keeps. Take a smaller `--rtol`, or give the model the damping that such vibrations have."
+        ));
+    }
     let found = if is_exact && rtol > run.options.rtol {
         format!("with a tolerance of {rtol:.0e} outputs are so far away that those of this run may be off")
     } else {
         format!("Radau with a tolerance of {rtol:.0e} finds another motion, from which outputs differ")
     };
-    format!(
+    Some(format!(
         "The tolerance of {:e} holds for each step, and errors of {} steps add up: {found} by parts of their largest change or value, {names}. Take {}a smaller `--rtol`.",
         run.options.rtol,
         run.steps,
         if is_exact { "" } else { "`--integrator radau`, or " }
-    )
+    ))
 }
 
-fn largest(found: &[(usize, f64)]) -> f64 {
-    found.first().map_or(0.0, |found| found.1)
+/// Whether the steps of a run are those of the second one, but for the tolerance.
+fn is_exact(run: &Ended<'_>) -> bool {
+    run.method == Method::Radau && run.options.step == StepSize::Adaptive
 }
 
 fn on_meshes(scene: &dyn Scene, names: &str, until: Option<f64>) -> String {

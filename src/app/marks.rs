@@ -5,32 +5,35 @@ use crate::archive::{Archive, Keep};
 use crate::{Integrator, Method, Options, Output, Scene, State, Stop};
 
 /// Times at which runs are compared.
-const MARKS: f64 = 40.0;
+const MARKS: f64 = 200.0;
 /// Part of the largest change of an output from which on its error is told.
 pub(super) const TOLD: f64 = 0.01;
 /// Least change that counts: of the largest change of an output of the same unit, and, times the tolerance, of the largest value. Less is what
 /// a motion leaves where nothing moves, or a number that should not change.
-const SMALL: f64 = 1e-2;
+const SMALL: f64 = 1e-3;
 const KEPT: f64 = 1e3;
+/// Relative error of a state that many steps leave.
+const ROUND_OFF: f64 = 1e-13;
 /// Part beyond which both are different motions.
 const WRONG: f64 = 0.5;
 /// Most outputs that are told.
 const MOST: usize = 4;
-/// Units of what follows from where things are and how fast they move: forces and accelerations have vibrations of their own.
-const UNITS: [&str; 6] = ["m", "rad", "1", "m/s", "rad/s", "J"];
 
 /// Outputs of a run at some of its rows, with their times (s).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Marks {
     pub rows: Vec<(f64, Vec<f64>)>,
     due: f64,
+    /// What round-off makes of the outputs, by columns; empty until it is known.
+    pub round_off: Vec<f64>,
 }
 
 impl Keep for Marks {
     fn keep(&mut self, archive: &mut Archive<'_>) {
-        let Self { rows, due } = self;
+        let Self { rows, due, round_off } = self;
         rows.keep(archive);
         due.keep(archive);
+        round_off.keep(archive);
     }
 }
 
@@ -43,19 +46,30 @@ impl Marks {
         }
     }
 
+    /// Time of the last one, s.
+    pub fn until(&self) -> f64 {
+        self.rows.last().map_or(0.0, |row| row.0)
+    }
+
     /// The same times with other values, as far as there are any.
     pub fn with(&self, rows: Vec<Vec<f64>>) -> Self {
         let times = self.rows.iter().map(|row| row.0);
         Self {
             rows: times.zip(rows).collect(),
             due: self.due,
+            round_off: self.round_off.clone(),
         }
     }
 
-    /// Outputs that are compared, their distance from other rows, as part of their largest change, or of their largest
+    /// The outputs with their distance from other rows, as part of their largest change, or of their largest
     /// value where that is less; the largest first. Rows that are
     /// not there are not compared; `rtol` is the tolerance of the run.
     pub fn differences(&self, outputs: &[Output], rows: &[Vec<f64>], rtol: f64) -> Vec<(usize, f64)> {
+        self.between(outputs, self, rows, rtol)
+    }
+
+    /// The same of two other runs.
+    pub fn between(&self, outputs: &[Output], here: &Self, there: &[Vec<f64>], rtol: f64) -> Vec<(usize, f64)> {
         let Some((_, begin)) = self.rows.first() else {
             return Vec::new();
         };
@@ -64,25 +78,14 @@ impl Marks {
         for (index, output) in outputs.iter().enumerate() {
             let columns = first..first + output.width();
             first = columns.end;
-            if !is_judged(output) {
-                continue;
-            }
-            let size = |row: &[f64]| {
-                row[columns.clone()]
-                    .iter()
-                    .map(|value| value * value)
-                    .sum::<f64>()
-                    .sqrt()
-            };
-            let distance = |a: &[f64], b: &[f64]| {
-                let squares = columns.clone().map(|column| (a[column] - b[column]).powi(2));
-                squares.sum::<f64>().sqrt()
-            };
+            let size = |row: &[f64]| norm(row[columns.clone()].iter().copied());
+            let distance = |a: &[f64], b: &[f64]| norm(columns.clone().map(|column| a[column] - b[column]));
             let over = |value: &dyn Fn(&[f64]) -> f64| self.rows.iter().map(|(_, row)| value(row)).fold(0.0, f64::max);
-            let pairs = self.rows.iter().zip(rows);
+            let pairs = here.rows.iter().zip(there);
             let away = pairs.map(|((_, row), other)| distance(row, other)).fold(0.0, f64::max);
             let (change, value) = (over(&|row| distance(row, begin)), over(&size));
-            judged.push((index, change, value, away));
+            let round_off = self.round_off.get(columns).unwrap_or_default();
+            judged.push((index, change, value, away, norm(round_off.iter().copied())));
         }
         let least = |unit: &str| {
             let same = || judged.iter().filter(|of| outputs[of.0].unit == unit);
@@ -90,18 +93,50 @@ impl Marks {
             let kept = (KEPT * rtol).min(SMALL) * same().map(|of| of.2).fold(0.0, f64::max);
             change.max(kept)
         };
-        let parts = judged
-            .iter()
-            .map(|&(index, change, value, away)| (index, away / change.min(value).max(least(outputs[index].unit))));
+        let parts = judged.iter().map(|&(index, change, value, away, round_off)| {
+            let size = change.min(value).max(least(outputs[index].unit)).max(round_off);
+            (index, away / size)
+        });
         let mut found: Vec<(usize, f64)> = parts.collect();
         found.sort_by(|a, b| b.1.total_cmp(&a.1));
         found
     }
 }
 
-/// Whether an output is compared.
-pub(super) fn is_judged(output: &Output) -> bool {
-    UNITS.contains(&output.unit)
+fn norm(values: impl Iterator<Item = f64>) -> f64 {
+    values.map(|value| value * value).sum::<f64>().sqrt()
+}
+
+/// What round-off of a state makes of the outputs, by columns: of places, and of the forces that it makes of multipliers.
+pub(super) fn round_off(scene: &mut dyn Scene, state: &State) -> Vec<f64> {
+    let columns = scene.output_columns();
+    let [mut values, mut others] = [vec![0.0; columns], vec![0.0; columns]];
+    let [mut force, mut other] = [vec![0.0; scene.unknowns()], vec![0.0; scene.unknowns()]];
+    let mut near = state.clone();
+    let sign = |index: usize| if index % 3 == 1 { -1.0 } else { 1.0 };
+    for (index, (x, size)) in near.x.iter_mut().zip(scene.sizes()).enumerate() {
+        *x += sign(index) * ROUND_OFF * size.max(x.abs());
+    }
+    scene.residual(state, &mut force);
+    scene.residual(&near, &mut other);
+    let change = force.iter().zip(&other).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    for (index, multiplier) in near.lambda.iter_mut().enumerate() {
+        *multiplier += sign(index) * change;
+    }
+    scene.outputs(state, &mut values);
+    scene.outputs(&near, &mut others);
+    values.iter().zip(&others).map(|(a, b)| (a - b).abs()).collect()
+}
+
+/// Whether an output follows from where things are and how fast they move. Forces, accelerations and energies have vibrations of their own, of
+/// places that hardly change.
+pub(super) fn is_of_motion(output: &Output) -> bool {
+    output.time_exponent > -2.0
+}
+
+/// The largest part.
+pub(super) fn largest(found: &[(usize, f64)]) -> f64 {
+    found.first().map_or(0.0, |found| found.1)
 }
 
 /// The outputs whose errors are worth to be told, with these.
@@ -176,12 +211,13 @@ mod tests {
         Output {
             name,
             unit,
+            time_exponent: 0.0,
             components: &[],
             doc: "",
         }
     }
 
-    /// Of three places one moves, one hardly and one not at all; energy is kept but for round-off; forces are not compared.
+    /// Of three places one moves, one hardly and one not at all; energy is kept but for round-off; a force is as good as it is in any unit.
     #[test]
     fn what_does_not_move_is_compared_with_what_does() {
         let outputs = [
@@ -189,7 +225,7 @@ mod tests {
             output("hardly", "m"),
             output("stays", "m"),
             output("energy", "J"),
-            output("force", "N"),
+            output("force", "kN"),
         ];
         let mut marks = Marks::default();
         for k in 0..=40 {
@@ -199,13 +235,16 @@ mod tests {
         let others: Vec<Vec<f64>> = marks
             .rows
             .iter()
-            .map(|(t, _)| vec![1.02 * t, 2e-6 * t, 0.0, 5.0, 0.0])
+            .map(|(t, _)| vec![1.02 * t, 2e-6 * t, 0.0, 5.0, 1.05 * t])
             .collect();
         let found = marks.differences(&outputs, &others, 1e-6);
-        assert_eq!(found.len(), 4);
-        assert!(found[0].0 == 0 && (found[0].1 - 0.02).abs() < 1e-12, "{found:?}");
-        assert_eq!(told(&outputs, &found).unwrap(), "`moves` by about 2.0 %");
+        assert_eq!(found.len(), 5);
+        assert!(found[1].0 == 0 && (found[1].1 - 0.02).abs() < 1e-12, "{found:?}");
+        assert_eq!(
+            told(&outputs, &found).unwrap(),
+            "`force` by about 5.0 %, `moves` by about 2.0 %"
+        );
         // As far as there are rows.
-        assert!(told(&outputs, &marks.differences(&outputs, &others[..10], 1e-6)).is_none());
+        assert!(told(&outputs, &marks.differences(&outputs, &others[..6], 1e-6)).is_none());
     }
 }

@@ -10,7 +10,7 @@ use super::doubts::doubts;
 use super::envelopes::Envelopes;
 use super::finer::{self, Begun, FINER, Found};
 use super::history::{Column, History};
-use super::marks::Marks;
+use super::marks::{Marks, round_off};
 use super::pictures::Pictures;
 use super::recorder::{InMemory, Recorder};
 use super::run_error::{Incomplete, RunError};
@@ -217,6 +217,7 @@ fn look_again(
 ) {
     let (t_end, _) = times(&result.settings);
     let h = result.steps.last().map_or(0.0, |step| step.h);
+    result.marks.round_off = round_off(scene, &result.state);
     let mut goes_on = || watch(&Progress { t: t_end, t_end, h }).is_continue();
     let run = Ended {
         t_end,

@@ -48,12 +48,14 @@ const OUTPUTS: [Output; 2] = [
     Output {
         name: "tip",
         unit: "m",
+        time_exponent: 0.0,
         components: &["x", "y"],
         doc: "Mass in the frame",
     },
     Output {
         name: "pull",
         unit: "N",
+        time_exponent: -2.0,
         components: &[],
         doc: "Force of the spring",
     },

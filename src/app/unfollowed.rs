@@ -316,6 +316,7 @@ mod tests {
         let output = |name, unit| Output {
             name,
             unit,
+            time_exponent: 0.0,
             components: &[],
             doc: "",
         };

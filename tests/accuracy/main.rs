@@ -11,6 +11,7 @@ mod free_flight;
 mod free_frames;
 mod gravity;
 mod heavy_top;
+mod judged_forces;
 mod kinks;
 mod machines;
 mod mechanisms;

@@ -550,8 +550,10 @@ pub struct Output {
     pub name: String,
     /// Documentation comment.
     pub doc: String,
-    /// SI unit symbol, `1` where dimensionless.
+    /// Unit symbol, `1` where dimensionless.
     pub unit: String,
+    /// Exponent of time in its dimension.
+    pub time_exponent: f64,
     /// One component for a scalar, else the components of a vector with their suffixes.
     pub components: Vec<(String, Expr)>,
 }

@@ -112,8 +112,10 @@ pub struct Param {
 pub struct Output {
     /// Name in the declaration.
     pub name: &'static str,
-    /// SI unit symbol of the values, e.g. `m`, `N m`, `1`.
+    /// Unit symbol of the values, e.g. `m`, `N m`, `deg/s`, `1`.
     pub unit: &'static str,
+    /// Exponent of time in their dimension: -1 of velocities, -2 of accelerations and forces.
+    pub time_exponent: f64,
     /// Component suffixes: empty for a scalar, `["x", "y", "z"]` for a vector.
     pub components: &'static [&'static str],
     /// Documentation comment of the declaration.

@@ -9,6 +9,13 @@ use crate::model::{Binary, Expr as Value, Output};
 use crate::parse::tree::{Expr, ItemKind, Keyword, UnitText};
 use crate::units::Dimension;
 
+/// Values in a unit, with the suffixes of their components.
+struct Told {
+    unit: String,
+    dimension: Dimension,
+    components: Vec<(String, Value)>,
+}
+
 impl<'a> Check<'a> {
     pub(super) fn outputs(&mut self) {
         let items = self.items(Keyword::Output);
@@ -20,19 +27,19 @@ impl<'a> Check<'a> {
                 continue;
             };
             let told = told.as_ref();
-            if let Some((unit, components)) = self.output(value, told) {
-                let (name, doc) = (item.name.text.clone(), item.doc.clone());
+            if let Some(told) = self.output(value, told) {
                 self.model.outputs.push(Output {
-                    name,
-                    doc,
-                    unit,
-                    components,
+                    name: item.name.text.clone(),
+                    doc: item.doc.clone(),
+                    unit: told.unit,
+                    time_exponent: told.dimension.time(),
+                    components: told.components,
                 });
             }
         }
     }
 
-    fn output(&mut self, value: &'a Expr, told: Option<&'a UnitText>) -> Option<(String, Vec<(String, Value)>)> {
+    fn output(&mut self, value: &'a Expr, told: Option<&'a UnitText>) -> Option<Told> {
         let quantity = self.value(value, Scope::Output)?;
         let (dimension, nature, mut components) = match quantity {
             Quantity::Scalar(typed) => (typed.dimension, typed.nature, vec![(String::new(), typed.value)]),
@@ -43,7 +50,11 @@ impl<'a> Check<'a> {
             }
         };
         let Some(told) = told else {
-            return Some((dimension.symbol(nature.angle), components));
+            return Some(Told {
+                unit: dimension.symbol(nature.angle),
+                dimension,
+                components,
+            });
         };
         let unit = self.unit(told)?;
         if Dimension::of(unit.dimension) != dimension {
@@ -67,6 +78,10 @@ impl<'a> Check<'a> {
         for (_, value) in &mut components {
             *value = Value::Binary(Binary::Divide, Box::new(value.clone()), si.clone());
         }
-        Some((told.text.clone(), components))
+        Some(Told {
+            unit: told.text.clone(),
+            dimension,
+            components,
+        })
     }
 }

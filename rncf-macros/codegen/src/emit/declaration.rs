@@ -110,8 +110,11 @@ fn implementation(model: &Model, notes: &[String], equations: &Equations) -> Str
         };
         let _ = writeln!(
             text,
-            "::rncf::Output {{ name: {:?}, unit: {:?}, components: &{components}, doc: {:?} }},",
-            output.name, output.unit, output.doc
+            "::rncf::Output {{ name: {:?}, unit: {:?}, time_exponent: {}, components: &{components}, doc: {:?} }},",
+            output.name,
+            output.unit,
+            number(output.time_exponent),
+            output.doc
         );
     }
     text += "]\n}\n";

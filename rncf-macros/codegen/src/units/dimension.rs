@@ -99,6 +99,12 @@ impl Dimension {
         Some(result)
     }
 
+    /// Exponent of time.
+    pub fn time(self) -> f64 {
+        let Fraction { over, under } = self.0[2];
+        f64::from(over) / f64::from(under)
+    }
+
     /// Whole exponents, where they are.
     fn whole(self) -> Option<[i8; 5]> {
         let mut whole = [0; 5];

@@ -257,6 +257,7 @@ pub fn moving() -> Model {
         name: "seen".to_string(),
         doc: String::new(),
         unit: "1".to_string(),
+        time_exponent: 0.0,
         components: components
             .map(|(i, seen)| (format!("_{i}"), Expr::Observed(seen)))
             .collect(),

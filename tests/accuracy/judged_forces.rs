@@ -1,0 +1,152 @@
+//! What judged runs tell of forces, moments and accelerations: their errors are larger than those of places.
+
+use rncf::app::{RunResult, RunSettings, run};
+use rncf::prelude::*;
+
+rncf::model! {
+    /// A bar that a hub sets in rotation and its weight bends: forces in units of their own.
+    pub model Flapping {
+        param elements: count = 6;
+        material aluminium { density = 2700 kg/m^3; young = 70 GPa; poisson = 0.3; damping = 0.1 ms; }
+        section flat { area = 4 cm^2; second_moment = 0.3 cm^4; }
+        motion spin(t) = if t <= 1 s { 2 [rad/s^2] * t^2 } else { 2 rad + 4 [rad/s] * (t - 1 s) };
+        frame hub = rotating(axis = z, angle = spin(t));
+        body bar in hub {
+            planar xy;
+            line from [0.2, 0, 0] m to [2.2, 0, 0] m;
+            mesh elements * cable(flat, aluminium);
+        }
+        joint root = clamp(bar.start, hub);
+        load weight = gravity([0, -9.81, 0] m/s^2);
+        output tip: mm = bar.end.y;
+        output force: kN = root.force;
+        output moment: N*mm = root.moment;
+        output acceleration = bar.end.in(inertial).acceleration;
+        run { t_end = 3 s; every = 10 ms; }
+    }
+}
+
+rncf::model! {
+    /// A spar that nothing loads: its moments are round-off.
+    pub model Still {
+        material steel { density = 7800 kg/m^3; young = 210 GPa; poisson = 0.3; }
+        section round = circle(radius = 1 m);
+        body spar { spatial; line from [0, 0, 0] m to [30, 40, 90] m; mesh 10 * beam(round, steel); }
+        joint root = clamp(spar.start, inertial);
+        output tip = spar.end.position;
+        output moment = root.moment;
+        output force = root.force;
+        run { t_end = 1 s; every = 0.1 s; }
+    }
+}
+
+fn judged(elements: usize, method: Method, rtol: f64, judged: bool) -> RunResult {
+    let settings = RunSettings {
+        method,
+        options: Options {
+            rtol,
+            ..Options::default()
+        },
+        judged,
+        ..RunSettings::default()
+    };
+    run(&Flapping { elements }, &settings).unwrap()
+}
+
+/// Largest distance of an output from a second run, as part of its largest change or value there.
+fn part_off(columns: &[usize], run: &RunResult, exact: &RunResult) -> f64 {
+    let rows = |of: &RunResult| -> Vec<Vec<f64>> {
+        let columns: Vec<Vec<f64>> = columns
+            .iter()
+            .map(|&column| of.history.column(column).collect())
+            .collect();
+        (0..columns[0].len())
+            .map(|row| columns.iter().map(|column| column[row]).collect())
+            .collect()
+    };
+    let distance = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
+    let (rows, exact) = (rows(run), rows(exact));
+    let largest = |value: &dyn Fn(usize) -> f64| (0..exact.len()).map(value).fold(0.0, f64::max);
+    let zero = vec![0.0; columns.len()];
+    let size = largest(&|k| distance(&exact[k], &exact[0])).min(largest(&|k| distance(&exact[k], &zero)));
+    largest(&|k| distance(&rows[k], &exact[k])) / size
+}
+
+/// Outputs with their columns.
+const OUTPUTS: [(&str, &[usize]); 4] = [
+    ("tip", &[0]),
+    ("force", &[1, 2]),
+    ("moment", &[3]),
+    ("acceleration", &[4, 5]),
+];
+
+/// What a note tells of an output.
+fn told(note: &str, output: &str) -> Option<f64> {
+    let after = note.split(&format!("`{output}` by about ")).nth(1)?;
+    Some(after.split(' ').next()?.parse::<f64>().ok()? / 100.0)
+}
+
+/// Each output that is off by more than a fiftieth is told within a third and three times of that, of steps and of the mesh.
+#[test]
+fn errors_of_forces_are_told() {
+    let exact = judged(6, Method::Radau, 1e-9, false);
+    let hht = Method::Hht { alpha: -0.05 };
+    let alpha = Method::GeneralizedAlpha { rho_inf: 0.8 };
+    for (method, rtol, least) in [
+        (Method::Radau, 1e-3, 2),
+        (Method::Radau, 1e-4, 1),
+        (hht, 1e-4, 3),
+        (hht, 1e-6, 2),
+        (alpha, 1e-5, 3),
+    ] {
+        let found = judged(6, method, rtol, true);
+        let steps = found
+            .warnings
+            .iter()
+            .find(|note| note.contains("Radau with a tolerance") || note.contains("steps add up"));
+        let steps = steps.unwrap_or_else(|| panic!("{method:?} {rtol}: {:?}", found.warnings));
+        let mut seen = 0;
+        for (name, columns) in OUTPUTS {
+            let error = part_off(columns, &found, &exact);
+            if error > 0.025 {
+                seen += 1;
+                let told = told(steps, name).unwrap_or_else(|| panic!("{name}, {method:?} {rtol}: {error}, {steps}"));
+                let ratio = told / error;
+                assert!(
+                    (1.0 / 3.0..3.0).contains(&ratio),
+                    "{name}, {method:?} {rtol}: {error}, told {told}"
+                );
+            }
+        }
+        assert!(seen >= least, "{method:?} {rtol}: {seen} are off");
+    }
+    let found = judged(6, Method::Radau, 1e-6, true);
+    let finer = judged(24, Method::Radau, 1e-6, false);
+    assert!(
+        found.warnings.len() == 1 && found.warnings[0].contains("too coarse"),
+        "{:?}",
+        found.warnings
+    );
+    for (name, columns) in OUTPUTS {
+        let error = part_off(columns, &found, &finer);
+        match told(&found.warnings[0], name) {
+            Some(told) => assert!(
+                (1.0 / 3.0..3.0).contains(&(told / error)),
+                "{name}: {error}, told {told}"
+            ),
+            None => assert!(error < 0.015, "{name}: {error}"),
+        }
+    }
+    assert_eq!(judged(12, Method::Radau, 1e-6, true).warnings, Vec::<String>::new());
+}
+
+/// What is round-off on one mesh is another round-off on the next.
+#[test]
+fn round_off_is_no_error_of_the_mesh() {
+    let settings = RunSettings {
+        judged: true,
+        ..RunSettings::default()
+    };
+    let found = run(&Still::default(), &settings).unwrap();
+    assert_eq!((found.judged_until, found.warnings), (Some(1.0), Vec::new()));
+}
