@@ -14,7 +14,10 @@ use crate::expected::{Report, reports};
 /// The compiler that the `.stderr` files belong to.
 const COMPILER: &str = include_str!("rustc-version.txt");
 
-/// All programs, in the order of their paths.
+/// The program that is one of each kind, as modules.
+const EACH_KIND: &str = "each_kind";
+
+/// All programs with a model of their own, in the order of their paths.
 fn programs() -> Vec<PathBuf> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/compile_fail");
     let entries = |folder: &Path| -> Vec<PathBuf> {
@@ -23,7 +26,10 @@ fn programs() -> Vec<PathBuf> {
     };
     let folders = entries(&root).into_iter().filter(|path| path.is_dir());
     let mut programs: Vec<PathBuf> = folders.flat_map(|folder| entries(&folder)).collect();
-    programs.retain(|path| path.extension().is_some_and(|extension| extension == "rs"));
+    programs.retain(|path| {
+        path.extension().is_some_and(|extension| extension == "rs")
+            && path.file_stem().is_some_and(|name| name != EACH_KIND)
+    });
     programs.sort();
     assert!(programs.len() >= 18, "{} cases", programs.len());
     programs
@@ -79,14 +85,54 @@ fn warnings(text: &str) -> Vec<Mistake> {
     warnings
 }
 
+/// What the compiler prints of a program.
+fn printed(path: &Path) -> Vec<Report> {
+    let stderr = fs::read_to_string(path.with_extension("stderr"))
+        .unwrap_or_else(|error| panic!("{}: {error}: write it with TRYBUILD=overwrite", path.display()));
+    reports(&stderr)
+}
+
 #[test]
 fn the_library_says_what_the_compiler_prints() {
     for path in programs() {
-        let stderr = fs::read_to_string(path.with_extension("stderr"))
-            .unwrap_or_else(|error| panic!("{}: {error}: write it with TRYBUILD=overwrite", path.display()));
         let program = fs::read_to_string(&path).expect("a program can be read");
-        assert_eq!(reports(&stderr), found(&program), "{}", path.display());
+        assert_eq!(printed(&path), found(&program), "{}", path.display());
     }
+}
+
+/// What is denied is told by the compiler where nothing else is wrong: such programs are built alone.
+const ALONE: [&str; 2] = ["influence", "several"];
+
+fn is_alone(path: &Path) -> bool {
+    path.parent()
+        .is_some_and(|folder| ALONE.iter().any(|alone| folder.ends_with(alone)))
+}
+
+fn each_kind() -> PathBuf {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/compile_fail/several");
+    root.join(EACH_KIND).with_extension("rs")
+}
+
+#[test]
+fn one_program_of_each_kind_is_built_with_the_others() {
+    let mut kinds: Vec<PathBuf> = programs().into_iter().filter(|path| !is_alone(path)).collect();
+    kinds.dedup_by_key(|path| path.parent().map(Path::to_path_buf));
+    let text = fs::read_to_string(each_kind()).expect("the program can be read");
+    let named: Vec<&str> = text
+        .lines()
+        .filter_map(|line| line.strip_prefix("#[path = \"../"))
+        .collect();
+    let mut all: Vec<Report> = kinds.iter().flat_map(|path| printed(path)).collect();
+    all.sort();
+    assert_eq!(printed(&each_kind()), all);
+    assert!(
+        named.len() == kinds.len()
+            && kinds
+                .iter()
+                .zip(named)
+                .all(|(path, name)| path.ends_with(name.trim_end_matches("\"]"))),
+        "{kinds:?}"
+    );
 }
 
 #[test]
@@ -110,11 +156,14 @@ fn the_compiler_prints_it() {
     let mut programs = programs();
     // The library has been compared with all reports; that the macro passes its mistakes on shows in one of each kind.
     if std::env::var_os("TRYBUILD").is_none() {
-        programs.dedup_by_key(|path| match path.parent() {
-            Some(folder) if !folder.ends_with("several") => folder.to_path_buf(),
-            _ => path.clone(),
+        programs.retain(|path| is_alone(path));
+        programs.dedup_by_key(|path| {
+            path.parent()
+                .filter(|folder| !folder.ends_with("several"))
+                .map_or_else(|| path.clone(), Path::to_path_buf)
         });
     }
+    programs.push(each_kind());
     let cases = trybuild::TestCases::new();
     for path in programs {
         cases.compile_fail(path);
