@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 
 use super::cautions;
 use super::clock::{Clock, Seconds};
+use super::coarse;
 use super::continuation::{EquilibriumProgress, EquilibriumSettings, Line};
 use super::history::Column;
 use super::modes::{Inertial, SeenMode};
@@ -40,6 +41,8 @@ pub struct Campbell {
     pub crossings: Vec<Crossing>,
     /// What moves in the modes of [`Campbell::tracks`], at the last value at which each is known.
     pub compositions: Vec<Composition>,
+    /// For each of [`Campbell::tracks`] the parts by which the meshes of the bodies make its frequency too high; empty where nothing is known.
+    pub(super) mesh_errors: Vec<Vec<f64>>,
     /// Number of unknowns.
     pub unknowns: usize,
     /// Number of constraints with multipliers.
@@ -145,6 +148,7 @@ pub fn campbell_watched(
         critical: Vec::new(),
         crossings: Vec::new(),
         compositions: Vec::new(),
+        mesh_errors: Vec::new(),
         unknowns: 0,
         constraints: 0,
         newton_iterations: 0,
@@ -153,6 +157,9 @@ pub fn campbell_watched(
         incomplete: None,
     };
     let mut reason = tracker.look(&mut line, &mut diagram).err().map(Incomplete::Equilibrium);
+    if reason.is_none() {
+        tracker.judge_meshes(&mut line, &diagram);
+    }
     while reason.is_none() && !line.is_done() {
         reason = line
             .advance()
@@ -166,6 +173,9 @@ pub fn campbell_watched(
     if let (Some(Incomplete::Equilibrium(text)), true) = (&reason, diagram.keys.len() < 2) {
         return Err(RunError::Equilibrium(text.clone()));
     }
+    if reason.is_none() {
+        tracker.judge_meshes(&mut line, &diagram);
+    }
     tracker.finish(&mut diagram);
     diagram.is_round &= diagram.spins.iter().any(|&spin| spin > 0.0);
     diagram.incomplete = reason;
@@ -177,6 +187,12 @@ pub fn campbell_watched(
     diagram.constraints = station.scene.constraints();
     diagram.warnings = cautions::cautioned(model, station.scene.warnings(station.state));
     diagram.warnings.extend(leaps);
+    let (at, state) = (station.at, station.state);
+    let coarse = coarse::of_equilibrium(station.scene, &at, state);
+    diagram.warnings.extend(coarse);
+    diagram
+        .warnings
+        .extend(coarse::of_modes(station.scene, &diagram.mesh_errors));
     diagram.seconds = clock.seconds();
     match diagram.incomplete {
         None => Ok(diagram),

@@ -32,8 +32,31 @@ pub(super) struct Tracker {
     compositions: Vec<Composition>,
     /// Whether it was among the lowest ones at a step: others are followed, and not shown.
     is_shown: Vec<bool>,
+    /// What the meshes of the bodies make of each track.
+    mesh_errors: Vec<Judged>,
     /// Negative directions of the stiffness at the last step.
     measured: Option<Measured>,
+}
+
+/// By how much the meshes of the bodies make a frequency too high, rad/s, and the largest frequency at which that was looked at.
+#[derive(Clone, Default)]
+struct Judged {
+    size: f64,
+    errors: Vec<f64>,
+}
+
+impl Judged {
+    fn meet(&mut self, size: f64, parts: Vec<f64>) {
+        let errors: Vec<f64> = parts.into_iter().map(|part| part * size).collect();
+        self.size = self.size.max(size);
+        if errors.iter().sum::<f64>() > self.errors.iter().sum() {
+            self.errors = errors;
+        }
+    }
+
+    fn parts(self) -> Vec<f64> {
+        self.errors.into_iter().map(|error| error / self.size).collect()
+    }
 }
 
 /// The modes at an equilibrium.
@@ -156,11 +179,28 @@ impl Tracker {
         diagram.compositions = self.compositions;
         index = 0;
         diagram.compositions.retain(|_| shown(&mut index));
+        diagram.mesh_errors = self.mesh_errors.into_iter().map(Judged::parts).collect();
+        index = 0;
+        diagram.mesh_errors.retain(|_| shown(&mut index));
         diagram.crossings.retain_mut(|crossing| {
             let number = numbers[crossing.track];
             crossing.track = number.unwrap_or(0);
             number.is_some()
         });
+    }
+
+    /// Judges the meshes by the modes at the last equilibrium. Next to a critical speed every error is large beside the frequency: errors of
+    /// several looks are parts of the largest one.
+    pub fn judge_meshes(&mut self, line: &mut Line<'_>, diagram: &Campbell) {
+        let station = line.station();
+        let known = |track: &usize| diagram.tracks[*track].last().is_some_and(Option::is_some);
+        let tracks: Vec<usize> = (0..self.last.len()).filter(known).collect();
+        let shapes: Vec<Mode> = tracks.iter().map(|&track| self.last[track].clone()).collect();
+        let errors = modes::mesh_errors(station.scene, &station.at, station.state, &shapes);
+        self.mesh_errors.resize(self.last.len(), Judged::default());
+        for ((track, errors), shape) in tracks.into_iter().zip(errors).zip(&shapes) {
+            self.mesh_errors[track].meet(size(shape), errors);
+        }
     }
 
     /// Distance of eigenvalues within which modes may mix in the last step: of modes that are equal at rest one goes forward

@@ -1,6 +1,8 @@
 //! What meshes are told of themselves: estimates of their errors beside the errors against closed forms.
 
-use rncf::app::{EquilibriumSettings, RunResult, RunSettings, modes, run, static_equilibria};
+use rncf::app::{
+    Campbell, EquilibriumSettings, Range, RunResult, RunSettings, campbell, modes, run, static_equilibria,
+};
 use rncf::equilibrium::{Uniform, follow};
 use rncf::modes::{Mode, Wanted};
 use rncf::prelude::*;
@@ -36,6 +38,20 @@ rncf::model! {
         section strip { area = 1 cm^2; second_moment = 1e-8 m^4; }
         body reed { planar xy; line from [0, 0, 0] m to [1, 0, 0] m; mesh n * cable(strip, m); }
         joint root = clamp(reed.start, inertial);
+        output tip = reed.end.y;
+    }
+}
+
+rncf::model! {
+    /// A reed on a hub that turns.
+    pub model Blade {
+        param n: count = 4;
+        param speed = 20 rad/s;
+        material m { density = 1000 kg/m^3; young = 1e10 Pa; }
+        section strip { area = 1 cm^2; second_moment = 1e-8 m^4; }
+        frame hub = rotating(axis = z, angle = speed * t);
+        body reed in hub { planar xy; line from [0, 0, 0] m to [1, 0, 0] m; mesh n * cable(strip, m); }
+        joint root = clamp(reed.start, hub);
         output tip = reed.end.y;
     }
 }
@@ -168,7 +184,7 @@ fn the_error_of_a_frequency_is_estimated() {
     let told = modes(
         &Reed { n: 4 },
         &EquilibriumSettings {
-            count: 4,
+            count: 3,
             ..EquilibriumSettings::default()
         },
     )
@@ -304,4 +320,47 @@ fn a_judged_run_tells_what_its_steps_add_up_to() {
     }
     let (error, notes) = told(1e-6);
     assert!(error < 1e-3 && notes.is_empty(), "{error}, {notes:?}");
+}
+
+/// A Campbell diagram tells the modes whose frequencies are too high, as far as a fine mesh has them lower.
+#[test]
+fn a_campbell_diagram_is_judged_by_its_modes() {
+    let found = |n: usize| {
+        let range = Range {
+            param: 1,
+            from: 0.0,
+            to: 40.0,
+        };
+        let settings = EquilibriumSettings {
+            range: Some(range),
+            steps: 4,
+            count: 3,
+            ..EquilibriumSettings::default()
+        };
+        let blade = Blade { n, ..Blade::default() };
+        campbell(&blade, &settings).unwrap()
+    };
+    let [coarse, fine] = [2, 24].map(found);
+    assert_eq!(
+        (fine.warnings.len(), coarse.warnings.len()),
+        (0, 1),
+        "{:?} {:?}",
+        fine.warnings,
+        coarse.warnings
+    );
+    let frequency = |of: &Campbell, mode: usize| of.tracks[mode][0].unwrap().im;
+    let mut told = 0;
+    for mode in 0..3 {
+        let error = frequency(&coarse, mode) / frequency(&fine, mode) - 1.0;
+        let name = format!("of mode {} by about ", mode + 1);
+        match coarse.warnings[0].split(&name).nth(1) {
+            Some(after) => {
+                let part: f64 = after.split(' ').next().unwrap().parse().unwrap();
+                assert_true(part / 100.0, error, &format!("mode {}", mode + 1));
+                told += 1;
+            }
+            None => assert!(error < 0.01, "mode {}: {error}", mode + 1),
+        }
+    }
+    assert!(told > 0);
 }
