@@ -9,6 +9,7 @@ use super::advise::{self, AdviseSettings};
 use super::chart::{self, ChartSettings};
 use super::command::{Command, Frequency};
 use super::continuation::{EquilibriumSettings, Range};
+use super::finer::Judging;
 use super::flags::command_line;
 use super::parameters::{List, Values, Varied, angular_velocity, assign, instant, time};
 use super::plan::{self, PlanSettings};
@@ -379,7 +380,11 @@ fn settings(matches: &ArgMatches) -> Result<RunSettings, String> {
         t_end: flag_time("t-end", "20 s")?,
         every: flag_time("every", "0.05 s")?,
         pictures: matches.get_flag("animate") || matches.get_flag("vtu"),
-        judged: !matches.get_flag("unjudged"),
+        judged: match (matches.get_flag("unjudged"), matches.get_flag("thorough")) {
+            (true, _) => Judging::No,
+            (_, true) => Judging::Whole,
+            _ => Judging::Affordable,
+        },
     })
 }
 

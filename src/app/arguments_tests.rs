@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use super::arguments::*;
 use super::command::{Command, Frequency};
+use super::finer::Judging;
 use super::run::RunSettings;
 use super::testing::Rotor;
 use crate::model::Fidelity;
@@ -35,7 +36,7 @@ fn nothing_given_is_a_run_with_defaults() {
     assert_eq!(
         arguments.settings,
         RunSettings {
-            judged: true,
+            judged: Judging::Affordable,
             ..RunSettings::default()
         }
     );
@@ -85,7 +86,7 @@ fn all_flags_are_read() {
         t_end: Some(2.0),
         every: Some(0.5),
         pictures: false,
-        judged: true,
+        judged: Judging::Affordable,
     };
     assert_eq!(arguments.settings, expected);
     assert_eq!(arguments.out, PathBuf::from("here"));
@@ -93,7 +94,12 @@ fn all_flags_are_read() {
     let fixed = read(&["--step", "5 ms", "--integrator", "generalized-alpha"])
         .unwrap()
         .settings;
-    assert!(fixed.judged && !read(&["--unjudged"]).unwrap().settings.judged);
+    let judged = |flag| read(&[flag]).unwrap().settings.judged;
+    assert_eq!(
+        (fixed.judged, judged("--unjudged"), judged("--thorough")),
+        (Judging::Affordable, Judging::No, Judging::Whole)
+    );
+    assert!(read(&["--unjudged", "--thorough"]).is_err());
     assert_eq!(fixed.options.step, StepSize::Fixed(5e-3));
     assert_eq!(fixed.method, Method::GeneralizedAlpha { rho_inf: 0.8 });
     assert!(!fixed.options.proportional && read(&["--proportional"]).unwrap().settings.options.proportional);

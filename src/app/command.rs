@@ -133,7 +133,7 @@ impl Command {
             "start" | "every" | "t-end" | "stabilised" | "max-step" => self.runs(),
             "integrator" | "rtol" | "alpha" | "rho-inf" => matches!(self, Command::Run | Command::Advise),
             "fidelity" => matches!(self, Command::Run | Command::Explain),
-            "step" | "proportional" | "animate" | "vtu" | "resume" | "unjudged" => self == Command::Run,
+            "step" | "proportional" | "animate" | "vtu" | "resume" | "unjudged" | "thorough" => self == Command::Run,
             "out" | "save-scenario" | "at" if self == Command::Explain => false,
             "formulation" => self != Command::Chart,
             "formulations" | "integrators" | "rtols" | "reference" | "beside" => self == Command::Chart,
@@ -182,7 +182,7 @@ impl Command {
             (_, "resume") => "only a run leaves a checkpoint",
             (
                 Command::Chart | Command::Advise,
-                "step" | "proportional" | "animate" | "vtu" | "fidelity" | "unjudged",
+                "step" | "proportional" | "animate" | "vtu" | "fidelity" | "unjudged" | "thorough",
             ) => "it compares many runs",
             (Command::Run | Command::Chart | Command::Advise, _) => "a run in time looks for no equilibrium",
             (_, "no-elimination") => "equilibria eliminate all joints that they can",

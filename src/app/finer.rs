@@ -27,6 +27,29 @@ const STEPS: f64 = 0.3;
 /// Most bodies in the sentence.
 const MOST: usize = 3;
 
+/// How far a run is compared with the same motion on finer meshes and with other steps.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Judging {
+    /// Not at all.
+    #[default]
+    No,
+    /// As far as it goes in about the time of the run.
+    Affordable,
+    /// To the end of the run, however long it takes.
+    Whole,
+}
+
+impl Judging {
+    /// As it stands in summaries.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::No => "no",
+            Self::Affordable => "affordable",
+            Self::Whole => "whole",
+        }
+    }
+}
+
 /// What is found.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Found {
@@ -36,6 +59,8 @@ pub(super) struct Found {
     /// One sentence on the meshes, and one on steps, where outputs are off by much.
     pub mesh: Option<String>,
     pub steps: Option<String>,
+    /// One sentence on what was not compared.
+    pub rest: Option<String>,
 }
 
 /// A scene with the state in which it starts.
@@ -128,10 +153,14 @@ pub(super) fn compare(
     mut finer: Option<Begun<'_>>,
     run: Ended<'_>,
     outputs: &[Output],
+    judging: Judging,
     goes_on: &mut dyn FnMut() -> bool,
 ) -> Found {
     let unknowns = |of: &Begun<'_>| of.scene.unknowns().max(1) as f64;
-    let mut left = AFFORDED.max(SHARE * run.iterations as f64 * unknowns(&own));
+    let mut left = match judging {
+        Judging::Whole => f64::INFINITY,
+        _ => AFFORDED.max(SHARE * run.iterations as f64 * unknowns(&own)),
+    };
     let mut rows = |of: &mut Begun<'_>, rtol: f64, share: f64, marks: &Marks| {
         let how = Again {
             t_end: run.t_end,
@@ -141,6 +170,7 @@ pub(super) fn compare(
                 step: StepSize::Adaptive,
                 ..run.options
             },
+            // Of infinitely many there are u64::MAX.
             most: (share * left / unknowns(of)).max(0.0) as u64,
         };
         let (rows, iterations) = again(of.scene, of.start.clone(), how, marks, goes_on);
@@ -176,11 +206,11 @@ pub(super) fn compare(
             .iter_mut()
             .for_each(|kind| kind.meet(rtol, is_last, seen.until(), &meshes, &steps));
     }
-    found(own.scene, &run, outputs, kinds)
+    found(own.scene, &run, outputs, judging, kinds)
 }
 
 /// The sentences.
-fn found(scene: &dyn Scene, run: &Ended<'_>, outputs: &[Output], kinds: [Kind<'_>; 2]) -> Found {
+fn found(scene: &dyn Scene, run: &Ended<'_>, outputs: &[Output], judging: Judging, kinds: [Kind<'_>; 2]) -> Found {
     let there = || {
         kinds
             .iter()
@@ -201,6 +231,7 @@ fn found(scene: &dyn Scene, run: &Ended<'_>, outputs: &[Output], kinds: [Kind<'_
     Found {
         until,
         is_whole: until >= whole,
+        rest: (until < whole && judging == Judging::Affordable).then(|| not_compared(until, whole)),
         mesh: told(outputs, &meshes).map(|names| on_meshes(scene, &names, seen)),
         steps: sentence_on_steps(run, rtol, outputs, &steps),
     }
@@ -253,6 +284,12 @@ fn is_exact(run: &Ended<'_>) -> bool {
     run.method == Method::Radau && run.options.step == StepSize::Adaptive
 }
 
+fn not_compared(until: f64, end: f64) -> String {
+    format!(
+        "Outputs were compared with those of finer meshes and other steps until {until:.3} s, which took about the time of the run; from there to {end:.3} s nothing is known of their errors. `--thorough` compares all of it, `--unjudged` nothing."
+    )
+}
+
 fn on_meshes(scene: &dyn Scene, names: &str, until: Option<f64>) -> String {
     let described = scene.bodies();
     let deforming = described
@@ -275,7 +312,7 @@ fn on_meshes(scene: &dyn Scene, names: &str, until: Option<f64>) -> String {
         meshes.push(format!("{others} more"));
     }
     let meshes = meshes.join(", ");
-    let until = until.map_or(String::new(), |t| format!(" until {t:.3} s (farther was not looked)"));
+    let until = until.map_or(String::new(), |t| format!(" until {t:.3} s"));
     let [what, how, more] = if in_modes {
         [
             "The mesh is too coarse for this motion, or the modes are too few",

@@ -89,6 +89,13 @@ pub(super) fn command_line(model: &dyn AnyModel, program: &Program<'_>) -> clap:
             "unjudged",
             "Do not repeat the run on finer meshes and with other steps to tell what its outputs are off by",
         ))
+        .arg(
+            flag(
+                "thorough",
+                "Compare all of the run with finer meshes and other steps, however long that takes",
+            )
+            .conflicts_with("unjudged"),
+        )
         .arg(value(
             "fidelity",
             "BODY=HOW,..",

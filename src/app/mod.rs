@@ -76,6 +76,7 @@ pub use command::Command;
 pub use continuation::{EquilibriumProgress, EquilibriumSettings, Range};
 pub use envelopes::{BodyEnvelope, Envelopes, Peak};
 pub use figure::Figure;
+pub use finer::Judging;
 pub use history::{Column, Extreme, History};
 pub use line::{Entry, Line, enter, main, main_among, main_as};
 pub use map::{Axis, Cells, Map};

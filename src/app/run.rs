@@ -8,7 +8,7 @@ use super::clock::{Clock, Seconds};
 use super::course::Course;
 use super::doubts::doubts;
 use super::envelopes::Envelopes;
-use super::finer::{self, Begun, FINER, Found};
+use super::finer::{self, Begun, FINER, Found, Judging};
 use super::history::{Column, History};
 use super::marks::{Marks, round_off};
 use super::pictures::Pictures;
@@ -42,9 +42,9 @@ pub struct RunSettings {
     pub every: Option<f64>,
     /// Whether pictures of the bodies are taken.
     pub pictures: bool,
-    /// Whether the run is repeated with other steps and on finer meshes, and what its outputs are off by is told: that may take as long
-    /// as the run. Else a moment or some tell of their meshes.
-    pub judged: bool,
+    /// How far the run is repeated with other steps and on finer meshes, to tell what its outputs are off by. Without that a moment or some
+    /// tell of their meshes.
+    pub judged: Judging,
 }
 
 impl Default for RunSettings {
@@ -60,7 +60,7 @@ impl Default for RunSettings {
             t_end: None,
             every: None,
             pictures: false,
-            judged: false,
+            judged: Judging::No,
         }
     }
 }
@@ -193,7 +193,7 @@ pub(super) fn run_recorded(
         incomplete: None,
     };
     integrate(scene.as_mut(), start.clone(), &mut result, clock, recorder, &mut watch)?;
-    if result.settings.judged && result.incomplete.is_none() {
+    if result.settings.judged != Judging::No && result.incomplete.is_none() {
         look_again(model, scene.as_mut(), &start, &mut result, &mut watch);
     } else {
         result.warnings.extend(result.coarse.take());
@@ -247,6 +247,7 @@ fn look_again(
     // What outputs are off by says more than the energy of single moments.
     let coarse = found.mesh.or_else(|| result.coarse.take().filter(|_| !found.is_whole));
     let told = coarse.into_iter().chain(missed).chain(added_up.or(found.steps));
+    let told = told.chain(found.rest);
     result.warnings.extend(told);
 }
 
@@ -274,7 +275,7 @@ fn compared(
         scene: scene.as_mut(),
         start: start.clone(),
     });
-    finer::compare(own, finer, run, model.outputs(), goes_on)
+    finer::compare(own, finer, run, model.outputs(), settings.judged, goes_on)
 }
 
 /// The settings with the model's times where none are given.

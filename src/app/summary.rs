@@ -382,7 +382,7 @@ pub(super) fn settings(summary: &mut Summary, settings: &RunSettings) {
     put(summary, "t_end", json!(t_end));
     put(summary, "every", json!(every));
     put(summary, "pictures", json!(settings.pictures));
-    put(summary, "judged", json!(settings.judged));
+    put(summary, "judged", json!(settings.judged.name()));
     if let Some(count) = settings.options.renewed_after {
         put(summary, "renewed_after", json!(count));
     }

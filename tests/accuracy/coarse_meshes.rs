@@ -1,7 +1,7 @@
 //! What meshes are told of themselves: estimates of their errors beside the errors against closed forms.
 
 use rncf::app::{
-    Campbell, EquilibriumSettings, Range, RunResult, RunSettings, campbell, modes, run, static_equilibria,
+    Campbell, EquilibriumSettings, Judging, Range, RunResult, RunSettings, campbell, modes, run, static_equilibria,
 };
 use rncf::equilibrium::{Uniform, follow};
 use rncf::modes::{Mode, Wanted};
@@ -253,12 +253,12 @@ fn a_judged_run_tells_what_its_outputs_are_off_by() {
             rtol,
             ..Options::default()
         },
-        judged: true,
+        judged: Judging::Affordable,
         ..RunSettings::default()
     };
     let hht = Method::Hht { alpha: -0.05 };
     let fine = RunSettings {
-        judged: false,
+        judged: Judging::No,
         ..with(Method::Radau, 1e-6, Formulation::Rncf)
     };
     let exact = path(&run(&Rope { n: 32 }, &fine).unwrap());
@@ -286,6 +286,40 @@ fn a_judged_run_tells_what_its_outputs_are_off_by() {
     assert!(error < 0.01 && told.is_empty(), "{error}, {told:?}");
 }
 
+/// Where finer meshes take longer than the run, the program says how far it looked.
+#[test]
+fn what_was_not_judged_is_told() {
+    let found = |judged| {
+        let settings = RunSettings {
+            t_end: Some(40.0),
+            options: Options {
+                rtol: 1e-3,
+                ..Options::default()
+            },
+            judged,
+            ..RunSettings::default()
+        };
+        run(&Rope { n: 8 }, &settings).unwrap()
+    };
+    let is_told = |of: &RunResult| {
+        of.warnings
+            .iter()
+            .any(|note| note.contains("nothing is known of their errors"))
+    };
+    let [short, whole] = [Judging::Affordable, Judging::Whole].map(found);
+    assert!(
+        short.judged_until.unwrap() < 39.0 && is_told(&short),
+        "{:?} {:?}",
+        short.judged_until,
+        short.warnings
+    );
+    assert!(
+        whole.judged_until == Some(40.0) && !is_told(&whole),
+        "{:?}",
+        whole.warnings
+    );
+}
+
 /// A point on an orbit that goes ten times round: errors of steps add up, with Radau at a loose tolerance, too.
 #[test]
 fn a_judged_run_tells_what_its_steps_add_up_to() {
@@ -295,7 +329,7 @@ fn a_judged_run_tells_what_its_steps_add_up_to() {
                 rtol,
                 ..Options::default()
             },
-            judged: true,
+            judged: Judging::Affordable,
             ..RunSettings::default()
         };
         let found = run(&Orbit::default(), &settings).unwrap();

@@ -1,6 +1,6 @@
 //! What judged runs tell of forces, moments and accelerations: their errors are larger than those of places.
 
-use rncf::app::{RunResult, RunSettings, run};
+use rncf::app::{Judging, RunResult, RunSettings, run};
 use rncf::prelude::*;
 
 rncf::model! {
@@ -40,7 +40,7 @@ rncf::model! {
     }
 }
 
-fn judged(elements: usize, method: Method, rtol: f64, judged: bool) -> RunResult {
+fn judged(elements: usize, method: Method, rtol: f64, judged: Judging) -> RunResult {
     let settings = RunSettings {
         method,
         options: Options {
@@ -89,7 +89,7 @@ fn told(note: &str, output: &str) -> Option<f64> {
 /// Each output that is off by more than a fiftieth is told within a third and three times of that, of steps and of the mesh.
 #[test]
 fn errors_of_forces_are_told() {
-    let exact = judged(6, Method::Radau, 1e-9, false);
+    let exact = judged(6, Method::Radau, 1e-9, Judging::No);
     let hht = Method::Hht { alpha: -0.05 };
     let alpha = Method::GeneralizedAlpha { rho_inf: 0.8 };
     for (method, rtol, least) in [
@@ -99,7 +99,7 @@ fn errors_of_forces_are_told() {
         (hht, 1e-6, 2),
         (alpha, 1e-5, 3),
     ] {
-        let found = judged(6, method, rtol, true);
+        let found = judged(6, method, rtol, Judging::Affordable);
         let steps = found
             .warnings
             .iter()
@@ -120,8 +120,8 @@ fn errors_of_forces_are_told() {
         }
         assert!(seen >= least, "{method:?} {rtol}: {seen} are off");
     }
-    let found = judged(6, Method::Radau, 1e-6, true);
-    let finer = judged(24, Method::Radau, 1e-6, false);
+    let found = judged(6, Method::Radau, 1e-6, Judging::Affordable);
+    let finer = judged(24, Method::Radau, 1e-6, Judging::No);
     assert!(
         found.warnings.len() == 1 && found.warnings[0].contains("too coarse"),
         "{:?}",
@@ -137,14 +137,17 @@ fn errors_of_forces_are_told() {
             None => assert!(error < 0.015, "{name}: {error}"),
         }
     }
-    assert_eq!(judged(12, Method::Radau, 1e-6, true).warnings, Vec::<String>::new());
+    assert_eq!(
+        judged(12, Method::Radau, 1e-6, Judging::Affordable).warnings,
+        Vec::<String>::new()
+    );
 }
 
 /// What is round-off on one mesh is another round-off on the next.
 #[test]
 fn round_off_is_no_error_of_the_mesh() {
     let settings = RunSettings {
-        judged: true,
+        judged: Judging::Affordable,
         ..RunSettings::default()
     };
     let found = run(&Still::default(), &settings).unwrap();

@@ -2,6 +2,7 @@
 
 use std::ops::ControlFlow;
 
+use super::super::finer::Judging;
 use super::ladder::Setting;
 use super::search::{Found, Outcome, Trial, difference, measure};
 use crate::app::clock::Clock;
@@ -127,7 +128,7 @@ impl Work<'_> {
                 rtol,
                 ..self.base.options
             },
-            judged: false,
+            judged: Judging::No,
             ..self.base.clone()
         };
         let clock = Clock::start();

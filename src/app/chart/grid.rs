@@ -1,6 +1,7 @@
 //! What is compared: every formulation on every mesh with every method and tolerance, and the key under which a point is
 //! found again.
 
+use super::super::finer::Judging;
 use super::flags::method_name;
 use crate::app::hash::hash;
 use crate::app::parameters::{List, short};
@@ -86,7 +87,7 @@ impl Grid {
                 rtol: setting.rtol,
                 ..self.base.options
             },
-            judged: false,
+            judged: Judging::No,
             ..self.base.clone()
         }
     }
