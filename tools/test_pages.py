@@ -3,6 +3,7 @@
 `python tools/test_pages.py target/release/examples/spin_up [FOLDER FOR SCREENSHOTS]`
 """
 
+import json
 import pathlib
 import re
 import shutil
@@ -55,21 +56,65 @@ addEventListener("load", () => setTimeout(() => {
 }, 300));
 </script>"""
 
-ANIMATION = """<script>
+# What a hand does with a scene that moves: each picture is told by the colours of its pixels.
+SCENE = """<script>
 addEventListener("load", () => setTimeout(() => {
-  const canvas = document.querySelector("canvas");
-  const pixels = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
-  let drawn = 0;
-  for (let k = 3; k < pixels.length; k += 4) drawn += pixels[k] > 0;
-  document.title = "TOLD " + JSON.stringify({ found: { drawn: String(drawn > 100) }, wrong });
+  const scene = document.querySelector(".scene");
+  const view = scene.view;
+  const found = {};
+  const canvas = scene.querySelector("canvas");
+  const pixels = () => canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+  const drawn = () => pixels().reduce((sum, value, k) => sum + (k % 4 === 3 && value > 0), 0);
+  const changed = (act) => {
+    const before = pixels();
+    act();
+    return String(pixels().some((value, k) => value !== before[k]));
+  };
+  const touch = (selector, set) => changed(() => {
+    const element = scene.querySelector(selector);
+    Object.assign(element, set);
+    (element.onchange || element.oninput || element.onclick).call(element);
+  });
+  const switched = (selector) => changed(() => scene.querySelector(selector).click());
+  scene.querySelector(".play").click();
+  found.drawn = String(drawn() > 100);
+  if (scene.querySelector(".time input")) {
+    const last = scene.querySelector(".time input").max;
+    found.moved = touch(".time input", { value: String(last / 2) });
+    found.now = scene.querySelector(".time output").value;
+    found.undeformed = switched("input.undeformed");
+    found.magnified = touch("input.magnify", { value: "1" });
+    found.speeds = [...scene.querySelectorAll("select.speed option")].map((option) => option.textContent).filter((text) => text === "true time").join();
+    const legend = scene.querySelector(".legend");
+    found.legend = {};
+    const options = [...scene.querySelectorAll("select.quantity option")];
+    for (const option of options) {
+      touch("select.quantity", { value: option.value });
+      if (!legend.hidden) found.legend[option.textContent] = [...legend.querySelectorAll(".ends span, .largest")].map((part) => part.textContent);
+    }
+    found.plain = String(legend.hidden);
+    touch("select.quantity", { value: "0" });
+    const [, beam] = view.spots.length ? [0, view.spots.find((spot) => /:/.test(spot.text()))] : [];
+    found.tip = beam ? beam.text() : "";
+  } else {
+    found.modes = [];
+    for (const option of scene.querySelectorAll("select.mode option")) {
+      touch("select.mode", { value: option.value });
+      found.modes.push(scene.querySelector(".facts").textContent);
+    }
+    found.moved = changed(() => { view.phase = 1.5; view.draw(); });
+    found.undeformed = switched("input.undeformed");
+  }
+  found.frames = switched("input.frames");
+  found.joints = switched("input.joints");
+  found.notes = [...scene.querySelectorAll(".told")].map((note) => note.textContent).join(" ");
+  document.title = "TOLD " + JSON.stringify({ found, wrong });
 }, 500));
 </script>"""
 
 
 def opened(browser, page, script, folder):
     """What the page tells of itself after the script."""
-    import json
-
     text = page.read_text(encoding="utf-8")
     assert not re.search(r'(src|href)="https?:', text), f"{page.name} needs the network"
     tried = folder / f"tried-{page.name}"
@@ -82,6 +127,24 @@ def opened(browser, page, script, folder):
     told = json.loads(title[1].replace("&quot;", '"').replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&"))
     assert not told["wrong"], f"{page.name}: {told['wrong']}"
     return told["found"]
+
+
+def value_of(text):
+    """A number with a prefix of its unit, `103.5 kN`."""
+    number, _, unit = text.partition(" ")
+    factors = {"G": 1e9, "M": 1e6, "k": 1e3}
+    return float(number) * factors.get(unit[0], 1.0)
+
+
+def scales_fit(legend, body):
+    """The largest numbers of the scales are those of the envelopes, with their place, to the digits that are shown."""
+    for name, key in [("axial force [N]", "axial_force"), ("bending moment [N m]", "bending_moment"), ("stress [Pa]", "stress")]:
+        low, middle, high, largest = legend[name]
+        wanted = body[key]["value"]
+        assert abs(value_of(high) - wanted) <= 1e-3 * abs(wanted), (name, high, wanted)
+        assert value_of(low) <= value_of(middle) <= value_of(high), legend[name]
+        assert f"{body['name']} at x = {body[key]['x']:g} m, t = {body[key]['at']:.6g} s" in largest, (largest, body[key])
+    assert "axial strain [1]" in legend, legend
 
 
 def pictured(browser, page, folder, pictures):
@@ -108,9 +171,15 @@ def main(program, pictures=None):
         several = opened(browser, sweep / "report.html", REPORT, folder)
         print("sweep:", several)
         assert several["hidden"] == "1" and several["told"].startswith("omega_s = "), several
-        animation = opened(browser, run / "animation.html", ANIMATION, folder)
+        animation = opened(browser, run / "animation.html", SCENE, folder)
         print("animation:", animation)
-        assert animation["drawn"] == "true"
+        for key in ("drawn", "moved", "undeformed", "magnified", "frames", "joints", "plain"):
+            assert animation[key] == "true", (key, animation)
+        summary = json.loads((run / "summary.json").read_text(encoding="utf-8"))
+        scales_fit(animation["legend"], summary["bodies"][0])
+        assert animation["speeds"] == "true time" and animation["now"].startswith("t = 10"), animation
+        assert animation["tip"].startswith("beam: axial force ") and animation["tip"].endswith("N"), animation
+        assert "rows of the run are drawn" in animation["notes"], animation
         if pictures:
             pictures = pathlib.Path(pictures).resolve()
             pictures.mkdir(parents=True, exist_ok=True)

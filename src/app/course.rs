@@ -252,7 +252,13 @@ impl Rows {
         self.marks.meet(t, self.t_end, &self.values);
         self.coarseness.meet(integrator.system(), &self.state, self.t_end);
         if let Some(pictures) = &mut result.pictures {
-            pictures.take(self.next, integrator.system(), time, &self.state);
+            pictures.take(
+                self.next,
+                integrator.system(),
+                time,
+                &self.state,
+                result.envelopes.states(),
+            );
         }
         self.next += 1;
         Ok(true)

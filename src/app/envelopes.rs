@@ -108,6 +108,14 @@ fn meet(peak: &mut Option<Peak>, value: f64, at: f64, x: f64) {
     }
 }
 
+/// Stress that counts, Pa: von Mises, or that of the axial force alone.
+pub(super) fn stress_of(body: &SectionBody, state: &SectionState) -> Option<f64> {
+    if body.knows_stress {
+        return state.stress;
+    }
+    (body.area > 0.0).then(|| state.forces[0].abs() / body.area)
+}
+
 impl BodyEnvelope {
     fn new(body: SectionBody) -> Self {
         Self {
@@ -119,14 +127,6 @@ impl BodyEnvelope {
             stress: None,
             yielding: None,
         }
-    }
-
-    /// Stress that counts: von Mises, or that of the axial force alone.
-    fn stress_of(&self, state: &SectionState) -> Option<f64> {
-        if self.body.knows_stress {
-            return state.stress;
-        }
-        (self.body.area > 0.0).then(|| state.forces[0].abs() / self.body.area)
     }
 
     fn meet(&mut self, at: f64, states: &[SectionState]) {
@@ -141,7 +141,7 @@ impl BodyEnvelope {
             if self.body.has_section && !self.body.is_planar {
                 meet(&mut self.torque, state.moments[0], at, x);
             }
-            if let Some(stress) = self.stress_of(state) {
+            if let Some(stress) = stress_of(&self.body, state) {
                 meet(&mut self.stress, stress, at, x);
                 meet(&mut here, stress, at, x);
             }
@@ -202,6 +202,11 @@ impl Envelopes {
             scene.uniform_section_states(uniform, state, &mut self.states);
             self.take_in(at);
         }
+    }
+
+    /// What all sections carry in the row that was taken in last.
+    pub(super) fn states(&self) -> &[SectionState] {
+        &self.states
     }
 
     fn take_in(&mut self, at: f64) {

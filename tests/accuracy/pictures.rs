@@ -1,8 +1,83 @@
 //! Pictures of runs: what is drawn is where the outputs say.
 
-use rncf::app::{Pictures, RunSettings, run};
+use rncf::AnyModel;
+use rncf::app::{Pictures, RunResult, RunSettings, run};
+use rncf::model::{SignKind, SignPlace};
 use rncf::vector::{add, apply, norm, subtract};
-use rncf_models::FreeFlight;
+use rncf_models::{EsailSlack, FreeFlight, HeavyTop, SpinUp};
+
+fn drawn(model: &dyn AnyModel, t_end: f64, every: f64) -> (RunResult, Pictures) {
+    let settings = RunSettings {
+        t_end: Some(t_end),
+        every: Some(every),
+        pictures: true,
+        ..RunSettings::default()
+    };
+    let mut result = run(model, &settings).expect("a run");
+    let pictures = result.pictures.take().expect("pictures");
+    (result, pictures)
+}
+
+/// The scale of the colours goes to what the envelope says, which all rows tell and not the pictures alone; the strain is that of
+/// the axial force by Hooke's law.
+#[test]
+fn scales_are_those_of_the_envelopes() {
+    let (result, pictures) = drawn(&SpinUp::default(), 20.0, 0.03);
+    assert!((pictures.times.len() as u64) < result.history.rows());
+    let of = |name: &str| {
+        let scales = pictures.scales().into_iter();
+        scales.filter(|scale| scale.name == name).last().expect(name).range
+    };
+    let envelope = &result.envelopes.bodies[0];
+    let force = envelope.axial_force.expect("a force").value;
+    assert_eq!(of("axial force")[1], force);
+    assert_eq!(
+        of("bending moment")[1],
+        envelope.bending_moment.expect("a moment").value
+    );
+    assert_eq!(of("stress")[1], envelope.stress.expect("a stress").value);
+    let strain = force / (68.95e9 * 0.7299e-4);
+    assert!(
+        (of("axial strain")[1] / strain - 1.0).abs() < 1e-6,
+        "{:?} {strain}",
+        of("axial strain")
+    );
+}
+
+/// Joints and loads stand where they are declared: the beam's clamp, the top's pivot and weight.
+#[test]
+fn joints_and_loads_have_their_places() {
+    let (_, beam) = drawn(&SpinUp::default(), 0.1, 0.1);
+    let [root] = &beam.signs[..] else {
+        panic!("{:?}", beam.signs)
+    };
+    assert_eq!((root.name.as_str(), root.kind), ("root", SignKind::Joint));
+    assert_eq!(root.place, Some(SignPlace::Curve { curve: 0, point: 0.0 }));
+    let (_, top) = drawn(&HeavyTop::default(), 0.1, 0.1);
+    let [pivot, weight] = &top.signs[..] else {
+        panic!("{:?}", top.signs)
+    };
+    let Some(SignPlace::Frame { frame, at }) = pivot.place else {
+        panic!("{pivot:?}")
+    };
+    assert_eq!((top.frames[frame].as_str(), at), ("top", [0.0, -1.0, 0.0]));
+    assert_eq!((weight.kind, weight.place), (SignKind::Gravity, None));
+    assert!(top.shots.iter().all(|shot| shot.acting == [[0.0, 0.0, -9.81]]));
+}
+
+/// A scene of many points has fewer pictures, so that its page does not grow without bound.
+#[test]
+fn a_large_scene_has_fewer_pictures() {
+    let (result, sail) = drawn(&EsailSlack::default(), 2.0, 0.01);
+    assert_eq!(result.history.rows(), 201);
+    let points = sail.shots[0].points.len();
+    assert!(
+        (20..201).contains(&sail.times.len()),
+        "{} pictures of {points} points",
+        sail.times.len()
+    );
+    assert!(sail.signs.iter().any(|sign| sign.kind == SignKind::Spread));
+}
 
 /// A cable that tumbles through space: its ends in the pictures are those of the outputs, in inertial axes.
 #[test]

@@ -4,7 +4,7 @@ use super::scene::{ModalScene, Told, as_described};
 use crate::error::ModelError;
 use crate::model::{
     Composition, Configuration, Curve, DescribedBody, ExportedBody, FrameState, MassProperties, MeshError, Scene,
-    SectionBody, SectionState, Uniform, Warning,
+    SectionBody, SectionState, Sign, Uniform, Warning,
 };
 use crate::system::{State, Tangent};
 
@@ -49,6 +49,14 @@ impl Scene for ModalScene {
 
     fn exported(&self) -> Vec<ExportedBody> {
         self.exported_bodies()
+    }
+
+    fn signs(&self) -> Vec<Sign> {
+        Scene::signs(&self.scene)
+    }
+
+    fn axial_compliances(&self) -> Vec<[f64; 6]> {
+        self.scene.axial_compliances()
     }
 
     fn frame_names(&self) -> Vec<String> {

@@ -86,7 +86,7 @@ pub struct SectionState {
     /// Largest von Mises stress over the section, Pa; `None` where the section's extents are not known.
     pub stress: Option<f64>,
     /// Whether the body stays in a plane: its moment keeps its sign.
-    pub(crate) is_planar: bool,
+    pub is_planar: bool,
 }
 
 impl SectionState {

@@ -11,7 +11,7 @@ pub use crate::emitted::Fidelity;
 pub use bodies::{DescribedBody, ExportedBody, MassProperties, MeshError, SectionBody, SectionState};
 pub use composition::{Composition, Motion};
 pub use derived::{ConstantArray, KernelCount};
-pub use picture::{Configuration, Curve};
+pub use picture::{Configuration, Curve, Sign, SignKind, SignPlace};
 pub use scene::{FrameState, Pose, Scene, Warning};
 pub use uniform::{Kind, Spin, Uniform};
 

@@ -24,12 +24,73 @@ pub struct Configuration {
     pub points: Vec<Vector>,
     /// Origin (m, inertial axes) and orientation of every frame; the first is the inertial one.
     pub poses: Vec<(Vector, Rotation)>,
+    /// What acts at every sign of a force, moment or uniform gravity, in their order: N, N m or m/s^2, inertial axes.
+    pub acting: Vec<Vector>,
+}
+
+/// What a sign stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SignKind {
+    /// A joint or constraint.
+    Joint,
+    /// A load per length, or gravity that is not uniform: it has no arrow.
+    Spread,
+    /// A force at a place, N.
+    Force,
+    /// A moment at a place or on a frame, N m.
+    Moment,
+    /// Uniform gravity, m/s^2.
+    Gravity,
+}
+
+impl SignKind {
+    /// One word for it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Joint => "joint",
+            Self::Spread => "spread",
+            Self::Force => "force",
+            Self::Moment => "moment",
+            Self::Gravity => "gravity",
+        }
+    }
+}
+
+/// Where a sign is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SignPlace {
+    /// Fixed in a frame.
+    Frame {
+        /// Index into [`Configuration::poses`].
+        frame: usize,
+        /// m, frame axes.
+        at: Vector,
+    },
+    /// On a curve.
+    Curve {
+        /// Index of the curve.
+        curve: usize,
+        /// Number of its point; between two of them a fraction.
+        point: f64,
+    },
+}
+
+/// A joint, or what acts at a place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sign {
+    /// Name in the declaration.
+    pub name: String,
+    /// What it is.
+    pub kind: SignKind,
+    /// Where it is; `None`: everywhere.
+    pub place: Option<SignPlace>,
 }
 
 impl Keep for Configuration {
     fn keep(&mut self, archive: &mut Archive<'_>) {
-        let Self { points, poses } = self;
+        let Self { points, poses, acting } = self;
         points.keep(archive);
         poses.keep(archive);
+        acting.keep(archive);
     }
 }

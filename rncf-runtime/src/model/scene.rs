@@ -2,7 +2,7 @@
 
 use super::bodies::{DescribedBody, ExportedBody, MassProperties, MeshError, SectionBody, SectionState};
 use super::composition::Composition;
-use super::picture::{Configuration, Curve};
+use super::picture::{Configuration, Curve, Sign};
 use super::uniform::Uniform;
 use crate::archive::{Archive, Keep};
 use crate::error::ModelError;
@@ -43,6 +43,17 @@ pub trait Scene: System + Send {
 
     /// The lines of a picture of the scene, in the order of [`Scene::configuration`].
     fn curves(&self) -> Vec<Curve> {
+        Vec::new()
+    }
+
+    /// The joints of a picture, then what has no arrow, then loads and forces in the order of [`Configuration::acting`].
+    fn signs(&self) -> Vec<Sign> {
+        Vec::new()
+    }
+
+    /// By how much the section forces N, Q_y, Q_z (1/N) and moments T, M_y, M_z (1/(N m)) of every section state, in the order of
+    /// [`Scene::section_states`], strain the axis there; zeros where that is not known.
+    fn axial_compliances(&self) -> Vec<[f64; 6]> {
         Vec::new()
     }
 

@@ -5,7 +5,7 @@ use crate::emitted::ObservedSpec;
 use crate::error::ModelError;
 use crate::model::{
     Composition, Configuration, Curve, DescribedBody, FrameState, MassProperties, MeshError, Scene, SectionBody,
-    SectionState, Uniform, Warning,
+    SectionState, Sign, Uniform, Warning,
 };
 use crate::system::{State, Tangent};
 use crate::vector::norm;
@@ -36,6 +36,14 @@ impl Scene for MeshScene {
 
     fn curves(&self) -> Vec<Curve> {
         self.drawn()
+    }
+
+    fn signs(&self) -> Vec<Sign> {
+        MeshScene::signs(self)
+    }
+
+    fn axial_compliances(&self) -> Vec<[f64; 6]> {
+        self.compliances()
     }
 
     fn frame_names(&self) -> Vec<String> {

@@ -22,6 +22,21 @@ pub fn encode(bytes: &[u8]) -> String {
 }
 
 #[cfg(test)]
+pub fn decoded(text: &str) -> Vec<u8> {
+    let code = |letter: u8| LETTERS.iter().position(|&own| own == letter).map(|code| code as u32);
+    let mut bytes = Vec::new();
+    for four in text.as_bytes().chunks(4) {
+        let codes: Vec<u32> = four.iter().map_while(|&letter| code(letter)).collect();
+        let word = codes
+            .iter()
+            .enumerate()
+            .fold(0, |word, (at, code)| word | code << (18 - 6 * at));
+        bytes.extend((0..codes.len() - 1).map(|at| (word >> (16 - 8 * at)) as u8));
+    }
+    bytes
+}
+
+#[cfg(test)]
 mod tests {
     use super::*;
 
@@ -38,6 +53,7 @@ mod tests {
         ];
         for (plain, text) in pairs {
             assert_eq!(encode(plain.as_bytes()), text);
+            assert_eq!(decoded(text), plain.as_bytes());
         }
     }
 }

@@ -2,15 +2,24 @@
 
 pub(super) mod animation;
 mod base64;
+mod colours;
 pub(super) mod paraview;
+mod view;
+
+use colours::Colours;
+pub use colours::Scale;
 
 use crate::archive::{Archive, Keep};
-use crate::model::{Configuration, Curve};
+use crate::model::{Configuration, Curve, SectionState, Sign};
 use crate::vector::{Vector, add, apply, norm, subtract};
 use crate::{Scene, State};
 
-/// Most pictures of a run: what a page can hold, and an eye follow.
+/// Most pictures of a run: what an eye follows.
 const MOST: u64 = 400;
+/// Most bytes of all pictures in a page, before they become text that is longer by a third.
+const MOST_BYTES: u64 = 6_000_000;
+/// Pictures of a scene however large it is.
+const LEAST: u64 = 2;
 
 /// A frame that goes farther than so many sizes of the scene is followed.
 const FAR: f64 = 3.0;
@@ -22,12 +31,25 @@ pub struct Pictures {
     pub curves: Vec<Curve>,
     /// Names of the frames.
     pub frames: Vec<String>,
+    /// Joints and loads.
+    pub signs: Vec<Sign>,
     /// Times, s.
     pub times: Vec<f64>,
     /// Points and poses at these times.
     pub shots: Vec<Configuration>,
+    /// Points of the undeformed bodies, axes of their frames, as in [`Configuration::points`].
+    rest: Vec<Vector>,
+    /// Whether the frames carry the undeformed shapes along.
+    is_referenced: bool,
+    colours: Colours,
+    /// What colours the bodies in each picture.
+    values: Vec<Vec<f64>>,
+    /// Rows of the run.
+    rows: u64,
     /// Every so many rows there is a picture.
     stride: u64,
+    /// Whether there are less than could be, for the size of the page.
+    is_short: bool,
 }
 
 /// The pictures; what is drawn is known.
@@ -36,13 +58,22 @@ impl Keep for Pictures {
         let Self {
             curves: _,
             frames: _,
+            signs: _,
             times,
             shots,
+            rest: _,
+            is_referenced: _,
+            colours,
+            values,
+            rows: _,
             stride: _,
+            is_short: _,
         } = self;
         times.keep(archive);
         shots.keep(archive);
-        if times.len() != shots.len() {
+        colours.keep(archive);
+        values.keep(archive);
+        if times.len() != shots.len() || times.len() != values.len() {
             archive.misfit();
         }
     }
@@ -50,25 +81,65 @@ impl Keep for Pictures {
 
 impl Pictures {
     /// No pictures yet of a run with so many rows; nothing where the scene does not draw itself.
-    pub(super) fn new(scene: &dyn Scene, rows: u64) -> Option<Self> {
+    pub(super) fn new(scene: &mut dyn Scene, rows: u64) -> Option<Self> {
         let curves = scene.curves();
-        (!curves.is_empty()).then(|| Self {
-            curves,
+        if curves.is_empty() {
+            return None;
+        }
+        let mut rest = Configuration::default();
+        scene.configuration(&scene.rest(0.0), &mut rest);
+        let colours = Colours::new(scene, &curves);
+        // Components of two bytes, doubles of poses and single precision of what acts.
+        let size = 6 * rest.points.len() + 2 * colours.len() + 96 * rest.poses.len() + 12 * rest.acting.len();
+        let most = (MOST_BYTES / size.max(1) as u64).clamp(LEAST, MOST);
+        Some(Self {
             frames: scene.frame_names(),
+            signs: scene.signs(),
             times: Vec::new(),
             shots: Vec::new(),
-            stride: rows.div_ceil(MOST).max(1),
+            rest: rest.points,
+            is_referenced: scene.is_referenced(),
+            colours,
+            values: Vec::new(),
+            curves,
+            rows,
+            stride: rows.div_ceil(most).max(1),
+            is_short: most < MOST.min(rows),
         })
     }
 
-    /// Takes the picture of a row where it is one that is kept.
-    pub(super) fn take(&mut self, row: u64, scene: &mut dyn Scene, t: f64, state: &State) {
+    /// Takes in a row with what its sections carry, and the picture of one that is kept.
+    pub(super) fn take(&mut self, row: u64, scene: &mut dyn Scene, t: f64, state: &State, sections: &[SectionState]) {
+        self.colours.meet(t, sections);
         if row.is_multiple_of(self.stride) {
             let mut shot = Configuration::default();
             scene.configuration(state, &mut shot);
             self.times.push(t);
             self.shots.push(shot);
+            self.values.push(self.colours.values(sections));
         }
+    }
+
+    /// What colours the bodies, with what it is over all rows of the run; not those of which nothing is known.
+    pub fn scales(&self) -> Vec<Scale> {
+        self.colours.scales()
+    }
+
+    /// How many rows are drawn, and why not all.
+    fn told_of_rows(&self) -> String {
+        let (drawn, rows) = (self.shots.len(), self.rows);
+        if self.stride == 1 {
+            return format!("All {drawn} rows of the run are drawn.");
+        }
+        let why = if self.is_short {
+            ", so that the page stays small"
+        } else {
+            ""
+        };
+        format!(
+            "{drawn} of the {rows} rows of the run are drawn, one in {}{why}; a shorter run, or `--every`, shows more of its part.",
+            self.stride
+        )
     }
 
     /// The frame whose origin a picture follows: the inertial one, or the first that flies far away.
@@ -98,3 +169,6 @@ impl Pictures {
         })
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -13,7 +13,7 @@ const PIECES: usize = 16;
 const MOST: usize = 8;
 
 /// Pieces of an element of a body with so many of them.
-fn pieces(elements: usize) -> usize {
+pub(super) fn pieces(elements: usize) -> usize {
     PIECES.div_ceil(elements).min(MOST)
 }
 
@@ -78,5 +78,6 @@ impl MeshScene {
         let poses = self.buffers.frames.iter();
         out.poses
             .extend(poses.map(|frame| (frame.position, Rotation::from_matrix(&frame.rotation))));
+        self.acting(&mut out.acting);
     }
 }

@@ -13,6 +13,7 @@ pub(crate) mod point_forces;
 pub(crate) mod sampled;
 pub(crate) mod sampling;
 pub(crate) mod section;
+pub(crate) mod signs;
 pub(crate) mod strained;
 pub(crate) mod stress;
 pub(crate) mod thick;

@@ -1,6 +1,8 @@
 //! What the sections of all flexible bodies carry, for envelopes: both ends and the middle of every element.
 
 use super::section::Reader;
+use super::strained::Strained;
+use crate::emitted::{Fidelity, Line};
 use crate::model::{SectionBody, SectionState};
 use crate::scene::MeshScene;
 
@@ -44,5 +46,35 @@ impl MeshScene {
             }
         }
         self.buffers.reaches = reaches;
+    }
+
+    /// First rows of the flexibilities of all sampled sections, undeformed, in the same order: strain of the axis by axial force, shear
+    /// forces, torque and moments. Zeros of bodies that do not strain, or have elements with other fields than an axis and a section.
+    pub(crate) fn compliances(&self) -> Vec<[f64; 6]> {
+        let mut all = Vec::new();
+        for body in self.sampled() {
+            let spec = &self.bodies[body].spec;
+            let strains =
+                !matches!(spec.fidelity, Fidelity::Rigid | Fidelity::Point) && !matches!(spec.line, Line::Nodes(_));
+            let Some(strained) = strains.then(|| Strained::new(self, body)).flatten() else {
+                all.resize(all.len() + PLACES.len() * spec.count, [0.0; 6]);
+                continue;
+            };
+            let mut same = None;
+            for element in 0..spec.count {
+                let local = 0..spec.nodal.len();
+                let undeformed: Vec<f64> = local.flat_map(|local| spec.undeformed(element, local)).collect();
+                for xi in PLACES {
+                    let found = same.unwrap_or_else(|| {
+                        let free = strained.fields_at(&strained.weights(element, xi), &undeformed);
+                        let row = strained.flexibility(spec.arclength(element, xi), &free).values[0];
+                        std::array::from_fn(|component| row[component])
+                    });
+                    same = same.or_else(|| (!self.parts.varies(body)).then_some(found));
+                    all.push(found);
+                }
+            }
+        }
+        all
     }
 }

@@ -81,7 +81,7 @@ impl MeshScene {
     }
 
     /// Values and velocities of the markers of a force; points from its anchor.
-    pub(super) fn force_arguments(&self, index: usize) -> (Vec<Vector>, Vec<Vector>) {
+    pub(crate) fn force_arguments(&self, index: usize) -> (Vec<Vector>, Vec<Vector>) {
         let anchor = self.force_anchors.get(index).copied().flatten();
         let markers = self.forces[index].markers.iter();
         let jets = markers.map(|&marker| self.jet_from(&self.markers[marker], anchor));
