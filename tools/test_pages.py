@@ -51,6 +51,12 @@ addEventListener("load", () => setTimeout(() => {
     found.push(["hidden", String(all - lines())]);
     names[0].click();
   }
+  const card = {};
+  for (const row of document.querySelectorAll(".card > table tr")) card[row.cells[0].innerText] = row.cells[1].innerText;
+  found.push(["card", card]);
+  const results = [...document.querySelectorAll("h2")].find((head) => head.innerText === "Results");
+  const first = document.querySelector(".card");
+  found.push(["before", String(Boolean(first && results && first.compareDocumentPosition(results) & Node.DOCUMENT_POSITION_FOLLOWING))]);
   found.push(["charts", String(document.querySelectorAll(".live svg path.axis").length)]);
   document.title = "TOLD " + JSON.stringify({ found: Object.fromEntries(found), wrong });
 }, 300));
@@ -147,6 +153,19 @@ def scales_fit(legend, body):
     assert "axial strain [1]" in legend, legend
 
 
+def card_fits(report, summary):
+    """The card stands before the results, with the numbers of the summary."""
+    card = report["card"]
+    assert report["before"] == "true", report
+    assert card["Unknowns"].startswith(f"{summary['unknowns']},"), card
+    assert card["Flexible bodies"] == "beam: 6 elements, all nodal vectors", card
+    mass = float(card["Mass"].split(" kg")[0])
+    assert abs(mass - summary["masses"][-1]["mass"]) < 1e-5 * mass, card
+    frequencies = [float(text) for text in card["First frequencies"].split(" rad/s")[0].split(", ")]
+    wanted = summary["first_frequencies"]["im [rad/s]"]
+    assert len(frequencies) == 5 and all(abs(a - b) < 1e-4 * b for a, b in zip(frequencies, wanted)), card
+
+
 def pictured(browser, page, folder, pictures):
     for name, width, scheme in [("light", 1000, 1), ("dark", 1000, 0), ("narrow", 420, 1)]:
         line = [browser, *FLAGS, f"--user-data-dir={folder / 'profile'}", f"--window-size={width},1400"]
@@ -168,6 +187,8 @@ def main(program, pictures=None):
         print("report:", report)
         assert report["told"].startswith("t = ") and " m" in report["told"], report
         assert (report["zoomed"], report["again"], report["whole"], report["charts"]) == ("true", "true", "true", "3")
+        summary = json.loads((run / "summary.json").read_text(encoding="utf-8"))
+        card_fits(report, summary)
         several = opened(browser, sweep / "report.html", REPORT, folder)
         print("sweep:", several)
         assert several["hidden"] == "1" and several["told"].startswith("omega_s = "), several
@@ -175,7 +196,6 @@ def main(program, pictures=None):
         print("animation:", animation)
         for key in ("drawn", "moved", "undeformed", "magnified", "frames", "joints", "plain"):
             assert animation[key] == "true", (key, animation)
-        summary = json.loads((run / "summary.json").read_text(encoding="utf-8"))
         scales_fit(animation["legend"], summary["bodies"][0])
         assert animation["speeds"] == "true time" and animation["now"].startswith("t = 10"), animation
         assert animation["tip"].startswith("beam: axial force ") and animation["tip"].endswith("N"), animation

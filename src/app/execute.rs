@@ -17,7 +17,7 @@ use super::run::run_recorded;
 use super::run_error::{Incomplete, RunError};
 use super::steady::equilibria;
 use super::summary::{self, Summary};
-use super::{advise, chart, checkpoint, explain, export, files, plan, report, scenario};
+use super::{advise, card, chart, checkpoint, explain, export, files, plan, report, scenario};
 use crate::equilibrium::Kind;
 
 pub(super) const FAILURE: u8 = 1;
@@ -109,7 +109,8 @@ fn execute_run(arguments: &Arguments, interrupted: impl Fn() -> bool) -> Result<
         Err(RunError::Incomplete(result)) => *result,
         Err(error) => return Err(Failure::from(&error)),
     };
-    let summary = summary::of_run(arguments.model(), &result);
+    let mut summary = summary::of_run(arguments.model(), &result);
+    card::put(&mut summary, arguments.model(), &result);
     let part = report::run_part(arguments.model(), &result.history, &result.steps, &result.cautions);
     let mut files = format!("  {}\n", arguments.out.join(HISTORY).display());
     let hint = match result.incomplete {

@@ -23,7 +23,7 @@ pub(super) fn table(summary: &Summary) -> String {
     let Some(Value::Array(masses)) = summary.get("masses") else {
         return String::new();
     };
-    let mut text = String::from("<h2>Masses</h2>\n");
+    let mut text = String::from("<h3>Masses</h3>\n");
     text += "<p class=\"doc\">At the start, in inertial axes; inertia about the centre of mass.</p>\n";
     text += "<div class=\"scroll\"><table>\n<tr><th>Body</th><th class=\"n\">Mass [kg]</th><th>Centre of mass [m]</th>\
         <th>Inertia xx, yy, zz [kg m²]</th><th>xy, xz, yz</th></tr>\n";
@@ -37,7 +37,7 @@ pub(super) fn table(summary: &Summary) -> String {
 }
 
 /// The name before the number of a repetition.
-fn repeated(entry: &Value) -> Option<&str> {
+pub(super) fn repeated(entry: &Value) -> Option<&str> {
     let (name, _) = entry["name"].as_str()?.split_once('[')?;
     Some(name)
 }

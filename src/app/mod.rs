@@ -14,6 +14,7 @@ mod arguments;
 #[cfg(test)]
 mod arguments_tests;
 mod campbell;
+mod card;
 mod cautions;
 mod chart;
 pub mod charts;

@@ -12,7 +12,7 @@ use super::parameters::{digits, in_unit, short};
 use super::run::StepTaken;
 use super::steady::Equilibria;
 use super::summary::{SETTINGS, STATISTICS, Summary};
-use super::{mass_table, section_table};
+use super::{card, section_table};
 use crate::modes::Critical;
 use crate::{AnyModel, Caution, Output};
 
@@ -31,7 +31,7 @@ pub(super) fn page(model: &dyn AnyModel, what: &str, summary: &Summary, results:
         escape(&title)
     );
     header(model, &mut page, &title, summary);
-    page += &mass_table::table(summary);
+    page += &card::part(summary, model);
     page += "<h2>Results</h2>\n";
     page += results;
     page += &section_table::table(summary);
@@ -42,7 +42,7 @@ pub(super) fn page(model: &dyn AnyModel, what: &str, summary: &Summary, results:
         let _ = write!(page, "<section><h2>{head}</h2>\n{}</section>\n", values(summary, keys));
     }
     page += "</div>\n";
-    notes(&mut page, summary);
+    notes(&mut page, model, summary);
     let _ = write!(page, "<h2>Model</h2>\n<pre>{}</pre>\n", escape(model.source().trim()));
     let version = env!("CARGO_PKG_VERSION");
     let _ = writeln!(
@@ -249,9 +249,14 @@ fn values(summary: &Summary, keys: &[&str]) -> String {
     text + "</table>\n"
 }
 
-fn notes(page: &mut String, summary: &Summary) {
+/// What the run has to say; what the generator left out stands on the card.
+fn notes(page: &mut String, model: &dyn AnyModel, summary: &Summary) {
     let notes: Vec<&str> = match summary.get("notes") {
-        Some(Value::Array(notes)) => notes.iter().filter_map(Value::as_str).collect(),
+        Some(Value::Array(notes)) => notes
+            .iter()
+            .filter_map(Value::as_str)
+            .filter(|note| !summary.contains_key("unknowns") || !model.notes().contains(note))
+            .collect(),
         _ => Vec::new(),
     };
     if notes.is_empty() {

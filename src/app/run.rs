@@ -16,7 +16,7 @@ use super::recorder::{InMemory, Recorder};
 use super::run_error::{Incomplete, RunError};
 use super::steady;
 use super::unfollowed::{Followed, unfollowed};
-use crate::model::{Fidelity, MassProperties};
+use crate::model::{DescribedBody, Fidelity, MassProperties};
 use crate::{
     AnyModel, Caution, Formulation, Integrator, Joints, Method, Options, Scene, Start, State, Statistics, StepSize,
 };
@@ -108,6 +108,8 @@ pub struct RunResult {
     /// Largest deviation of the total energy from its initial value, relative to the largest kinetic energy; `None` where
     /// the model does not conserve it.
     pub energy_error: Option<f64>,
+    /// The meshed bodies, and how they are described.
+    pub bodies: Vec<DescribedBody>,
     /// Masses of the bodies at the start, and of all.
     pub masses: Vec<MassProperties>,
     /// What the model says a reader must know.
@@ -182,6 +184,7 @@ pub(super) fn run_recorded(
         unknowns: scene.unknowns(),
         constraints: scene.constraints(),
         energy_error: None,
+        bodies: scene.bodies(),
         masses: scene.masses(&start),
         cautions: model.cautions(t_end),
         warnings: Vec::new(),

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use serde_json::{Map, Value, json};
 
 use super::envelopes::{BodyEnvelope, Envelopes, Peak, with_prefix};
+use super::mass_table::repeated;
 use super::parameters::digits;
 use super::report::escape;
 use super::summary::Summary;
@@ -72,19 +73,26 @@ pub(super) fn table(summary: &Summary) -> String {
     }
     text.push_str("<th>Yield stress</th></tr>\n");
     let name = over.split(" [").next().unwrap_or(over);
-    for body in bodies {
-        let _ = write!(text, "<tr><td>{}</td>", escape(body["name"].as_str().unwrap_or("")));
-        for (key, _, unit) in COLUMNS {
-            let _ = write!(text, "<td>{}</td>", cell(&body[key], unit, name));
+    for group in bodies.chunk_by(|a, b| repeated(a).is_some() && repeated(a) == repeated(b)) {
+        match (group, group.first().and_then(repeated)) {
+            (group, Some(of_all)) if group.len() > 1 => {
+                let _ = write!(text, "<tr><td>{} ({})</td>", escape(of_all), group.len());
+            }
+            (group, _) => {
+                let _ = write!(text, "<tr><td>{}</td>", escape(&named(&group[0])));
+            }
         }
-        let _ = writeln!(text, "<td>{}</td></tr>", yielding(body, name));
+        for (key, _, unit) in COLUMNS {
+            let _ = write!(text, "<td>{}</td>", largest(group, key, unit, name));
+        }
+        let _ = writeln!(text, "<td>{}</td></tr>", first_yielding(group, name));
     }
     text.push_str("</table></div>\n");
-    let axial: Vec<String> = bodies
-        .iter()
-        .filter(|body| body["stress_is"] == AXIAL)
-        .map(named)
+    let axial = bodies.iter().filter(|body| body["stress_is"] == AXIAL);
+    let mut axial: Vec<String> = axial
+        .map(|body| repeated(body).map_or_else(|| named(body), str::to_owned))
         .collect();
+    axial.dedup();
     if !axial.is_empty() {
         let _ = writeln!(
             text,
@@ -100,6 +108,40 @@ pub(super) const AXIAL: &str = "stress of the axial force alone";
 
 fn named(body: &Value) -> String {
     body["name"].as_str().unwrap_or("").to_owned()
+}
+
+/// The largest peak of equal bodies, with the one that has it.
+fn largest(group: &[Value], key: &str, unit: &str, name: &str) -> String {
+    let size = |body: &Value| body[key]["value"].as_f64().map_or(-1.0, f64::abs);
+    let mut most = &group[0];
+    for body in group {
+        if size(body) > size(most) {
+            most = body;
+        }
+    }
+    let told = cell(&most[key], unit, name);
+    if group.len() == 1 || size(most) < 0.0 {
+        return told;
+    }
+    format!("{told}<br><span class=\"doc\">{}</span>", escape(&named(most)))
+}
+
+/// The first of equal bodies whose stress passes its limit.
+fn first_yielding(group: &[Value], name: &str) -> String {
+    let at = |body: &&Value| body["yielding"]["at"].as_f64();
+    let yielded = group.iter().filter(|body| at(body).is_some());
+    let first = yielded.min_by(|a, b| at(a).unwrap_or(0.0).total_cmp(&at(b).unwrap_or(0.0)));
+    match first {
+        Some(body) if group.len() > 1 => {
+            format!(
+                "{}<br><span class=\"doc\">{}</span>",
+                yielding(body, name),
+                escape(&named(body))
+            )
+        }
+        Some(body) => yielding(body, name),
+        None => yielding(&group[0], name),
+    }
 }
 
 /// A peak with its place; a dash where there is none.
@@ -154,6 +196,24 @@ mod tests {
             "355 MPa<br><b>passed at t = 1.5</b>",
             "<td>a&lt;b</td>",
             "alone for a&lt;b, whose section",
+        ] {
+            assert!(text.contains(part), "{part}: {text}");
+        }
+    }
+
+    #[test]
+    fn equal_bodies_share_a_row_with_the_one_that_carries_most() {
+        let body = |number: usize, force: f64| json!({ "name": format!("arm[{number}]"), "axial_force": { "value": force, "at": 1.0, "x": 2.0 }, "yield_stress": 1e6 });
+        let mut late = body(1, -30.0);
+        late["yielding"] = json!({ "value": 2e6, "at": 3.0, "x": 0.0 });
+        let mut summary = Summary::new();
+        summary.insert("bodies_over".into(), json!("t [s]"));
+        summary.insert("bodies".into(), json!([body(0, 20.0), late, body(2, 10.0)]));
+        let text = table(&summary);
+        assert_eq!(text.matches("<tr><td>").count(), 1, "{text}");
+        for part in [
+            "<tr><td>arm (3)</td><td>-30 N<br><span class=\"doc\">t = 1, x = 2 m</span><br><span class=\"doc\">arm[1]</span></td>",
+            "<b>passed at t = 3</b><br><span class=\"doc\">arm[1]</span>",
         ] {
             assert!(text.contains(part), "{part}: {text}");
         }

@@ -1,0 +1,238 @@
+//! The model card of the report: what a reader checks before the results, from the summary.
+
+use std::f64::consts::TAU;
+use std::fmt::Write;
+
+use serde_json::{Value, json};
+
+use super::continuation::EquilibriumSettings;
+use super::mass_table;
+use super::modes::{growth, modes};
+use super::parameters::digits;
+use super::report::escape;
+use super::run::{RunResult, times};
+use super::summary::Summary;
+use crate::AnyModel;
+use crate::model::{DescribedBody, Fidelity};
+
+/// Unknowns up to which frequencies are cheap beside a run.
+const CHEAP: usize = 200;
+/// Number of frequencies.
+const COUNT: usize = 5;
+
+/// Adds how the bodies of a run are described, and its first frequencies: `first_frequencies`, or why there are none.
+pub(super) fn put(summary: &mut Summary, model: &dyn AnyModel, result: &RunResult) {
+    let entry = |body: &DescribedBody| {
+        json!({
+            "name": body.name, "repetitions": body.repetitions, "elements": body.elements, "described": how(body.fidelity),
+        })
+    };
+    summary.insert("described_bodies".into(), result.bodies.iter().map(entry).collect());
+    let found = match frequencies(model, result) {
+        Ok(found) => found,
+        Err(why) => json!({ "none": why }),
+    };
+    summary.insert("first_frequencies".into(), found);
+}
+
+fn how(fidelity: Fidelity) -> String {
+    match fidelity {
+        Fidelity::Full => "all nodal vectors".into(),
+        other => other.to_string(),
+    }
+}
+
+/// About the equilibrium at the run's end.
+fn frequencies(model: &dyn AnyModel, result: &RunResult) -> Result<Value, String> {
+    if result.incomplete.is_some() {
+        return Err("the run is not complete".into());
+    }
+    if result.unknowns > CHEAP {
+        return Err(format!(
+            "with {} unknowns they cost more than a look; the command `modes` finds them",
+            result.unknowns
+        ));
+    }
+    if !result.settings.fidelity.is_empty() {
+        return Err("equilibria take the bodies as they are declared, and this run does not".into());
+    }
+    let (t_end, _) = times(&result.settings);
+    let settings = EquilibriumSettings {
+        at: Some(t_end),
+        count: COUNT,
+        ..EquilibriumSettings::default()
+    };
+    let found = modes(model, &settings).map_err(|error| error.to_string())?;
+    let own: Vec<f64> = found.modes.iter().map(|mode| mode.im).collect();
+    if own.is_empty() {
+        return Err("no motion is free".into());
+    }
+    Ok(json!({
+        "at": found.t, "spin": found.spin, "im [rad/s]": own, "is_unstable": growth(&found.modes).is_some(),
+    }))
+}
+
+/// The card; empty where the summary tells no unknowns.
+pub(super) fn part(summary: &Summary, model: &dyn AnyModel) -> String {
+    let Some(unknowns) = summary.get("unknowns").and_then(Value::as_u64) else {
+        return String::new();
+    };
+    let constraints = summary.get("constraints").and_then(Value::as_u64).unwrap_or(0);
+    let mut text = String::from("<section class=\"card\">\n<h2>Model card</h2>\n<table>\n");
+    let mut row = |head: &str, told: &str| {
+        let _ = writeln!(text, "<tr><th>{head}</th><td>{told}</td></tr>");
+    };
+    let with = match constraints {
+        0 => "no constraints with multipliers".to_owned(),
+        1 => "one constraint with a multiplier".to_owned(),
+        count => format!("{count} constraints with multipliers"),
+    };
+    row("Unknowns", &format!("{unknowns}, {with}"));
+    if let Some(bodies) = summary.get("described_bodies").and_then(Value::as_array)
+        && !bodies.is_empty()
+    {
+        let told: Vec<String> = bodies.iter().map(body).collect();
+        row("Flexible bodies", &told.join("<br>"));
+    }
+    if let Some(all) = summary
+        .get("masses")
+        .and_then(Value::as_array)
+        .and_then(|masses| masses.last())
+    {
+        let number = |value: &Value| digits(value.as_f64().unwrap_or(f64::NAN), 6);
+        let centre: Vec<String> = (0..3).map(|axis| number(&all["centre"][axis])).collect();
+        row(
+            "Mass",
+            &format!(
+                "{} kg, its centre at {} m at the start",
+                number(&all["mass"]),
+                centre.join(", ")
+            ),
+        );
+    }
+    if let Some(found) = summary.get("first_frequencies") {
+        row("First frequencies", &told(found));
+    }
+    text += "</table>\n";
+    text += &mass_table::table(summary);
+    let notes = model.notes();
+    if !notes.is_empty() {
+        text += "<details><summary>What was chosen and left out, and why</summary>\n<ul>\n";
+        for note in notes {
+            let _ = writeln!(text, "<li>{}</li>", escape(note));
+        }
+        text += "</ul></details>\n";
+    }
+    text + "</section>\n"
+}
+
+/// `beam: 6 elements, all nodal vectors`
+fn body(entry: &Value) -> String {
+    let name = escape(entry["name"].as_str().unwrap_or_default());
+    let elements = entry["elements"].as_u64().unwrap_or(0);
+    let described = escape(entry["described"].as_str().unwrap_or_default());
+    let count = if elements == 1 {
+        "one element".to_owned()
+    } else {
+        format!("{elements} elements")
+    };
+    match entry["repetitions"].as_u64() {
+        Some(repetitions) => format!("{name}: {repetitions} of them, {count} in all, {described}"),
+        None => format!("{name}: {count}, {described}"),
+    }
+}
+
+/// Frequencies in both units, and about what.
+fn told(found: &Value) -> String {
+    if let Some(why) = found["none"].as_str() {
+        return format!("<span class=\"doc\">Not computed: {}</span>", escape(why));
+    }
+    let all = found["im [rad/s]"].as_array().map(Vec::as_slice).unwrap_or_default();
+    let all: Vec<f64> = all.iter().filter_map(Value::as_f64).collect();
+    let joined = |factor: f64| {
+        let values: Vec<String> = all.iter().map(|value| digits(value * factor, 5)).collect();
+        values.join(", ")
+    };
+    let (at, spin) = (
+        found["at"].as_f64().unwrap_or(0.0),
+        found["spin"].as_f64().unwrap_or(0.0),
+    );
+    let about = if spin == 0.0 {
+        format!("about the equilibrium at t = {} s", digits(at, 6))
+    } else {
+        format!(
+            "about the relative equilibrium at t = {} s, which turns with {} rad/s, and seen from it",
+            digits(at, 6),
+            digits(spin, 6)
+        )
+    };
+    let unstable = if found["is_unstable"] == true {
+        "; <b>it is unstable</b>"
+    } else {
+        ""
+    };
+    format!(
+        "{} rad/s ({} Hz)<br><span class=\"doc\">{about}{unstable}</span>",
+        joined(1.0),
+        joined(1.0 / TAU)
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::run::{RunSettings, run};
+    use crate::app::summary::of_run;
+    use crate::app::testing::Rotor;
+
+    fn card(model: &Rotor, settings: &RunSettings) -> (Summary, String) {
+        let result = run(model, settings).unwrap();
+        let mut summary = of_run(model, &result);
+        put(&mut summary, model, &result);
+        let text = part(&summary, model);
+        (summary, text)
+    }
+
+    #[test]
+    fn frequencies_stand_with_their_equilibrium() {
+        let rotor = Rotor {
+            omega: 3.0,
+            loss: 0.0,
+            ..Rotor::default()
+        };
+        let (summary, text) = card(&rotor, &RunSettings::default());
+        // A spring of 50 N/m and 1 kg in a frame that turns: sqrt(50) -+ 3.
+        let own = summary["first_frequencies"]["im [rad/s]"].as_array().unwrap();
+        let own: Vec<f64> = own.iter().filter_map(Value::as_f64).collect();
+        for (own, wanted) in own.iter().zip([50f64.sqrt() - 3.0, 50f64.sqrt() + 3.0]) {
+            assert!((own - wanted).abs() < 1e-9, "{own} {wanted}");
+        }
+        assert!(text.contains("4.0711, 10.071 rad/s (0.64793, 1.6029 Hz)"), "{text}");
+        assert!(text.contains("which turns with 3 rad/s, and seen from it"), "{text}");
+        assert!(text.contains("<td>2, no constraints with multipliers</td>"), "{text}");
+        assert!(text.contains("<li>The spring has no mass.</li>"), "{text}");
+    }
+
+    #[test]
+    fn where_there_is_no_equilibrium_the_card_says_why() {
+        let rotor = Rotor {
+            fail_at: 2.0,
+            ..Rotor::default()
+        };
+        let settings = RunSettings {
+            t_end: Some(1.0),
+            ..RunSettings::default()
+        };
+        let result = run(&rotor, &settings).unwrap();
+        let broken = Rotor {
+            stiffness: 2.0 * 9.0,
+            ..rotor
+        };
+        // The spring's stiffness is that of the rotation: nothing holds the mass.
+        let mut summary = of_run(&broken, &result);
+        put(&mut summary, &broken, &result);
+        let why = summary["first_frequencies"]["none"].as_str().unwrap().to_owned();
+        assert!(!why.is_empty());
+        assert!(part(&summary, &broken).contains("Not computed: "), "{why}");
+    }
+}
