@@ -4,6 +4,7 @@
 """
 
 import json
+import math
 import pathlib
 import re
 import shutil
@@ -103,11 +104,22 @@ addEventListener("load", () => setTimeout(() => {
     const [, beam] = view.spots.length ? [0, view.spots.find((spot) => /:/.test(spot.text()))] : [];
     found.tip = beam ? beam.text() : "";
   } else {
-    found.modes = [];
+    [found.modes, found.tips, found.roots] = [[], [], []];
     for (const option of scene.querySelectorAll("select.mode option")) {
       touch("select.mode", { value: option.value });
-      found.modes.push(scene.querySelector(".facts").textContent);
+      const told = {};
+      scene.querySelectorAll(".facts dt").forEach((head) => { told[head.textContent] = head.nextSibling.textContent; });
+      found.modes.push(told);
+      // Sizes of the displacements of both ends, along the axis (of its frame) and across it.
+      const shape = view.shapes[option.value];
+      const pose = view.pose(0, view.data.curves[0].frame);
+      const size = (point) => [0, 1].map((axis) => Math.hypot(...[0, 3].map((part) =>
+        [0, 1, 2].reduce((sum, k) => sum + pose[3 + 3 * k + axis] * shape[6 * point + part + k], 0))));
+      found.tips.push(size(view.data.curves[0].points - 1).map((x) => Math.round(x)));
+      found.roots.push(Math.max(...size(0)));
     }
+    touch("select.mode", { value: "0" });
+    found.magnified = touch("input.magnify", { value: "0.5" });
     found.moved = changed(() => { view.phase = 1.5; view.draw(); });
     found.undeformed = switched("input.undeformed");
   }
@@ -200,11 +212,27 @@ def main(program, pictures=None):
         assert animation["speeds"] == "true time" and animation["now"].startswith("t = 10"), animation
         assert animation["tip"].startswith("beam: axial force ") and animation["tip"].endswith("N"), animation
         assert "rows of the run are drawn" in animation["notes"], animation
+        modes = folder / "modes"
+        subprocess.run([program, "modes", "--modes", "4", "--frequency", "Hz", "--quiet", "--out", str(modes)], check=True)
+        moving = opened(browser, modes / "report.html", SCENE, folder)
+        print("modes:", moving)
+        for key in ("drawn", "moved", "undeformed", "magnified", "frames", "joints"):
+            assert moving[key] == "true", (key, moving)
+        found = json.loads((modes / "summary.json").read_text(encoding="utf-8"))["modes"]
+        assert len(moving["modes"]) == len(found) == 4
+        for told, mode in zip(moving["modes"], found):
+            frequency = float(told["in the reference frame [Hz]"].split()[0])
+            assert abs(frequency - mode["im [rad/s]"] / (2 * math.pi)) < 1e-6 * frequency, (told, mode)
+            assert "damping ratio" in told["in the reference frame [Hz]"], told
+        # The first bending mode moves the tip across the beam, and no mode its clamped root.
+        assert moving["tips"][0] == [0, 1] and moving["roots"] == [0, 0, 0, 0], moving
         if pictures:
             pictures = pathlib.Path(pictures).resolve()
             pictures.mkdir(parents=True, exist_ok=True)
-            for page in (run / "report.html", run / "animation.html"):
-                pictured(browser, page, folder, pictures)
+            for name, page in [("report", run), ("animation", run), ("modes", modes)]:
+                copy = folder / f"{name}.html"
+                shutil.copy(page / ("animation.html" if name == "animation" else "report.html"), copy)
+                pictured(browser, copy, folder, pictures)
     print("ok")
 
 

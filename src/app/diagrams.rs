@@ -8,6 +8,7 @@ use super::command::Frequency;
 use super::history::Column;
 use super::modes::{Inertial, Modes, SeenMode, growth, neutral};
 use super::parameters::digits;
+use super::pictures::view;
 use super::report::{escape, figure};
 use crate::modes::{Composition, Critical, Motion, Whirl};
 
@@ -173,8 +174,9 @@ fn readings(result: &Modes) -> Vec<String> {
 }
 
 /// The part of the report on the modes of one equilibrium.
-pub(super) fn modes_part(result: &Modes, frequency: Frequency) -> String {
-    let mut part = String::from("<div class=\"scroll\"><table>\n<tr>");
+pub(super) fn modes_part(title: &str, result: &Modes, frequency: Frequency) -> String {
+    let mut part = modes_picture(title, result, frequency).unwrap_or_default();
+    part += "<div class=\"scroll\"><table>\n<tr>";
     for head in mode_heads(frequency) {
         let _ = write!(part, "<th>{}</th>", escape(&head));
     }
@@ -191,6 +193,29 @@ pub(super) fn modes_part(result: &Modes, frequency: Frequency) -> String {
         let _ = writeln!(part, "<p>{}</p>", escape(&line));
     }
     part
+}
+
+/// The modes as they move, where there are some.
+fn modes_picture(title: &str, result: &Modes, frequency: Frequency) -> Option<String> {
+    let shapes = result.pictures.as_ref().filter(|_| !result.modes.is_empty())?;
+    let heads = mode_heads(frequency);
+    let told: Vec<(String, Vec<[String; 2]>)> = mode_rows(result, frequency)
+        .into_iter()
+        .map(|row| {
+            let name = format!("{}: {} {}", row[0], row[1], frequency.unit());
+            let facts = heads
+                .iter()
+                .zip(row)
+                .skip(1)
+                .filter(|(_, cell)| !cell.is_empty() && cell != "-");
+            (name, facts.map(|(head, cell)| [head.clone(), cell]).collect())
+        })
+        .collect();
+    let scene = view::part(&view::of_modes(title, shapes, &told));
+    Some(format!(
+        "<style>\n{}</style>\n<figure>\n{scene}</figure>\n",
+        view::STYLE
+    ))
 }
 
 /// A value of the first column with its name and unit.

@@ -82,7 +82,7 @@ pub use history::{Column, Extreme, History};
 pub use line::{Entry, Line, enter, main, main_among, main_as};
 pub use map::{Axis, Cells, Map};
 pub use modes::{Inertial, Modes, SeenMode, modes};
-pub use pictures::{Pictures, Scale};
+pub use pictures::{Pictures, Scale, Shapes};
 pub use run::{Progress, RunResult, RunSettings, StepTaken, run, run_watched};
 pub use run_error::{Incomplete, RunError};
 pub use steady::{Equilibria, equilibria, static_equilibria, steady};

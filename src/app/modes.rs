@@ -5,6 +5,7 @@ use super::cautions;
 use super::clock::{Clock, Seconds};
 use super::coarse;
 use super::continuation::{self, EquilibriumSettings};
+use super::pictures::Shapes;
 use super::run_error::RunError;
 use crate::equilibrium::{Kind, Uniform, follow};
 use crate::modes::{self, Composition, Mode, Wanted, Whirl};
@@ -39,6 +40,8 @@ pub struct Modes {
     pub shapes: Vec<Mode>,
     /// What moves in each of them.
     pub compositions: Vec<Composition>,
+    /// What the bodies do in them; `None` where the scene does not draw itself.
+    pub pictures: Option<Shapes>,
     /// Whether every mode that moves across the axis whirls on circles, as those about an axisymmetric,
     /// balanced equilibrium do: each is then seen at one frequency in the inertial frame.
     pub is_round: bool,
@@ -213,6 +216,7 @@ pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Mod
         is_round: is_round(&modes),
         margin: modes::stability_margin(&shapes),
         modes,
+        pictures: Shapes::new(scene, &state, &shapes),
         shapes,
         compositions,
         unknowns: scene.unknowns(),

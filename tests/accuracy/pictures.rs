@@ -1,9 +1,9 @@
 //! Pictures of runs: what is drawn is where the outputs say.
 
 use rncf::AnyModel;
-use rncf::app::{Pictures, RunResult, RunSettings, run};
+use rncf::app::{EquilibriumSettings, Pictures, RunResult, RunSettings, modes, run};
 use rncf::model::{SignKind, SignPlace};
-use rncf::vector::{add, apply, norm, subtract};
+use rncf::vector::{add, apply, dot, norm, subtract};
 use rncf_models::{EsailSlack, FreeFlight, HeavyTop, SpinUp};
 
 fn drawn(model: &dyn AnyModel, t_end: f64, every: f64) -> (RunResult, Pictures) {
@@ -108,5 +108,29 @@ fn ends_of_curves_are_where_the_outputs_say() {
             let drawn = add(*place, apply(&rotation.matrix(), shot.points[point]));
             assert!(norm(subtract(drawn, [output[0], output[1], output[2]])) < 1e-12);
         }
+    }
+}
+
+/// Modes are drawn as they are: of a cantilever that hardly turns the middle moves by 0.339523 of what the tip does in the first one
+/// and by -0.713666 in the second (Euler and Bernoulli).
+#[test]
+fn drawn_modes_are_those_of_a_cantilever() {
+    let beam = SpinUp {
+        omega_s: 1e-3,
+        elements: 16,
+        ..SpinUp::default()
+    };
+    let found = modes(&beam, &EquilibriumSettings::default()).expect("modes");
+    let shapes = found.pictures.expect("a beam is drawn");
+    let points = shapes.curves[0].points;
+    // Along that of the tip, whose size is 1.
+    let along_tip = |mode: usize, point: usize| {
+        let [own, tip] = [point, points - 1].map(|point| shapes.moved[mode][point]);
+        dot(own[0], tip[0]) + dot(own[1], tip[1])
+    };
+    for (mode, wanted) in [0.339_523, -0.713_666].into_iter().enumerate() {
+        let [root, middle, tip] = [0, points / 2, points - 1].map(|point| along_tip(mode, point));
+        assert!(root.abs() < 1e-9 && (tip - 1.0).abs() < 1e-9, "{root} {tip}");
+        assert!((middle - wanted).abs() < 1e-4, "mode {mode}: {middle}");
     }
 }

@@ -4,10 +4,12 @@ pub(super) mod animation;
 mod base64;
 mod colours;
 pub(super) mod paraview;
-mod view;
+mod shapes;
+pub(super) mod view;
 
 use colours::Colours;
 pub use colours::Scale;
+pub use shapes::Shapes;
 
 use crate::archive::{Archive, Keep};
 use crate::model::{Configuration, Curve, SectionState, Sign};

@@ -114,7 +114,7 @@
       }
       if (data.magnified) {
         const row = label("deformation", data.magnified);
-        this.factor = make("input", row, { type: "range", min: 0, max: 3, step: 0.01, value: 0, className: "magnify" });
+        this.factor = make("input", row, { type: "range", min: this.shapes ? -1 : 0, max: this.shapes ? 1 : 3, step: 0.01, value: 0, className: "magnify" });
         this.factor.oninput = () => this.draw();
         this.times = make("output", row);
       }
@@ -135,7 +135,7 @@
         ["frames", "frames", data.frames.length > 1, data.frames.length <= 12],
         ["joints", "joints", data.signs.some((sign) => sign.kind === "joint"), true],
         ["loads", "loads", this.loads.length > 0, true],
-        ["rigid", "rigid bodies", data.curves.some((curve) => !curve.flexible), true],
+        ["rigid", "rigid bodies", data.curves.some((curve) => !curve.flexible && !curve.hidden), true],
         ["undeformed", this.shapes ? "equilibrium" : "undeformed", Boolean(data.magnified), Boolean(this.shapes)],
       ];
       for (const [key, text, isThere, isOn] of kinds) {
@@ -206,8 +206,11 @@
     measure() {
       this.low = [Infinity, Infinity, Infinity];
       this.high = [-Infinity, -Infinity, -Infinity];
+      // Signs and origins of frames may be far away.
+      const hidden = this.data.curves.find((curve) => curve.hidden);
+      const visible = 3 * (hidden ? hidden.from : this.total);
       const meet = (all) => {
-        for (let i = 0; i < all.length; i++) {
+        for (let i = 0; i < all.length && i < visible; i++) {
           this.low[i % 3] = Math.min(this.low[i % 3], all[i]);
           this.high[i % 3] = Math.max(this.high[i % 3], all[i]);
         }
@@ -218,7 +221,7 @@
         if (this.data.frames.length <= 12) this.data.frames.forEach((_, f) => f && meet(this.seenAs(shot, [...this.pose(shot, f).subarray(0, 3)], true)));
       }
       const extent = this.high.map((x, k) => x - this.low[k]);
-      this.amplitude = 0.12 * Math.hypot(...extent);
+      this.amplitude = 0.1 * Math.hypot(...extent);
       if (this.shapes) {
         // Room for what moves across a line.
         const moving = [0, 1, 2].map((k) => this.shapes.some((shape) => shape.some((x, i) => i % 3 === k && Math.abs(x) > 1e-6)));
@@ -293,7 +296,7 @@
         pen.setLineDash([]);
       }
       this.lines(all, project, (curve) => named(curve.flexible ? "--drawn" : "--rigid"), 0);
-      if (this.isOn("frames")) this.drawFrames(project, named);
+      if (this.isOn("frames")) this.drawFrames(all, project, named);
       this.drawSigns(all, project, named);
       this.drawCorner(width, height, scale, named);
       if (this.now) this.now.value = `t = ${shown(data.times[this.shot], 5)} s`;
@@ -307,7 +310,7 @@
       const pen = this.pen;
       const of = !width && this.quantity ? Number(this.quantity.value) : -1;
       for (const curve of this.data.curves) {
-        if (!curve.flexible && (width || !this.isOn("rigid"))) continue;
+        if (curve.hidden || (!curve.flexible && (width || !this.isOn("rigid")))) continue;
         const places = [];
         for (let i = 0; i < curve.points; i++) {
           const at = 3 * (curve.from + i);
@@ -377,13 +380,14 @@
       }
     }
 
-    drawFrames(project, named) {
+    drawFrames(all, project, named) {
       const pen = this.pen;
       const long = Math.min(this.canvas.clientWidth, this.canvas.clientHeight) / 14;
       [pen.strokeStyle, pen.fillStyle, pen.lineWidth, pen.font] = [named("--faint"), named("--faint"), 1.2, "11px system-ui, sans-serif"];
       this.data.frames.forEach((name, frame) => {
         const pose = this.pose(this.shot, frame);
-        const at = this.seenAs(this.shot, [...pose.subarray(0, 3)], true);
+        const origin = this.data.origins === undefined ? -1 : this.data.curves[this.data.origins + frame].from;
+        const at = origin < 0 ? this.seenAs(this.shot, [...pose.subarray(0, 3)], true) : all.subarray(3 * origin, 3 * origin + 3);
         const from = project(...at);
         [0, 1, 2].forEach((axis) => {
           const along = this.seenAs(this.shot, [0, 1, 2].map((k) => pose[3 + 3 * k + axis]), false);

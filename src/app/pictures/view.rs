@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 
-use super::Pictures;
 use super::base64::encode;
+use super::{Pictures, Shapes};
 use crate::app::report::escape;
 use crate::model::{Configuration, Curve, Sign, SignKind, SignPlace};
 use crate::vector::Vector;
@@ -120,8 +120,41 @@ pub fn of_run(title: &str, pictures: &Pictures) -> Value {
     data
 }
 
+/// The data of modes: their names, and what is told of each, with its heads.
+pub fn of_modes(title: &str, shapes: &Shapes, modes: &[(String, Vec<[String; 2]>)]) -> Value {
+    let told = modes.iter().zip(&shapes.moved).map(|((name, facts), moved)| {
+        let moved = moved.iter().flatten().flatten();
+        json!({"name": name, "facts": facts, "shape": singles(moved)})
+    });
+    let told: Vec<Value> = told.collect();
+    let mut notes = vec![
+        "The mode moves about the equilibrium, in axes that turn with the system, without growth or decay, a period in two seconds. At ×1 its largest displacement is a tenth of what the picture spans.".to_owned(),
+    ];
+    if told.len() < modes.len() {
+        notes.push(format!(
+            "{} of the {} modes are drawn, so that the page stays small.",
+            told.len(),
+            modes.len()
+        ));
+    }
+    let mut data = scenery(title, &shapes.curves, &shapes.frames, &shapes.signs);
+    for hidden in shapes.visible..shapes.curves.len() {
+        data["curves"][hidden]["hidden"] = json!(true);
+    }
+    data["origins"] = json!(shapes.origins);
+    data["times"] = json!([0.0]);
+    data["rest"] = json!(singles(shapes.at.points.iter().flatten()));
+    data["poses"] = json!(poses(std::slice::from_ref(&shapes.at)));
+    data["acting"] = json!(singles(shapes.at.acting.iter().flatten()));
+    data["followed"] = json!(shapes.followed());
+    data["magnified"] = json!("Displacements of the mode");
+    data["modes"] = json!(told);
+    data["notes"] = json!(notes);
+    data
+}
+
 /// What is the same in all pictures.
-pub fn scenery(title: &str, curves: &[Curve], frames: &[String], signs: &[Sign]) -> Value {
+fn scenery(title: &str, curves: &[Curve], frames: &[String], signs: &[Sign]) -> Value {
     let curves: Vec<Value> = curves
         .iter()
         .map(|curve| {
@@ -147,7 +180,7 @@ pub fn scenery(title: &str, curves: &[Curve], frames: &[String], signs: &[Sign])
 }
 
 /// Origins and rotations, rows first, of all frames of all pictures: doubles as text.
-pub fn poses(shots: &[Configuration]) -> String {
+fn poses(shots: &[Configuration]) -> String {
     let mut bytes = Vec::new();
     for (place, rotation) in shots.iter().flat_map(|shot| &shot.poses) {
         let rows = rotation.matrix();
@@ -159,7 +192,7 @@ pub fn poses(shots: &[Configuration]) -> String {
 }
 
 /// Single precision as text.
-pub fn singles<'v>(values: impl Iterator<Item = &'v f64>) -> String {
+fn singles<'v>(values: impl Iterator<Item = &'v f64>) -> String {
     let bytes: Vec<u8> = values.flat_map(|value| (*value as f32).to_le_bytes()).collect();
     encode(&bytes)
 }
