@@ -3,6 +3,7 @@
 `python tools/test_pages.py target/release/examples/spin_up [FOLDER FOR SCREENSHOTS]`
 """
 
+import csv
 import json
 import math
 import pathlib
@@ -52,6 +53,9 @@ addEventListener("load", () => setTimeout(() => {
     found.push(["hidden", String(all - lines())]);
     names[0].click();
   }
+  const beside = {};
+  for (const row of [...document.querySelectorAll(".beside tr")].slice(1)) beside[row.cells[0].innerText] = [1, 2].map((k) => Number(row.cells[k].innerText));
+  found.push(["beside", beside]);
   const card = {};
   for (const row of document.querySelectorAll(".card > table tr")) card[row.cells[0].innerText] = row.cells[1].innerText;
   found.push(["card", card]);
@@ -165,6 +169,17 @@ def scales_fit(legend, body):
     assert "axial strain [1]" in legend, legend
 
 
+def differences_fit(table, other, own):
+    """The largest difference of each output is that of both files, whose rows are at the same times."""
+    with open(other, encoding="utf-8") as first, open(own, encoding="utf-8") as second:
+        others, rows = list(csv.reader(first)), list(csv.reader(second))
+    assert others[0] == rows[0] and len(others) == len(rows) and set(table) == set(rows[0][1:])
+    for column, head in enumerate(rows[0][1:], 1):
+        found = [(float(b[column]) - float(a[column]), float(b[0])) for a, b in zip(others[1:], rows[1:])]
+        value, at = max(found, key=lambda pair: abs(pair[0]))
+        assert abs(table[head][0] - value) <= 1e-3 * abs(value) and abs(table[head][1] - at) < 1e-6, (head, table, value, at)
+
+
 def card_fits(report, summary):
     """The card stands before the results, with the numbers of the summary."""
     card = report["card"]
@@ -212,6 +227,12 @@ def main(program, pictures=None):
         assert animation["speeds"] == "true time" and animation["now"].startswith("t = 10"), animation
         assert animation["tip"].startswith("beam: axial force ") and animation["tip"].endswith("N"), animation
         assert "rows of the run are drawn" in animation["notes"], animation
+        beside = folder / "beside"
+        subprocess.run([program, "omega_s=4.1 rad/s", "--compare", str(run), "--quiet", "--out", str(beside)], check=True)
+        both = opened(browser, beside / "report.html", REPORT, folder)
+        print("beside:", both)
+        assert both["hidden"] == "1" and "this run" in both["told"] and "the other" in both["told"], both
+        differences_fit(both["beside"], run / "history.csv", beside / "history.csv")
         modes = folder / "modes"
         subprocess.run([program, "modes", "--modes", "4", "--frequency", "Hz", "--quiet", "--out", str(modes)], check=True)
         moving = opened(browser, modes / "report.html", SCENE, folder)

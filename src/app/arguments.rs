@@ -43,6 +43,8 @@ pub(super) struct Arguments {
     pub resume: bool,
     /// Whether an animation is written.
     pub animate: bool,
+    /// Another run to be shown beside.
+    pub compare: Option<PathBuf>,
     /// Whether files for ParaView are written.
     pub vtu: bool,
     /// Whether bodies in modes are written as arrays.
@@ -225,6 +227,7 @@ fn read(
         quiet: false,
         resume: false,
         animate: matches.get_flag("animate"),
+        compare: matches.get_one::<PathBuf>("compare").cloned(),
         vtu: matches.get_flag("vtu"),
         export: matches.get_flag("export"),
     };

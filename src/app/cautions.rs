@@ -101,7 +101,7 @@ mod tests {
         assert_eq!(result.warnings[..2], [sentence.clone(), "seven is many".into()]);
         let summary = summary::of_run(&rotor, &result);
         assert_eq!(summary["notes"][1], sentence.as_str());
-        let page = run_part(&Rotor::default(), &result.history, &result.steps, &result.cautions).unwrap();
+        let page = run_part(&Rotor::default(), &result, None).unwrap();
         let chart = "<p class=\"caution\">seven coils touch &lt;each other&gt;</p>";
         assert_eq!(page.matches(chart).count(), 1);
         let figure = page.find("</figure>").unwrap();

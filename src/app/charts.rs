@@ -40,6 +40,8 @@ pub struct Line {
     pub name: String,
     /// What is written at its end of a dashed, grey line, which does not count in the vertical range.
     pub guide: Option<String>,
+    /// Whether it is dashed, so that what lies below it shows.
+    pub is_dashed: bool,
 }
 
 impl Line {
@@ -50,6 +52,15 @@ impl Line {
             color,
             name: String::new(),
             guide: None,
+            is_dashed: false,
+        }
+    }
+
+    /// The same with dashes.
+    pub fn dashed(self) -> Self {
+        Self {
+            is_dashed: true,
+            ..self
         }
     }
 
@@ -129,6 +140,7 @@ impl Chart {
                 "name": line.name,
                 "color": line.color,
                 "guide": line.guide,
+                "dashed": line.is_dashed,
                 "p": points.iter().flat_map(|&(x, y)| [number(x), number(y)]).collect::<Value>(),
             })
         };
@@ -183,8 +195,14 @@ impl Chart {
             let points = thinned(&line.points, BUCKETS);
             let Some(label) = &line.guide else {
                 let color = LINES[line.color % LINES.len()];
-                let series = LineSeries::new(points, color.stroke_width(STROKE));
-                chart.draw_series(series).map_err(|error| told(&error))?;
+                let style = color.stroke_width(STROKE);
+                if line.is_dashed {
+                    let series = DashedLineSeries::new(points, 28, 24, style);
+                    chart.draw_series(series).map_err(|error| told(&error))?;
+                } else {
+                    let series = LineSeries::new(points, style);
+                    chart.draw_series(series).map_err(|error| told(&error))?;
+                }
                 continue;
             };
             let points = below(&points, y.end);

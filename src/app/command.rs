@@ -133,7 +133,9 @@ impl Command {
             "start" | "every" | "t-end" | "stabilised" | "max-step" => self.runs(),
             "integrator" | "rtol" | "alpha" | "rho-inf" => matches!(self, Command::Run | Command::Advise),
             "fidelity" => matches!(self, Command::Run | Command::Explain),
-            "step" | "proportional" | "animate" | "vtu" | "resume" | "unjudged" | "thorough" => self == Command::Run,
+            "step" | "proportional" | "animate" | "compare" | "vtu" | "resume" | "unjudged" | "thorough" => {
+                self == Command::Run
+            }
             "out" | "save-scenario" | "at" if self == Command::Explain => false,
             "formulation" => self != Command::Chart,
             "formulations" | "integrators" | "rtols" | "reference" | "beside" => self == Command::Chart,
@@ -152,7 +154,7 @@ impl Command {
     /// Why the flag means nothing for this command; `None` where it does. `of` is what the points of a sweep compute,
     /// and the command itself otherwise.
     pub(super) fn refusal(self, of: Command, flag: &str) -> Option<String> {
-        let is_of_many = matches!(flag, "animate" | "vtu" | "resume" | "frequency" | "export");
+        let is_of_many = matches!(flag, "animate" | "compare" | "vtu" | "resume" | "frequency" | "export");
         if self.takes(flag) || self.sweeps() && of.takes(flag) && !is_of_many {
             return None;
         }
@@ -166,7 +168,9 @@ impl Command {
             (Command::Explain, _) => "it integrates nothing and writes no files",
             (_, "of" | "samples" | "design" | "seed") => "it computes one point",
             (_, "plan" | "index") => "its params and settings stand on its line, or in a file named by `--scenario`",
-            (_, "animate" | "vtu" | "resume" | "frequency" | "export") if self.sweeps() => "it computes many points",
+            (_, "animate" | "compare" | "vtu" | "resume" | "frequency" | "export") if self.sweeps() => {
+                "it computes many points"
+            }
             (_, _) if self.sweeps() && of.runs() => "its points are runs in time (`--of`)",
             (_, _) if self.sweeps() => "its points do not advance in time (`--of`)",
             (
@@ -182,7 +186,7 @@ impl Command {
             (_, "resume") => "only a run leaves a checkpoint",
             (
                 Command::Chart | Command::Advise,
-                "step" | "proportional" | "animate" | "vtu" | "fidelity" | "unjudged" | "thorough",
+                "step" | "proportional" | "animate" | "compare" | "vtu" | "fidelity" | "unjudged" | "thorough",
             ) => "it compares many runs",
             (Command::Run | Command::Chart | Command::Advise, _) => "a run in time looks for no equilibrium",
             (_, "no-elimination") => "equilibria eliminate all joints that they can",

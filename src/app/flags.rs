@@ -172,6 +172,15 @@ pub(super) fn command_line(model: &dyn AnyModel, program: &Program<'_>) -> clap:
             "animate",
             "Write animation.html: the bodies over time, in any browser",
         ))
+        .arg(
+            value(
+                "compare",
+                "FOLDER",
+                "Another run whose curves and differences the report shows beside: its folder, or its history.csv",
+            )
+            .value_parser(clap::value_parser!(PathBuf))
+            .allow_hyphen_values(false),
+        )
         .arg(flag("vtu", "Write paraview.pvd: the bodies over time, for ParaView"))
         .arg(flag(
             "export",

@@ -22,6 +22,7 @@ mod checkpoint;
 mod clock;
 mod coarse;
 mod command;
+mod compare;
 mod continuation;
 mod course;
 mod date;

@@ -156,7 +156,7 @@
         for (let k = 0; k < line.p.length; k += 2) {
           path += `${k ? "L" : "M"}${this.x(line.p[k]).toFixed(2)} ${this.y(line.p[k + 1]).toFixed(2)}`;
         }
-        element("path", { d: path, class: line.guide ? "line guide" : `line c${line.color % 6}` }, inside);
+        element("path", { d: path, class: line.guide ? "line guide" : `line c${line.color % 6}${line.dashed ? " dashed" : ""}` }, inside);
         if (line.guide) {
           const visible = [];
           for (let k = 0; k < line.p.length; k += 2) {

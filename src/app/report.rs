@@ -6,10 +6,11 @@ use serde_json::Value;
 
 use super::cautions;
 use super::charts::{Chart, LINES, Line};
+use super::compare::Beside;
 use super::diagrams::{critical_lines, marks};
 use super::history::History;
 use super::parameters::{digits, in_unit, short};
-use super::run::StepTaken;
+use super::run::{RunResult, StepTaken};
 use super::steady::Equilibria;
 use super::summary::{SETTINGS, STATISTICS, Summary};
 use super::{card, section_table};
@@ -53,20 +54,16 @@ pub(super) fn page(model: &dyn AnyModel, what: &str, summary: &Summary, results:
     page
 }
 
-/// Outputs and steps of a run in time.
+/// Outputs and steps of a run in time, with those of another run beside.
 ///
 /// # Errors
 /// A chart that cannot be drawn.
-pub(super) fn run_part(
-    model: &dyn AnyModel,
-    history: &History,
-    steps: &[StepTaken],
-    cautions: &[Caution],
-) -> Result<String, String> {
-    let mut part = cautions::above(cautions);
-    results(model, &mut part, history, &[], cautions)?;
-    if !steps.is_empty() {
-        step_chart(&mut part, steps)?;
+pub(super) fn run_part(model: &dyn AnyModel, result: &RunResult, beside: Option<&Beside>) -> Result<String, String> {
+    let mut part = cautions::above(&result.cautions);
+    part += &beside.map_or_else(String::new, Beside::table);
+    results(model, &mut part, &result.history, (&[], &result.cautions), beside)?;
+    if !result.steps.is_empty() {
+        step_chart(&mut part, &result.steps)?;
     }
     Ok(part)
 }
@@ -80,7 +77,13 @@ pub(super) fn equilibria_part(model: &dyn AnyModel, result: &Equilibria) -> Resu
     for line in critical_lines(&result.history.key, &result.critical, BUCKLING) {
         let _ = writeln!(part, "<p>{}</p>", escape(&line));
     }
-    results(model, &mut part, &result.history, &result.critical, &result.cautions)?;
+    results(
+        model,
+        &mut part,
+        &result.history,
+        (&result.critical, &result.cautions),
+        None,
+    )?;
     Ok(part)
 }
 
@@ -126,8 +129,8 @@ fn results(
     model: &dyn AnyModel,
     page: &mut String,
     history: &History,
-    critical: &[Critical],
-    cautions: &[Caution],
+    (critical, cautions): (&[Critical], &[Caution]),
+    beside: Option<&Beside>,
 ) -> Result<(), String> {
     let mut column = 0;
     for (index, output) in model.outputs().iter().enumerate() {
@@ -135,7 +138,21 @@ fn results(
         let line = |index: usize| {
             let points = history.keys.iter().copied().zip(history.column(index));
             let name = output.components.get(index - column).copied().unwrap_or_default();
+            let name = match beside {
+                Some(_) => format!("{name} this run").trim_start().to_owned(),
+                None => name.to_owned(),
+            };
             Line::new(points, index - column).named(name)
+        };
+        let other = |index: usize| {
+            let name = output.components.get(index - column).copied().unwrap_or_default();
+            let color = count + index - column;
+            let points = beside?.curve(index)?;
+            Some(
+                Line::new(points, color)
+                    .named(format!("{name} the other").trim_start())
+                    .dashed(),
+            )
         };
         // Over time the table below the chart is enough.
         let of_equilibria = history.key.name != "t";
@@ -148,7 +165,10 @@ fn results(
             x: history.key.head(),
             y: format!("{} [{}]", output.name, output.unit),
             logarithmic: false,
-            lines: (column..column + count).map(line).collect(),
+            lines: (column..column + count)
+                .map(line)
+                .chain((column..column + count).filter_map(other))
+                .collect(),
             marks: marks(critical),
             dots: dots.collect(),
             is_tall: false,

@@ -1,9 +1,9 @@
 //! Pictures of a run: where the bodies are in some of its rows, for an animation and for ParaView.
 
-pub(super) mod animation;
+mod animation;
 mod base64;
 mod colours;
-pub(super) mod paraview;
+mod paraview;
 mod shapes;
 pub(super) mod view;
 
@@ -11,6 +11,9 @@ use colours::Colours;
 pub use colours::Scale;
 pub use shapes::Shapes;
 
+use std::path::Path;
+
+use super::files;
 use crate::archive::{Archive, Keep};
 use crate::model::{Configuration, Curve, SectionState, Sign};
 use crate::vector::{Vector, add, apply, norm, subtract};
@@ -142,6 +145,29 @@ impl Pictures {
             "{drawn} of the {rows} rows of the run are drawn, one in {}{why}; a shorter run, or `--every`, shows more of its part.",
             self.stride
         )
+    }
+
+    /// Writes the animation, and the files for ParaView, where they are asked for; the lines that name the files.
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub(super) fn write(&self, out: &Path, title: &str, [animate, vtu]: [bool; 2]) -> Result<String, String> {
+        let mut lines = String::new();
+        let mut named = |name: &str| lines += &format!("\n  {}", out.join(name).display());
+        if animate {
+            files::write(out, animation::NAME, &animation::page(title, self))?;
+            named(animation::NAME);
+        }
+        if vtu {
+            let folder = out.join(paraview::FOLDER);
+            files::create_folder(&folder)?;
+            for picture in 0..self.shots.len() {
+                files::write(&folder, &paraview::name(picture), &paraview::picture(self, picture))?;
+            }
+            files::write(out, paraview::LIST, &paraview::list(self))?;
+            named(paraview::LIST);
+        }
+        Ok(lines)
     }
 
     /// The frame whose origin a picture follows: the inertial one, or the first that flies far away.
