@@ -309,7 +309,9 @@
     lines(all, project, plain, width) {
       const pen = this.pen;
       const of = !width && this.quantity ? Number(this.quantity.value) : -1;
-      for (const curve of this.data.curves) {
+      // What is rigid lies below: frames of flexible bodies have places on them.
+      const order = [false, true].flatMap((flexible) => this.data.curves.filter((curve) => curve.flexible === flexible));
+      for (const curve of order) {
         if (curve.hidden || (!curve.flexible && (width || !this.isOn("rigid")))) continue;
         const places = [];
         for (let i = 0; i < curve.points; i++) {
