@@ -67,6 +67,14 @@ addEventListener("load", () => setTimeout(() => {
 }, 300));
 </script>"""
 
+CARD = """<script>
+addEventListener("load", () => setTimeout(() => {
+  const found = {};
+  for (const row of document.querySelectorAll(".card > table tr")) found[row.cells[0].innerText] = row.cells[1].innerText;
+  document.title = "TOLD " + JSON.stringify({ found, wrong });
+}, 300));
+</script>"""
+
 # What a hand does with a scene that moves: each picture is told by the colours of its pixels.
 SCENE = """<script>
 addEventListener("load", () => setTimeout(() => {
@@ -245,6 +253,8 @@ def main(program, pictures=None):
             frequency = float(told["in the reference frame [Hz]"].split()[0])
             assert abs(frequency - mode["im [rad/s]"] / (2 * math.pi)) < 1e-6 * frequency, (told, mode)
             assert "damping ratio" in told["in the reference frame [Hz]"], told
+        card = opened(browser, modes / "report.html", CARD, folder)
+        assert card["Flexible bodies"].startswith("beam: 6 elements") and card["Mass"].endswith("at the equilibrium"), card
         # The first bending mode moves the tip across the beam, and no mode its clamped root.
         assert moving["tips"][0] == [0, 1] and moving["roots"] == [0, 0, 0, 0], moving
         if pictures:

@@ -20,14 +20,19 @@ const CHEAP: usize = 200;
 /// Number of frequencies.
 const COUNT: usize = 5;
 
-/// Adds how the bodies of a run are described, and its first frequencies: `first_frequencies`, or why there are none.
-pub(super) fn put(summary: &mut Summary, model: &dyn AnyModel, result: &RunResult) {
+/// Adds how bodies are described.
+pub(super) fn put_bodies(summary: &mut Summary, bodies: &[DescribedBody]) {
     let entry = |body: &DescribedBody| {
         json!({
             "name": body.name, "repetitions": body.repetitions, "elements": body.elements, "described": how(body.fidelity),
         })
     };
-    summary.insert("described_bodies".into(), result.bodies.iter().map(entry).collect());
+    summary.insert("described_bodies".into(), bodies.iter().map(entry).collect());
+}
+
+/// Adds how the bodies of a run are described, and its first frequencies: `first_frequencies`, or why there are none.
+pub(super) fn put(summary: &mut Summary, model: &dyn AnyModel, result: &RunResult) {
+    put_bodies(summary, &result.bodies);
     let found = match frequencies(model, result) {
         Ok(found) => found,
         Err(why) => json!({ "none": why }),
@@ -104,9 +109,10 @@ pub(super) fn part(summary: &Summary, model: &dyn AnyModel) -> String {
         row(
             "Mass",
             &format!(
-                "{} kg, its centre at {} m at the start",
+                "{} kg, its centre at {} m {}",
                 number(&all["mass"]),
-                centre.join(", ")
+                centre.join(", "),
+                mass_table::moment(summary).to_lowercase()
             ),
         );
     }

@@ -235,7 +235,8 @@ fn way(history: &History, seconds: Seconds) -> String {
 
 fn execute_modes(arguments: &Arguments) -> Result<String, Failure> {
     let result = modes(arguments.model(), &arguments.equilibrium).map_err(|error| Failure::from(&error))?;
-    let summary = summary::of_modes(arguments.model(), &result);
+    let mut summary = summary::of_modes(arguments.model(), &result);
+    card::put_bodies(&mut summary, &result.bodies);
     let part = modes_part(arguments.model().name(), &result, arguments.frequency);
     let mut files = write(
         arguments,

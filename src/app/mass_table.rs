@@ -24,7 +24,11 @@ pub(super) fn table(summary: &Summary) -> String {
         return String::new();
     };
     let mut text = String::from("<h3>Masses</h3>\n");
-    text += "<p class=\"doc\">At the start, in inertial axes; inertia about the centre of mass.</p>\n";
+    let _ = writeln!(
+        text,
+        "<p class=\"doc\">{}, in inertial axes; inertia about the centre of mass.</p>",
+        moment(summary)
+    );
     text += "<div class=\"scroll\"><table>\n<tr><th>Body</th><th class=\"n\">Mass [kg]</th><th>Centre of mass [m]</th>\
         <th>Inertia xx, yy, zz [kg m²]</th><th>xy, xz, yz</th></tr>\n";
     for group in masses.chunk_by(|a, b| repeated(a).is_some() && repeated(a) == repeated(b)) {
@@ -34,6 +38,15 @@ pub(super) fn table(summary: &Summary) -> String {
         }
     }
     text + "</table></div>\n"
+}
+
+/// When the masses are where they are.
+pub(super) fn moment(summary: &Summary) -> &'static str {
+    if summary.get("command").is_some_and(|command| command == "modes") {
+        "At the equilibrium"
+    } else {
+        "At the start"
+    }
 }
 
 /// The name before the number of a repetition.

@@ -8,6 +8,7 @@ use super::continuation::{self, EquilibriumSettings};
 use super::pictures::Shapes;
 use super::run_error::RunError;
 use crate::equilibrium::{Kind, Uniform, follow};
+use crate::model::{DescribedBody, MassProperties};
 use crate::modes::{self, Composition, Mode, Wanted, Whirl};
 use crate::{AnyModel, Formulation, Joints, Scene, State};
 
@@ -47,6 +48,10 @@ pub struct Modes {
     pub is_round: bool,
     /// Largest rate of growth, 1/s; `None` without modes.
     pub margin: Option<f64>,
+    /// The meshed bodies, and how they are described.
+    pub bodies: Vec<DescribedBody>,
+    /// Masses of the bodies at the equilibrium, and of all.
+    pub masses: Vec<MassProperties>,
     /// Number of unknowns.
     pub unknowns: usize,
     /// Number of constraints with multipliers.
@@ -219,6 +224,8 @@ pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Mod
         pictures: Shapes::new(scene, &state, &shapes),
         shapes,
         compositions,
+        bodies: scene.bodies(),
+        masses: scene.masses(&state),
         unknowns: scene.unknowns(),
         constraints: scene.constraints(),
         newton_iterations: u64::from(found.iterations()),

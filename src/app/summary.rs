@@ -164,6 +164,7 @@ pub(super) fn of_modes(model: &dyn AnyModel, result: &Modes) -> Summary {
         Value::Object(entry)
     });
     put(&mut summary, "modes", modes.collect());
+    mass_table::put(&mut summary, &result.masses);
     counted(
         &mut summary,
         [result.unknowns, result.constraints],
