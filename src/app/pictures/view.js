@@ -65,12 +65,13 @@
 
     build(host) {
       const data = this.data;
+      // Above the drawing, so that nothing is hidden.
+      this.legend = make("div", host, { className: "legend", hidden: true });
+      this.facts = make("dl", host, { className: "facts", hidden: true });
       this.stage = make("div", host, { className: "stage" });
       this.canvas = make("canvas", this.stage);
       this.canvas.setAttribute("aria-label", data.title);
       this.pen = this.canvas.getContext("2d");
-      this.legend = make("div", this.stage, { className: "legend", hidden: true });
-      this.facts = make("dl", this.stage, { className: "facts", hidden: true });
       this.tip = make("div", this.stage, { className: "tip", hidden: true });
       const form = make("form", host, { onsubmit: () => false });
       const label = (text, title = "") => make("label", form, { textContent: text, title });
@@ -496,8 +497,9 @@
       this.facts.hidden = false;
       this.facts.replaceChildren();
       for (const [head, text] of this.data.modes[this.mode.value].facts) {
-        make("dt", this.facts, { textContent: head });
-        make("dd", this.facts, { textContent: text });
+        const pair = make("div", this.facts);
+        make("dt", pair, { textContent: head });
+        make("dd", pair, { textContent: text });
       }
     }
 
