@@ -4,6 +4,7 @@
 //! `cargo run --release --example table_esail`; with words only these parts: `table`, `long`, `buckling`, `hub`.
 
 use rncf::app::{RunResult, RunSettings, run};
+use rncf::nalgebra::Vector3;
 use rncf::prelude::*;
 use rncf_models::{Esail, EsailSlack};
 
@@ -182,13 +183,13 @@ fn measures(model: &Esail, result: &RunResult) -> [f64; 12] {
     };
     let (ring_start, ring_end): (Vec<f64>, Vec<f64>) = (ring(&start), ring(&end));
     let tips: Vec<f64> = (0..model.tethers).map(|a| end.node(a, model.elements)[2]).collect();
-    let centre = rncf::vector::add(position, rncf::vector::apply(&rotation.matrix(), end.centre()));
+    let centre = position + rotation * Vector3::from(end.centre());
     [
         start.mean_tension(first),
         start.mean_tension(last),
         mean(&ring_start),
-        rncf::vector::norm(position) - DISTANCE,
-        rncf::vector::norm(centre) - DISTANCE,
+        position.norm() - DISTANCE,
+        centre.norm() - DISTANCE,
         least(&tips),
         greatest(&tips),
         end.mean_tension(first),

@@ -360,8 +360,8 @@ pub mod andrews_squeezer_equations {
         spec.axis[2] = 1.0;
         spec.rigid.mass = 0.04325;
         spec.rigid.moment[0] = 3.979e-5;
-        spec.rigid.inertia[1][1] = 3.66068e-8;
-        spec.rigid.inertia[2][2] = 2.2306068e-6;
+        spec.rigid.inertia[(1, 1)] = 3.66068e-8;
+        spec.rigid.inertia[(2, 2)] = 2.2306068e-6;
     }
     /// Rigid body `k2`: its start relative to its parent, and its rigid parts.
     ///
@@ -377,8 +377,8 @@ pub mod andrews_squeezer_equations {
         spec.axis[2] = 1.0;
         spec.rigid.mass = 0.00365;
         spec.rigid.moment[0] = -4.1975e-5;
-        spec.rigid.inertia[1][1] = 4.827125e-7;
-        spec.rigid.inertia[2][2] = 9.237125e-7;
+        spec.rigid.inertia[(1, 1)] = 4.827125e-7;
+        spec.rigid.inertia[(2, 2)] = 9.237125e-7;
     }
     /// Rigid body `k3`: its start relative to its parent, and its rigid parts.
     ///
@@ -394,12 +394,12 @@ pub mod andrews_squeezer_equations {
         spec.axis[2] = 1.0;
         spec.rigid.mass = 0.02373;
         spec.rigid.moment[0] = 0.00024750390000000003;
-        spec.rigid.inertia[0][0] = 8.333681748e-6;
-        spec.rigid.inertia[0][1] = 4.638223086000001e-6;
+        spec.rigid.inertia[(0, 0)] = 8.333681748e-6;
+        spec.rigid.inertia[(0, 1)] = 4.638223086000001e-6;
         spec.rigid.moment[1] = -0.00044470020000000004;
-        spec.rigid.inertia[1][0] = 4.638223086000001e-6;
-        spec.rigid.inertia[1][1] = 2.581465677e-6;
-        spec.rigid.inertia[2][2] = 1.6170147425e-5;
+        spec.rigid.inertia[(1, 0)] = 4.638223086000001e-6;
+        spec.rigid.inertia[(1, 1)] = 2.581465677e-6;
+        spec.rigid.inertia[(2, 2)] = 1.6170147425e-5;
     }
     /// Rigid body `k4`: its start relative to its parent, and its rigid parts.
     ///
@@ -414,9 +414,9 @@ pub mod andrews_squeezer_equations {
         spec.angle = 0.7100333697097284;
         spec.axis[2] = 1.0;
         spec.rigid.mass = 0.00706;
-        spec.rigid.inertia[0][0] = 2.3668014600000003e-7;
+        spec.rigid.inertia[(0, 0)] = 2.3668014600000003e-7;
         spec.rigid.moment[1] = -4.08774e-5;
-        spec.rigid.inertia[2][2] = 8.03380146e-7;
+        spec.rigid.inertia[(2, 2)] = 8.03380146e-7;
     }
     /// Rigid body `k5`: its start relative to its parent, and its rigid parts.
     ///
@@ -432,12 +432,12 @@ pub mod andrews_squeezer_equations {
         spec.axis[2] = 1.0;
         spec.rigid.mass = 0.0705;
         spec.rigid.moment[0] = 0.0016271399999999998;
-        spec.rigid.inertia[0][0] = 5.915344799999999e-6;
-        spec.rigid.inertia[0][1] = -1.4904602399999998e-5;
+        spec.rigid.inertia[(0, 0)] = 5.915344799999999e-6;
+        spec.rigid.inertia[(0, 1)] = -1.4904602399999998e-5;
         spec.rigid.moment[1] = 0.0006457799999999999;
-        spec.rigid.inertia[1][0] = -1.4904602399999998e-5;
-        spec.rigid.inertia[1][1] = 3.755439119999999e-5;
-        spec.rigid.inertia[2][2] = 5.515973599999999e-5;
+        spec.rigid.inertia[(1, 0)] = -1.4904602399999998e-5;
+        spec.rigid.inertia[(1, 1)] = 3.755439119999999e-5;
+        spec.rigid.inertia[(2, 2)] = 5.515973599999999e-5;
     }
     /// Rigid body `k6`: its start relative to its parent, and its rigid parts.
     ///
@@ -453,8 +453,8 @@ pub mod andrews_squeezer_equations {
         spec.axis[2] = 1.0;
         spec.rigid.mass = 0.00706;
         spec.rigid.moment[0] = 4.08774e-5;
-        spec.rigid.inertia[1][1] = 2.3668014600000003e-7;
-        spec.rigid.inertia[2][2] = 8.03380146e-7;
+        spec.rigid.inertia[(1, 1)] = 2.3668014600000003e-7;
+        spec.rigid.inertia[(2, 2)] = 8.03380146e-7;
     }
     /// Rigid body `k7`: its start relative to its parent, and its rigid parts.
     ///
@@ -470,12 +470,12 @@ pub mod andrews_squeezer_equations {
         spec.axis[2] = 1.0;
         spec.rigid.mass = 0.05498;
         spec.rigid.moment[0] = -0.0002468602;
-        spec.rigid.inertia[0][0] = 8.290896032e-6;
-        spec.rigid.inertia[0][1] = -3.031443256e-6;
+        spec.rigid.inertia[(0, 0)] = 8.290896032e-6;
+        spec.rigid.inertia[(0, 1)] = -3.031443256e-6;
         spec.rigid.moment[1] = -0.0006751544;
-        spec.rigid.inertia[1][0] = -3.031443256e-6;
-        spec.rigid.inertia[1][1] = 1.1084022980000001e-6;
-        spec.rigid.inertia[2][2] = 2.8519298330000002e-5;
+        spec.rigid.inertia[(1, 0)] = -3.031443256e-6;
+        spec.rigid.inertia[(1, 1)] = 1.1084022980000001e-6;
+        spec.rigid.inertia[(2, 2)] = 2.8519298330000002e-5;
     }
     /// Constraint `o` (revolute), `a5` (revolute), `a7` (revolute), `b` (revolute), `k` (revolute), `e54` (revolute), `h76` (revolute), `f23` (revolute), `f24` (revolute), `f26` (revolute): rows C(z, t).
     ///
@@ -488,7 +488,7 @@ pub mod andrews_squeezer_equations {
     pub fn constraint_position_o(
         model: &AndrewsSqueezer,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..2];
@@ -501,7 +501,7 @@ pub mod andrews_squeezer_equations {
     pub fn constraint_velocity_o(
         model: &AndrewsSqueezer,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..2];
@@ -514,7 +514,7 @@ pub mod andrews_squeezer_equations {
     pub fn constraint_acceleration_o(
         model: &AndrewsSqueezer,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..2];
@@ -527,7 +527,7 @@ pub mod andrews_squeezer_equations {
     pub fn constraint_jerk_o(
         model: &AndrewsSqueezer,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..2];
@@ -540,7 +540,7 @@ pub mod andrews_squeezer_equations {
     pub fn constraint_gradient_o(
         model: &AndrewsSqueezer,
         t: f64,
-        z: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
         gradient: &mut [f64],
     ) {
         let z = &z[..2];
@@ -557,8 +557,8 @@ pub mod andrews_squeezer_equations {
     pub fn force_value_tension(
         model: &AndrewsSqueezer,
         t: f64,
-        z: &[[f64; 3]],
-        velocity: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
+        velocity: &[::rncf::emitted::Vector],
         out: &mut [f64],
     ) {
         let z = &z[..2];
@@ -580,8 +580,8 @@ pub mod andrews_squeezer_equations {
     pub fn force_tangent_tension(
         model: &AndrewsSqueezer,
         t: f64,
-        z: &[[f64; 3]],
-        velocity: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
+        velocity: &[::rncf::emitted::Vector],
         by_value: &mut [f64],
         by_velocity: &mut [f64],
     ) {
@@ -633,7 +633,7 @@ pub mod andrews_squeezer_equations {
     pub fn force_energy_tension(
         model: &AndrewsSqueezer,
         t: f64,
-        z: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
         energy: &mut f64,
     ) {
         let z = &z[..2];
@@ -651,8 +651,8 @@ pub mod andrews_squeezer_equations {
     pub fn force_value_motor(
         model: &AndrewsSqueezer,
         t: f64,
-        z: &[[f64; 3]],
-        velocity: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
+        velocity: &[::rncf::emitted::Vector],
         out: &mut [f64],
     ) {
         let z = &z[..1];
@@ -765,11 +765,11 @@ pub mod andrews_squeezer_equations {
                 parent: 0,
                 is_body: false,
                 motions: ::rncf::emitted::Motions::Spatial,
-                position: [0.0; 3],
-                axis: [0.0; 3],
+                position: ::rncf::emitted::Vector::zeros(),
+                axis: ::rncf::emitted::Vector::zeros(),
                 angle: 0.0,
-                velocity: [0.0; 3],
-                spin: [0.0; 3],
+                velocity: ::rncf::emitted::Vector::zeros(),
+                spin: ::rncf::emitted::Vector::zeros(),
                 rigid: ::rncf::emitted::RigidSpec::default(),
             };
             let mut specs = ::std::vec::Vec::from([
@@ -1069,7 +1069,7 @@ pub mod andrews_squeezer_equations {
             constraint: usize,
             level: ::rncf::emitted::ConstraintLevel,
             t: f64,
-            z: &[[[f64; 3]; 4]],
+            z: &[[::rncf::emitted::Vector; 4]],
             rows: &mut [f64],
         ) {
             match constraint {
@@ -1096,7 +1096,7 @@ pub mod andrews_squeezer_equations {
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
             gradient: &mut [f64],
         ) {
             gradient.fill(0.0);
@@ -1111,8 +1111,8 @@ pub mod andrews_squeezer_equations {
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
-            velocity: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
+            velocity: &[::rncf::emitted::Vector],
             gradient: &mut [f64],
         ) {
             gradient.fill(0.0);
@@ -1121,14 +1121,14 @@ pub mod andrews_squeezer_equations {
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
             out: &mut [f64],
         ) {}
         fn marker_constraint_hessian(
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
             lambda: &[f64],
             hessian: &mut [f64],
         ) {
@@ -1160,8 +1160,8 @@ pub mod andrews_squeezer_equations {
             &self,
             force: usize,
             t: f64,
-            z: &[[f64; 3]],
-            velocity: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
+            velocity: &[::rncf::emitted::Vector],
             out: &mut [f64],
         ) {
             out.fill(0.0);
@@ -1175,8 +1175,8 @@ pub mod andrews_squeezer_equations {
             &self,
             force: usize,
             t: f64,
-            z: &[[f64; 3]],
-            velocity: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
+            velocity: &[::rncf::emitted::Vector],
             by_value: &mut [f64],
             by_velocity: &mut [f64],
         ) {
@@ -1200,11 +1200,16 @@ pub mod andrews_squeezer_equations {
             &self,
             force: usize,
             t: f64,
-            z: &[[f64; 3]],
-            velocity: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
+            velocity: &[::rncf::emitted::Vector],
             out: &mut [f64],
         ) {}
-        fn marker_energy(&self, force: usize, t: f64, z: &[[f64; 3]]) -> f64 {
+        fn marker_energy(
+            &self,
+            force: usize,
+            t: f64,
+            z: &[::rncf::emitted::Vector],
+        ) -> f64 {
             let mut energy = 0.0;
             match force {
                 0 => force_energy_tension(&self.model, t, z, &mut energy),

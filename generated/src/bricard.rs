@@ -222,9 +222,9 @@ pub mod bricard_equations {
         spec.axis[2] = 1.0;
         spec.rigid.mass = 1.0;
         spec.rigid.moment[0] = 0.5;
-        spec.rigid.inertia[0][0] = 0.0016666666666666668;
-        spec.rigid.inertia[1][1] = 0.33416666666666667;
-        spec.rigid.inertia[2][2] = 0.33416666666666667;
+        spec.rigid.inertia[(0, 0)] = 0.0016666666666666668;
+        spec.rigid.inertia[(1, 1)] = 0.33416666666666667;
+        spec.rigid.inertia[(2, 2)] = 0.33416666666666667;
     }
     /// Rigid body `p12`: its start relative to its parent, and its rigid parts.
     ///
@@ -235,10 +235,10 @@ pub mod bricard_equations {
         spec.position[0] = 1.0;
         spec.axis[2] = 1.0;
         spec.rigid.mass = 1.0;
-        spec.rigid.inertia[0][0] = 0.33416666666666667;
+        spec.rigid.inertia[(0, 0)] = 0.33416666666666667;
         spec.rigid.moment[1] = -0.5;
-        spec.rigid.inertia[1][1] = 0.0016666666666666668;
-        spec.rigid.inertia[2][2] = 0.33416666666666667;
+        spec.rigid.inertia[(1, 1)] = 0.0016666666666666668;
+        spec.rigid.inertia[(2, 2)] = 0.33416666666666667;
     }
     /// Rigid body `p23`: its start relative to its parent, and its rigid parts.
     ///
@@ -250,10 +250,10 @@ pub mod bricard_equations {
         spec.position[1] = -1.0;
         spec.axis[2] = 1.0;
         spec.rigid.mass = 1.0;
-        spec.rigid.inertia[0][0] = 0.33416666666666667;
-        spec.rigid.inertia[1][1] = 0.33416666666666667;
+        spec.rigid.inertia[(0, 0)] = 0.33416666666666667;
+        spec.rigid.inertia[(1, 1)] = 0.33416666666666667;
         spec.rigid.moment[2] = 0.5;
-        spec.rigid.inertia[2][2] = 0.0016666666666666668;
+        spec.rigid.inertia[(2, 2)] = 0.0016666666666666668;
     }
     /// Rigid body `p34`: its start relative to its parent, and its rigid parts.
     ///
@@ -267,9 +267,9 @@ pub mod bricard_equations {
         spec.axis[2] = 1.0;
         spec.rigid.mass = 1.0;
         spec.rigid.moment[0] = -0.5;
-        spec.rigid.inertia[0][0] = 0.0016666666666666668;
-        spec.rigid.inertia[1][1] = 0.33416666666666667;
-        spec.rigid.inertia[2][2] = 0.33416666666666667;
+        spec.rigid.inertia[(0, 0)] = 0.0016666666666666668;
+        spec.rigid.inertia[(1, 1)] = 0.33416666666666667;
+        spec.rigid.inertia[(2, 2)] = 0.33416666666666667;
     }
     /// Rigid body `p45`: its start relative to its parent, and its rigid parts.
     ///
@@ -281,10 +281,10 @@ pub mod bricard_equations {
         spec.position[2] = 1.0;
         spec.axis[2] = 1.0;
         spec.rigid.mass = 1.0;
-        spec.rigid.inertia[0][0] = 0.33416666666666667;
+        spec.rigid.inertia[(0, 0)] = 0.33416666666666667;
         spec.rigid.moment[1] = 0.5;
-        spec.rigid.inertia[1][1] = 0.0016666666666666668;
-        spec.rigid.inertia[2][2] = 0.33416666666666667;
+        spec.rigid.inertia[(1, 1)] = 0.0016666666666666668;
+        spec.rigid.inertia[(2, 2)] = 0.33416666666666667;
     }
     /// Load `weight` in its frame's axes.
     ///
@@ -308,7 +308,7 @@ pub mod bricard_equations {
     pub fn constraint_position_p0(
         model: &Bricard,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..5];
@@ -326,7 +326,7 @@ pub mod bricard_equations {
     pub fn constraint_velocity_p0(
         model: &Bricard,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..5];
@@ -348,7 +348,7 @@ pub mod bricard_equations {
     pub fn constraint_acceleration_p0(
         model: &Bricard,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..5];
@@ -376,7 +376,7 @@ pub mod bricard_equations {
     pub fn constraint_jerk_p0(
         model: &Bricard,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..5];
@@ -422,7 +422,7 @@ pub mod bricard_equations {
     pub fn constraint_gradient_p0(
         model: &Bricard,
         t: f64,
-        z: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
         gradient: &mut [f64],
     ) {
         let z = &z[..5];
@@ -451,8 +451,8 @@ pub mod bricard_equations {
     pub fn constraint_rate_gradient_p0(
         model: &Bricard,
         t: f64,
-        z: &[[f64; 3]],
-        velocity: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
+        velocity: &[::rncf::emitted::Vector],
         gradient: &mut [f64],
     ) {
         let z = &z[..5];
@@ -476,7 +476,7 @@ pub mod bricard_equations {
     pub fn constraint_hessian_p0(
         model: &Bricard,
         t: f64,
-        z: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
         lambda: &[f64],
         hessian: &mut [f64],
     ) {
@@ -508,7 +508,7 @@ pub mod bricard_equations {
     pub fn constraint_position_p5(
         model: &Bricard,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..4];
@@ -524,7 +524,7 @@ pub mod bricard_equations {
     pub fn constraint_velocity_p5(
         model: &Bricard,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..4];
@@ -542,7 +542,7 @@ pub mod bricard_equations {
     pub fn constraint_acceleration_p5(
         model: &Bricard,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..4];
@@ -563,7 +563,7 @@ pub mod bricard_equations {
     pub fn constraint_jerk_p5(
         model: &Bricard,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..4];
@@ -593,7 +593,7 @@ pub mod bricard_equations {
     pub fn constraint_gradient_p5(
         model: &Bricard,
         t: f64,
-        z: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
         gradient: &mut [f64],
     ) {
         let z = &z[..4];
@@ -616,8 +616,8 @@ pub mod bricard_equations {
     pub fn constraint_rate_gradient_p5(
         model: &Bricard,
         t: f64,
-        z: &[[f64; 3]],
-        velocity: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
+        velocity: &[::rncf::emitted::Vector],
         gradient: &mut [f64],
     ) {
         let z = &z[..4];
@@ -635,7 +635,7 @@ pub mod bricard_equations {
     pub fn constraint_hessian_p5(
         model: &Bricard,
         t: f64,
-        z: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
         lambda: &[f64],
         hessian: &mut [f64],
     ) {
@@ -730,11 +730,11 @@ pub mod bricard_equations {
                 parent: 0,
                 is_body: false,
                 motions: ::rncf::emitted::Motions::Spatial,
-                position: [0.0; 3],
-                axis: [0.0; 3],
+                position: ::rncf::emitted::Vector::zeros(),
+                axis: ::rncf::emitted::Vector::zeros(),
                 angle: 0.0,
-                velocity: [0.0; 3],
-                spin: [0.0; 3],
+                velocity: ::rncf::emitted::Vector::zeros(),
+                spin: ::rncf::emitted::Vector::zeros(),
                 rigid: ::rncf::emitted::RigidSpec::default(),
             };
             let mut specs = ::std::vec::Vec::from([
@@ -1047,7 +1047,7 @@ pub mod bricard_equations {
             constraint: usize,
             level: ::rncf::emitted::ConstraintLevel,
             t: f64,
-            z: &[[[f64; 3]; 4]],
+            z: &[[::rncf::emitted::Vector; 4]],
             rows: &mut [f64],
         ) {
             match constraint {
@@ -1090,7 +1090,7 @@ pub mod bricard_equations {
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
             gradient: &mut [f64],
         ) {
             gradient.fill(0.0);
@@ -1104,8 +1104,8 @@ pub mod bricard_equations {
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
-            velocity: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
+            velocity: &[::rncf::emitted::Vector],
             gradient: &mut [f64],
         ) {
             gradient.fill(0.0);
@@ -1121,14 +1121,14 @@ pub mod bricard_equations {
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
             out: &mut [f64],
         ) {}
         fn marker_constraint_hessian(
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
             lambda: &[f64],
             hessian: &mut [f64],
         ) {

@@ -1098,10 +1098,10 @@ pub mod curved_upwind_equations {
         });
         motion.spin[2] = theta_t;
         motion.spin_rate[2] = theta_t_t;
-        motion.rotation[0][0] = t20;
-        motion.rotation[0][1] = -t21;
-        motion.rotation[1][0] = t21;
-        motion.rotation[1][1] = t20;
+        motion.rotation[(0, 0)] = t20;
+        motion.rotation[(0, 1)] = -t21;
+        motion.rotation[(1, 0)] = t21;
+        motion.rotation[(1, 1)] = t20;
     }
     /// Joint `root`: conditions, position level.
     ///

@@ -1639,7 +1639,7 @@ pub mod esail_equations {
     pub fn constraint_position_sun_x(
         model: &Esail,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..2];
@@ -1652,7 +1652,7 @@ pub mod esail_equations {
     pub fn constraint_velocity_sun_x(
         model: &Esail,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..2];
@@ -1667,7 +1667,7 @@ pub mod esail_equations {
     pub fn constraint_acceleration_sun_x(
         model: &Esail,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..2];
@@ -1686,7 +1686,7 @@ pub mod esail_equations {
     pub fn constraint_jerk_sun_x(
         model: &Esail,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..2];
@@ -1714,7 +1714,7 @@ pub mod esail_equations {
     pub fn constraint_gradient_sun_x(
         model: &Esail,
         t: f64,
-        z: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
         gradient: &mut [f64],
     ) {
         let z = &z[..2];
@@ -1731,8 +1731,8 @@ pub mod esail_equations {
     pub fn constraint_rate_gradient_sun_x(
         model: &Esail,
         t: f64,
-        z: &[[f64; 3]],
-        velocity: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
+        velocity: &[::rncf::emitted::Vector],
         gradient: &mut [f64],
     ) {
         let z = &z[..2];
@@ -1750,7 +1750,7 @@ pub mod esail_equations {
     pub fn constraint_hessian_sun_x(
         model: &Esail,
         t: f64,
-        z: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
         lambda: &[f64],
         hessian: &mut [f64],
     ) {
@@ -1857,8 +1857,8 @@ pub mod esail_equations {
         model: &Esail,
         t: f64,
         index: f64,
-        z: &[[f64; 3]],
-        velocity: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
+        velocity: &[::rncf::emitted::Vector],
         values: &mut [f64],
     ) {
         let t28 = 2.4e-11
@@ -1880,8 +1880,8 @@ pub mod esail_equations {
         model: &Esail,
         t: f64,
         index: f64,
-        z: &[[f64; 3]],
-        velocity: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
+        velocity: &[::rncf::emitted::Vector],
         gradient: &mut [f64],
     ) {
         let t28 = z[0][0] * z[0][0] + z[0][1] * z[0][1] + z[0][2] * z[0][2];
@@ -2918,7 +2918,12 @@ pub mod esail_equations {
     /// Of `sun`: `z[0]` a point of `sail` (inertial axes).
     ///
     /// Operations: 2 additions, 8 multiplications, 3 divisions, 1 function calls.
-    pub fn field_sun(model: &Esail, t: f64, z: &[[f64; 3]], gravity: &mut [f64; 3]) {
+    pub fn field_sun(
+        model: &Esail,
+        t: f64,
+        z: &[::rncf::emitted::Vector],
+        gravity: &mut [f64; 3],
+    ) {
         let t15 = (z[0][0] * z[0][0] + z[0][1] * z[0][1] + z[0][2] * z[0][2])
             .sqrt()
             .powi(3);
@@ -2932,7 +2937,7 @@ pub mod esail_equations {
     pub fn field_gradient_sun(
         model: &Esail,
         t: f64,
-        z: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
         gradient: &mut [f64],
     ) {
         let t15 = (z[0][0] * z[0][0] + z[0][1] * z[0][1] + z[0][2] * z[0][2]).sqrt();
@@ -3248,11 +3253,11 @@ pub mod esail_equations {
                 parent: 0,
                 is_body: false,
                 motions: ::rncf::emitted::Motions::Spatial,
-                position: [0.0; 3],
-                axis: [0.0; 3],
+                position: ::rncf::emitted::Vector::zeros(),
+                axis: ::rncf::emitted::Vector::zeros(),
                 angle: 0.0,
-                velocity: [0.0; 3],
-                spin: [0.0; 3],
+                velocity: ::rncf::emitted::Vector::zeros(),
+                spin: ::rncf::emitted::Vector::zeros(),
                 rigid: ::rncf::emitted::RigidSpec::default(),
             };
             let mut specs = ::std::vec::Vec::from([
@@ -4143,7 +4148,7 @@ pub mod esail_equations {
             constraint: usize,
             level: ::rncf::emitted::ConstraintLevel,
             t: f64,
-            z: &[[[f64; 3]; 4]],
+            z: &[[::rncf::emitted::Vector; 4]],
             rows: &mut [f64],
         ) {
             match constraint {
@@ -4170,7 +4175,7 @@ pub mod esail_equations {
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
             gradient: &mut [f64],
         ) {
             gradient.fill(0.0);
@@ -4183,8 +4188,8 @@ pub mod esail_equations {
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
-            velocity: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
+            velocity: &[::rncf::emitted::Vector],
             gradient: &mut [f64],
         ) {
             gradient.fill(0.0);
@@ -4199,14 +4204,14 @@ pub mod esail_equations {
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
             out: &mut [f64],
         ) {}
         fn marker_constraint_hessian(
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
             lambda: &[f64],
             hessian: &mut [f64],
         ) {
@@ -4239,8 +4244,8 @@ pub mod esail_equations {
             &self,
             density: usize,
             t: f64,
-            z: &[[f64; 3]],
-            velocity: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
+            velocity: &[::rncf::emitted::Vector],
             out: &mut [f64],
         ) {
             let (density, instance) = ::rncf::emitted::declared(
@@ -4265,8 +4270,8 @@ pub mod esail_equations {
             &self,
             density: usize,
             t: f64,
-            z: &[[f64; 3]],
-            velocity: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
+            velocity: &[::rncf::emitted::Vector],
             gradient: &mut [f64],
         ) {
             gradient.fill(0.0);
@@ -4371,7 +4376,7 @@ pub mod esail_equations {
     impl ::rncf::emitted::WithoutDistributedLoads for Equations {}
     impl ::rncf::emitted::WithoutPlacedGravity for Equations {}
     impl ::rncf::emitted::GravityFields for Equations {
-        fn field(&self, load: usize, t: f64, z: &[[f64; 3]]) -> [f64; 3] {
+        fn field(&self, load: usize, t: f64, z: &[::rncf::emitted::Vector]) -> [f64; 3] {
             let mut gravity = [0.0; 3];
             match load {
                 0 => field_sun(&self.model, t, z, &mut gravity),
@@ -4383,7 +4388,7 @@ pub mod esail_equations {
             &self,
             load: usize,
             t: f64,
-            z: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
             gradient: &mut [f64],
         ) {
             gradient.fill(0.0);

@@ -2268,7 +2268,7 @@ pub mod esail_slack_equations {
     pub fn constraint_position_sun_x(
         model: &EsailSlack,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..2];
@@ -2281,7 +2281,7 @@ pub mod esail_slack_equations {
     pub fn constraint_velocity_sun_x(
         model: &EsailSlack,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..2];
@@ -2296,7 +2296,7 @@ pub mod esail_slack_equations {
     pub fn constraint_acceleration_sun_x(
         model: &EsailSlack,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..2];
@@ -2315,7 +2315,7 @@ pub mod esail_slack_equations {
     pub fn constraint_jerk_sun_x(
         model: &EsailSlack,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..2];
@@ -2343,7 +2343,7 @@ pub mod esail_slack_equations {
     pub fn constraint_gradient_sun_x(
         model: &EsailSlack,
         t: f64,
-        z: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
         gradient: &mut [f64],
     ) {
         let z = &z[..2];
@@ -2360,8 +2360,8 @@ pub mod esail_slack_equations {
     pub fn constraint_rate_gradient_sun_x(
         model: &EsailSlack,
         t: f64,
-        z: &[[f64; 3]],
-        velocity: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
+        velocity: &[::rncf::emitted::Vector],
         gradient: &mut [f64],
     ) {
         let z = &z[..2];
@@ -2379,7 +2379,7 @@ pub mod esail_slack_equations {
     pub fn constraint_hessian_sun_x(
         model: &EsailSlack,
         t: f64,
-        z: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
         lambda: &[f64],
         hessian: &mut [f64],
     ) {
@@ -2486,8 +2486,8 @@ pub mod esail_slack_equations {
         model: &EsailSlack,
         t: f64,
         index: f64,
-        z: &[[f64; 3]],
-        velocity: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
+        velocity: &[::rncf::emitted::Vector],
         values: &mut [f64],
     ) {
         let t28 = 2.4e-11
@@ -2509,8 +2509,8 @@ pub mod esail_slack_equations {
         model: &EsailSlack,
         t: f64,
         index: f64,
-        z: &[[f64; 3]],
-        velocity: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
+        velocity: &[::rncf::emitted::Vector],
         gradient: &mut [f64],
     ) {
         let t28 = z[0][0] * z[0][0] + z[0][1] * z[0][1] + z[0][2] * z[0][2];
@@ -3585,7 +3585,7 @@ pub mod esail_slack_equations {
     pub fn field_sun(
         model: &EsailSlack,
         t: f64,
-        z: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
         gravity: &mut [f64; 3],
     ) {
         let t15 = (z[0][0] * z[0][0] + z[0][1] * z[0][1] + z[0][2] * z[0][2])
@@ -3601,7 +3601,7 @@ pub mod esail_slack_equations {
     pub fn field_gradient_sun(
         model: &EsailSlack,
         t: f64,
-        z: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
         gradient: &mut [f64],
     ) {
         let t15 = (z[0][0] * z[0][0] + z[0][1] * z[0][1] + z[0][2] * z[0][2]).sqrt();
@@ -3917,11 +3917,11 @@ pub mod esail_slack_equations {
                 parent: 0,
                 is_body: false,
                 motions: ::rncf::emitted::Motions::Spatial,
-                position: [0.0; 3],
-                axis: [0.0; 3],
+                position: ::rncf::emitted::Vector::zeros(),
+                axis: ::rncf::emitted::Vector::zeros(),
                 angle: 0.0,
-                velocity: [0.0; 3],
-                spin: [0.0; 3],
+                velocity: ::rncf::emitted::Vector::zeros(),
+                spin: ::rncf::emitted::Vector::zeros(),
                 rigid: ::rncf::emitted::RigidSpec::default(),
             };
             let mut specs = ::std::vec::Vec::from([
@@ -4812,7 +4812,7 @@ pub mod esail_slack_equations {
             constraint: usize,
             level: ::rncf::emitted::ConstraintLevel,
             t: f64,
-            z: &[[[f64; 3]; 4]],
+            z: &[[::rncf::emitted::Vector; 4]],
             rows: &mut [f64],
         ) {
             match constraint {
@@ -4839,7 +4839,7 @@ pub mod esail_slack_equations {
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
             gradient: &mut [f64],
         ) {
             gradient.fill(0.0);
@@ -4852,8 +4852,8 @@ pub mod esail_slack_equations {
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
-            velocity: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
+            velocity: &[::rncf::emitted::Vector],
             gradient: &mut [f64],
         ) {
             gradient.fill(0.0);
@@ -4868,14 +4868,14 @@ pub mod esail_slack_equations {
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
             out: &mut [f64],
         ) {}
         fn marker_constraint_hessian(
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
             lambda: &[f64],
             hessian: &mut [f64],
         ) {
@@ -4908,8 +4908,8 @@ pub mod esail_slack_equations {
             &self,
             density: usize,
             t: f64,
-            z: &[[f64; 3]],
-            velocity: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
+            velocity: &[::rncf::emitted::Vector],
             out: &mut [f64],
         ) {
             let (density, instance) = ::rncf::emitted::declared(
@@ -4934,8 +4934,8 @@ pub mod esail_slack_equations {
             &self,
             density: usize,
             t: f64,
-            z: &[[f64; 3]],
-            velocity: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
+            velocity: &[::rncf::emitted::Vector],
             gradient: &mut [f64],
         ) {
             gradient.fill(0.0);
@@ -5040,7 +5040,7 @@ pub mod esail_slack_equations {
     impl ::rncf::emitted::WithoutDistributedLoads for Equations {}
     impl ::rncf::emitted::WithoutPlacedGravity for Equations {}
     impl ::rncf::emitted::GravityFields for Equations {
-        fn field(&self, load: usize, t: f64, z: &[[f64; 3]]) -> [f64; 3] {
+        fn field(&self, load: usize, t: f64, z: &[::rncf::emitted::Vector]) -> [f64; 3] {
             let mut gravity = [0.0; 3];
             match load {
                 0 => field_sun(&self.model, t, z, &mut gravity),
@@ -5052,7 +5052,7 @@ pub mod esail_slack_equations {
             &self,
             load: usize,
             t: f64,
-            z: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
             gradient: &mut [f64],
         ) {
             gradient.fill(0.0);

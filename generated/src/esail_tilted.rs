@@ -1534,10 +1534,10 @@ pub mod esail_tilted_equations {
         *motion = ::rncf::emitted::FrameMotion::INERTIAL;
         let t13 = model.tilt.cos();
         let t14 = model.tilt.sin();
-        motion.rotation[0][0] = t13;
-        motion.rotation[0][1] = -t14;
-        motion.rotation[1][0] = t14;
-        motion.rotation[1][1] = t13;
+        motion.rotation[(0, 0)] = t13;
+        motion.rotation[(0, 1)] = -t14;
+        motion.rotation[(1, 0)] = t14;
+        motion.rotation[(1, 1)] = t13;
     }
     /// Free frame `sail`: its start relative to its parent, and its rigid parts.
     ///
@@ -1703,8 +1703,8 @@ pub mod esail_tilted_equations {
         model: &EsailTilted,
         t: f64,
         index: f64,
-        z: &[[f64; 3]],
-        velocity: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
+        velocity: &[::rncf::emitted::Vector],
         values: &mut [f64],
     ) {
         let t34 = z[0][0] * z[0][0] + z[0][1] * z[0][1] + z[0][2] * z[0][2];
@@ -1740,8 +1740,8 @@ pub mod esail_tilted_equations {
         model: &EsailTilted,
         t: f64,
         index: f64,
-        z: &[[f64; 3]],
-        velocity: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
+        velocity: &[::rncf::emitted::Vector],
         gradient: &mut [f64],
     ) {
         let t34 = z[0][0] * z[0][0] + z[0][1] * z[0][1] + z[0][2] * z[0][2];
@@ -2823,8 +2823,8 @@ pub mod esail_tilted_equations {
         model: &EsailTilted,
         t: f64,
         index: f64,
-        z: &[[f64; 3]],
-        velocity: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
+        velocity: &[::rncf::emitted::Vector],
         values: &mut [f64],
     ) {
         let t35 = z[0][0] * z[0][0] + z[0][1] * z[0][1] + z[0][2] * z[0][2];
@@ -2862,8 +2862,8 @@ pub mod esail_tilted_equations {
         model: &EsailTilted,
         t: f64,
         index: f64,
-        z: &[[f64; 3]],
-        velocity: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
+        velocity: &[::rncf::emitted::Vector],
         gradient: &mut [f64],
     ) {
         let t35 = z[0][0] * z[0][0] + z[0][1] * z[0][1] + z[0][2] * z[0][2];
@@ -3946,7 +3946,7 @@ pub mod esail_tilted_equations {
     pub fn field_sun(
         model: &EsailTilted,
         t: f64,
-        z: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
         gravity: &mut [f64; 3],
     ) {
         let t15 = (z[0][0] * z[0][0] + z[0][1] * z[0][1] + z[0][2] * z[0][2])
@@ -3962,7 +3962,7 @@ pub mod esail_tilted_equations {
     pub fn field_gradient_sun(
         model: &EsailTilted,
         t: f64,
-        z: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
         gradient: &mut [f64],
     ) {
         let t15 = (z[0][0] * z[0][0] + z[0][1] * z[0][1] + z[0][2] * z[0][2]).sqrt();
@@ -4191,11 +4191,11 @@ pub mod esail_tilted_equations {
                 parent: 0,
                 is_body: false,
                 motions: ::rncf::emitted::Motions::Spatial,
-                position: [0.0; 3],
-                axis: [0.0; 3],
+                position: ::rncf::emitted::Vector::zeros(),
+                axis: ::rncf::emitted::Vector::zeros(),
                 angle: 0.0,
-                velocity: [0.0; 3],
-                spin: [0.0; 3],
+                velocity: ::rncf::emitted::Vector::zeros(),
+                spin: ::rncf::emitted::Vector::zeros(),
                 rigid: ::rncf::emitted::RigidSpec::default(),
             };
             let mut specs = ::std::vec::Vec::from([
@@ -5088,8 +5088,8 @@ pub mod esail_tilted_equations {
             &self,
             density: usize,
             t: f64,
-            z: &[[f64; 3]],
-            velocity: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
+            velocity: &[::rncf::emitted::Vector],
             out: &mut [f64],
         ) {
             let (density, instance) = ::rncf::emitted::declared(
@@ -5124,8 +5124,8 @@ pub mod esail_tilted_equations {
             &self,
             density: usize,
             t: f64,
-            z: &[[f64; 3]],
-            velocity: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
+            velocity: &[::rncf::emitted::Vector],
             gradient: &mut [f64],
         ) {
             gradient.fill(0.0);
@@ -5298,7 +5298,7 @@ pub mod esail_tilted_equations {
     impl ::rncf::emitted::WithoutDistributedLoads for Equations {}
     impl ::rncf::emitted::WithoutPlacedGravity for Equations {}
     impl ::rncf::emitted::GravityFields for Equations {
-        fn field(&self, load: usize, t: f64, z: &[[f64; 3]]) -> [f64; 3] {
+        fn field(&self, load: usize, t: f64, z: &[::rncf::emitted::Vector]) -> [f64; 3] {
             let mut gravity = [0.0; 3];
             match load {
                 0 => field_sun(&self.model, t, z, &mut gravity),
@@ -5310,7 +5310,7 @@ pub mod esail_tilted_equations {
             &self,
             load: usize,
             t: f64,
-            z: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
             gradient: &mut [f64],
         ) {
             gradient.fill(0.0);

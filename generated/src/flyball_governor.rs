@@ -333,10 +333,10 @@ pub mod flyball_governor_equations {
         spec.spin[2] = model.omega_0;
         spec.axis[2] = 1.0;
         spec.rigid.mass = 0.3;
-        spec.rigid.inertia[0][0] = 0.1000025;
-        spec.rigid.inertia[1][1] = 0.1000025;
+        spec.rigid.inertia[(0, 0)] = 0.1000025;
+        spec.rigid.inertia[(1, 1)] = 0.1000025;
         spec.rigid.moment[2] = 0.15;
-        spec.rigid.inertia[2][2] = 5e-6;
+        spec.rigid.inertia[(2, 2)] = 5e-6;
     }
     /// Rigid body `slider`: its start relative to its parent, and its rigid parts.
     ///
@@ -350,9 +350,9 @@ pub mod flyball_governor_equations {
         spec.spin[2] = model.omega_0;
         spec.axis[2] = 1.0;
         spec.rigid.mass = 3.0;
-        spec.rigid.inertia[0][0] = 0.005;
-        spec.rigid.inertia[1][1] = 0.005;
-        spec.rigid.inertia[2][2] = 0.005;
+        spec.rigid.inertia[(0, 0)] = 0.005;
+        spec.rigid.inertia[(1, 1)] = 0.005;
+        spec.rigid.inertia[(2, 2)] = 0.005;
     }
     /// Rigid body `right`: its start relative to its parent, and its rigid parts.
     ///
@@ -369,9 +369,9 @@ pub mod flyball_governor_equations {
         spec.axis[1] = 1.0;
         spec.rigid.mass = 5.3;
         spec.rigid.moment[0] = 5.15;
-        spec.rigid.inertia[0][0] = 5e-6;
-        spec.rigid.inertia[1][1] = 5.1000025;
-        spec.rigid.inertia[2][2] = 5.1000025;
+        spec.rigid.inertia[(0, 0)] = 5e-6;
+        spec.rigid.inertia[(1, 1)] = 5.1000025;
+        spec.rigid.inertia[(2, 2)] = 5.1000025;
     }
     /// Rigid body `left`: its start relative to its parent, and its rigid parts.
     ///
@@ -388,9 +388,9 @@ pub mod flyball_governor_equations {
         spec.axis[1] = 1.0;
         spec.rigid.mass = 5.3;
         spec.rigid.moment[0] = -5.15;
-        spec.rigid.inertia[0][0] = 5e-6;
-        spec.rigid.inertia[1][1] = 5.1000025;
-        spec.rigid.inertia[2][2] = 5.1000025;
+        spec.rigid.inertia[(0, 0)] = 5e-6;
+        spec.rigid.inertia[(1, 1)] = 5.1000025;
+        spec.rigid.inertia[(2, 2)] = 5.1000025;
     }
     /// Load `weight` in its frame's axes.
     ///
@@ -414,7 +414,7 @@ pub mod flyball_governor_equations {
     pub fn constraint_position_foot(
         model: &FlyballGovernor,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..5];
@@ -432,7 +432,7 @@ pub mod flyball_governor_equations {
     pub fn constraint_velocity_foot(
         model: &FlyballGovernor,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..5];
@@ -454,7 +454,7 @@ pub mod flyball_governor_equations {
     pub fn constraint_acceleration_foot(
         model: &FlyballGovernor,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..5];
@@ -482,7 +482,7 @@ pub mod flyball_governor_equations {
     pub fn constraint_jerk_foot(
         model: &FlyballGovernor,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..5];
@@ -528,7 +528,7 @@ pub mod flyball_governor_equations {
     pub fn constraint_gradient_foot(
         model: &FlyballGovernor,
         t: f64,
-        z: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
         gradient: &mut [f64],
     ) {
         let z = &z[..5];
@@ -557,8 +557,8 @@ pub mod flyball_governor_equations {
     pub fn constraint_rate_gradient_foot(
         model: &FlyballGovernor,
         t: f64,
-        z: &[[f64; 3]],
-        velocity: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
+        velocity: &[::rncf::emitted::Vector],
         gradient: &mut [f64],
     ) {
         let z = &z[..5];
@@ -582,7 +582,7 @@ pub mod flyball_governor_equations {
     pub fn constraint_hessian_foot(
         model: &FlyballGovernor,
         t: f64,
-        z: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
         lambda: &[f64],
         hessian: &mut [f64],
     ) {
@@ -615,7 +615,7 @@ pub mod flyball_governor_equations {
     pub fn constraint_position_guide(
         model: &FlyballGovernor,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..6];
@@ -637,7 +637,7 @@ pub mod flyball_governor_equations {
     pub fn constraint_velocity_guide(
         model: &FlyballGovernor,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..6];
@@ -674,7 +674,7 @@ pub mod flyball_governor_equations {
     pub fn constraint_acceleration_guide(
         model: &FlyballGovernor,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..6];
@@ -727,7 +727,7 @@ pub mod flyball_governor_equations {
     pub fn constraint_jerk_guide(
         model: &FlyballGovernor,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..6];
@@ -824,7 +824,7 @@ pub mod flyball_governor_equations {
     pub fn constraint_gradient_guide(
         model: &FlyballGovernor,
         t: f64,
-        z: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
         gradient: &mut [f64],
     ) {
         let z = &z[..6];
@@ -874,8 +874,8 @@ pub mod flyball_governor_equations {
     pub fn constraint_rate_gradient_guide(
         model: &FlyballGovernor,
         t: f64,
-        z: &[[f64; 3]],
-        velocity: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
+        velocity: &[::rncf::emitted::Vector],
         gradient: &mut [f64],
     ) {
         let z = &z[..6];
@@ -926,7 +926,7 @@ pub mod flyball_governor_equations {
     pub fn constraint_hessian_guide(
         model: &FlyballGovernor,
         t: f64,
-        z: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
         lambda: &[f64],
         hessian: &mut [f64],
     ) {
@@ -983,8 +983,8 @@ pub mod flyball_governor_equations {
     pub fn force_value_right_strut(
         model: &FlyballGovernor,
         t: f64,
-        z: &[[f64; 3]],
-        velocity: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
+        velocity: &[::rncf::emitted::Vector],
         out: &mut [f64],
     ) {
         let z = &z[..2];
@@ -1013,8 +1013,8 @@ pub mod flyball_governor_equations {
     pub fn force_tangent_right_strut(
         model: &FlyballGovernor,
         t: f64,
-        z: &[[f64; 3]],
-        velocity: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
+        velocity: &[::rncf::emitted::Vector],
         by_value: &mut [f64],
         by_velocity: &mut [f64],
     ) {
@@ -1274,11 +1274,11 @@ pub mod flyball_governor_equations {
                 parent: 0,
                 is_body: false,
                 motions: ::rncf::emitted::Motions::Spatial,
-                position: [0.0; 3],
-                axis: [0.0; 3],
+                position: ::rncf::emitted::Vector::zeros(),
+                axis: ::rncf::emitted::Vector::zeros(),
                 angle: 0.0,
-                velocity: [0.0; 3],
-                spin: [0.0; 3],
+                velocity: ::rncf::emitted::Vector::zeros(),
+                spin: ::rncf::emitted::Vector::zeros(),
                 rigid: ::rncf::emitted::RigidSpec::default(),
             };
             let mut specs = ::std::vec::Vec::from([
@@ -1543,7 +1543,7 @@ pub mod flyball_governor_equations {
             constraint: usize,
             level: ::rncf::emitted::ConstraintLevel,
             t: f64,
-            z: &[[[f64; 3]; 4]],
+            z: &[[::rncf::emitted::Vector; 4]],
             rows: &mut [f64],
         ) {
             match constraint {
@@ -1586,7 +1586,7 @@ pub mod flyball_governor_equations {
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
             gradient: &mut [f64],
         ) {
             gradient.fill(0.0);
@@ -1600,8 +1600,8 @@ pub mod flyball_governor_equations {
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
-            velocity: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
+            velocity: &[::rncf::emitted::Vector],
             gradient: &mut [f64],
         ) {
             gradient.fill(0.0);
@@ -1619,14 +1619,14 @@ pub mod flyball_governor_equations {
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
             out: &mut [f64],
         ) {}
         fn marker_constraint_hessian(
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
             lambda: &[f64],
             hessian: &mut [f64],
         ) {
@@ -1663,8 +1663,8 @@ pub mod flyball_governor_equations {
             &self,
             force: usize,
             t: f64,
-            z: &[[f64; 3]],
-            velocity: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
+            velocity: &[::rncf::emitted::Vector],
             out: &mut [f64],
         ) {
             out.fill(0.0);
@@ -1677,8 +1677,8 @@ pub mod flyball_governor_equations {
             &self,
             force: usize,
             t: f64,
-            z: &[[f64; 3]],
-            velocity: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
+            velocity: &[::rncf::emitted::Vector],
             by_value: &mut [f64],
             by_velocity: &mut [f64],
         ) {
@@ -1702,11 +1702,16 @@ pub mod flyball_governor_equations {
             &self,
             force: usize,
             t: f64,
-            z: &[[f64; 3]],
-            velocity: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
+            velocity: &[::rncf::emitted::Vector],
             out: &mut [f64],
         ) {}
-        fn marker_energy(&self, force: usize, t: f64, z: &[[f64; 3]]) -> f64 {
+        fn marker_energy(
+            &self,
+            force: usize,
+            t: f64,
+            z: &[::rncf::emitted::Vector],
+        ) -> f64 {
             0.0
         }
     }

@@ -206,9 +206,9 @@ pub mod four_bar_equations {
         spec.spin[2] = model.speed;
         spec.axis[2] = 1.0;
         spec.rigid.mass = 1.0;
-        spec.rigid.inertia[0][0] = 0.25;
+        spec.rigid.inertia[(0, 0)] = 0.25;
         spec.rigid.moment[1] = 0.5;
-        spec.rigid.inertia[2][2] = 0.3333333333333333;
+        spec.rigid.inertia[(2, 2)] = 0.3333333333333333;
     }
     /// Rigid body `link_1`: its start relative to its parent, and its rigid parts.
     ///
@@ -220,9 +220,9 @@ pub mod four_bar_equations {
         spec.spin[2] = model.speed;
         spec.axis[2] = 1.0;
         spec.rigid.mass = 1.0;
-        spec.rigid.inertia[0][0] = 0.25;
+        spec.rigid.inertia[(0, 0)] = 0.25;
         spec.rigid.moment[1] = 0.5;
-        spec.rigid.inertia[2][2] = 0.3333333333333333;
+        spec.rigid.inertia[(2, 2)] = 0.3333333333333333;
     }
     /// Rigid body `link_2`: its start relative to its parent, and its rigid parts.
     ///
@@ -234,9 +234,9 @@ pub mod four_bar_equations {
         spec.spin[2] = model.speed;
         spec.axis[2] = 1.0;
         spec.rigid.mass = 1.0;
-        spec.rigid.inertia[0][0] = 0.25;
+        spec.rigid.inertia[(0, 0)] = 0.25;
         spec.rigid.moment[1] = 0.5;
-        spec.rigid.inertia[2][2] = 0.3333333333333333;
+        spec.rigid.inertia[(2, 2)] = 0.3333333333333333;
     }
     /// Rigid body `coupler_1`: its start relative to its parent, and its rigid parts.
     ///
@@ -249,8 +249,8 @@ pub mod four_bar_equations {
         spec.axis[2] = 1.0;
         spec.rigid.mass = 1.0;
         spec.rigid.moment[0] = 0.5;
-        spec.rigid.inertia[1][1] = 0.25;
-        spec.rigid.inertia[2][2] = 0.3333333333333333;
+        spec.rigid.inertia[(1, 1)] = 0.25;
+        spec.rigid.inertia[(2, 2)] = 0.3333333333333333;
     }
     /// Rigid body `coupler_2`: its start relative to its parent, and its rigid parts.
     ///
@@ -264,8 +264,8 @@ pub mod four_bar_equations {
         spec.axis[2] = 1.0;
         spec.rigid.mass = 1.0;
         spec.rigid.moment[0] = 0.5;
-        spec.rigid.inertia[1][1] = 0.25;
-        spec.rigid.inertia[2][2] = 0.3333333333333333;
+        spec.rigid.inertia[(1, 1)] = 0.25;
+        spec.rigid.inertia[(2, 2)] = 0.3333333333333333;
     }
     /// Load `weight` in its frame's axes.
     ///
@@ -286,7 +286,7 @@ pub mod four_bar_equations {
     pub fn constraint_position_a0(
         model: &FourBar,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..2];
@@ -299,7 +299,7 @@ pub mod four_bar_equations {
     pub fn constraint_velocity_a0(
         model: &FourBar,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..2];
@@ -312,7 +312,7 @@ pub mod four_bar_equations {
     pub fn constraint_acceleration_a0(
         model: &FourBar,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..2];
@@ -325,7 +325,7 @@ pub mod four_bar_equations {
     pub fn constraint_jerk_a0(
         model: &FourBar,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..2];
@@ -338,7 +338,7 @@ pub mod four_bar_equations {
     pub fn constraint_gradient_a0(
         model: &FourBar,
         t: f64,
-        z: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
         gradient: &mut [f64],
     ) {
         let z = &z[..2];
@@ -423,11 +423,11 @@ pub mod four_bar_equations {
                 parent: 0,
                 is_body: false,
                 motions: ::rncf::emitted::Motions::Spatial,
-                position: [0.0; 3],
-                axis: [0.0; 3],
+                position: ::rncf::emitted::Vector::zeros(),
+                axis: ::rncf::emitted::Vector::zeros(),
                 angle: 0.0,
-                velocity: [0.0; 3],
-                spin: [0.0; 3],
+                velocity: ::rncf::emitted::Vector::zeros(),
+                spin: ::rncf::emitted::Vector::zeros(),
                 rigid: ::rncf::emitted::RigidSpec::default(),
             };
             let mut specs = ::std::vec::Vec::from([
@@ -652,7 +652,7 @@ pub mod four_bar_equations {
             constraint: usize,
             level: ::rncf::emitted::ConstraintLevel,
             t: f64,
-            z: &[[[f64; 3]; 4]],
+            z: &[[::rncf::emitted::Vector; 4]],
             rows: &mut [f64],
         ) {
             match constraint {
@@ -679,7 +679,7 @@ pub mod four_bar_equations {
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
             gradient: &mut [f64],
         ) {
             gradient.fill(0.0);
@@ -694,8 +694,8 @@ pub mod four_bar_equations {
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
-            velocity: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
+            velocity: &[::rncf::emitted::Vector],
             gradient: &mut [f64],
         ) {
             gradient.fill(0.0);
@@ -704,14 +704,14 @@ pub mod four_bar_equations {
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
             out: &mut [f64],
         ) {}
         fn marker_constraint_hessian(
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
             lambda: &[f64],
             hessian: &mut [f64],
         ) {

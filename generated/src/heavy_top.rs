@@ -179,9 +179,9 @@ pub mod heavy_top_equations {
         spec.spin[2] = -4.61538;
         spec.axis[2] = 1.0;
         spec.rigid.mass = 15.0;
-        spec.rigid.inertia[0][0] = 0.234375;
-        spec.rigid.inertia[1][1] = 0.46875;
-        spec.rigid.inertia[2][2] = 0.234375;
+        spec.rigid.inertia[(0, 0)] = 0.234375;
+        spec.rigid.inertia[(1, 1)] = 0.46875;
+        spec.rigid.inertia[(2, 2)] = 0.234375;
     }
     /// Load `weight` in its frame's axes.
     ///
@@ -203,7 +203,7 @@ pub mod heavy_top_equations {
     pub fn constraint_position_pivot(
         model: &HeavyTop,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..2];
@@ -217,7 +217,7 @@ pub mod heavy_top_equations {
     pub fn constraint_velocity_pivot(
         model: &HeavyTop,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..2];
@@ -231,7 +231,7 @@ pub mod heavy_top_equations {
     pub fn constraint_acceleration_pivot(
         model: &HeavyTop,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..2];
@@ -245,7 +245,7 @@ pub mod heavy_top_equations {
     pub fn constraint_jerk_pivot(
         model: &HeavyTop,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..2];
@@ -259,7 +259,7 @@ pub mod heavy_top_equations {
     pub fn constraint_gradient_pivot(
         model: &HeavyTop,
         t: f64,
-        z: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
         gradient: &mut [f64],
     ) {
         let z = &z[..2];
@@ -370,11 +370,11 @@ pub mod heavy_top_equations {
                 parent: 0,
                 is_body: false,
                 motions: ::rncf::emitted::Motions::Spatial,
-                position: [0.0; 3],
-                axis: [0.0; 3],
+                position: ::rncf::emitted::Vector::zeros(),
+                axis: ::rncf::emitted::Vector::zeros(),
                 angle: 0.0,
-                velocity: [0.0; 3],
-                spin: [0.0; 3],
+                velocity: ::rncf::emitted::Vector::zeros(),
+                spin: ::rncf::emitted::Vector::zeros(),
                 rigid: ::rncf::emitted::RigidSpec::default(),
             };
             let mut specs = ::std::vec::Vec::from([
@@ -457,7 +457,7 @@ pub mod heavy_top_equations {
             constraint: usize,
             level: ::rncf::emitted::ConstraintLevel,
             t: f64,
-            z: &[[[f64; 3]; 4]],
+            z: &[[::rncf::emitted::Vector; 4]],
             rows: &mut [f64],
         ) {
             match constraint {
@@ -484,7 +484,7 @@ pub mod heavy_top_equations {
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
             gradient: &mut [f64],
         ) {
             gradient.fill(0.0);
@@ -497,8 +497,8 @@ pub mod heavy_top_equations {
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
-            velocity: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
+            velocity: &[::rncf::emitted::Vector],
             gradient: &mut [f64],
         ) {
             gradient.fill(0.0);
@@ -507,14 +507,14 @@ pub mod heavy_top_equations {
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
             out: &mut [f64],
         ) {}
         fn marker_constraint_hessian(
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
             lambda: &[f64],
             hessian: &mut [f64],
         ) {

@@ -2315,10 +2315,10 @@ pub mod motor_equations {
         });
         motion.spin[0] = theta_t;
         motion.spin_rate[0] = theta_t_t;
-        motion.rotation[1][1] = t20;
-        motion.rotation[1][2] = -t21;
-        motion.rotation[2][1] = t21;
-        motion.rotation[2][2] = t20;
+        motion.rotation[(1, 1)] = t20;
+        motion.rotation[(1, 2)] = -t21;
+        motion.rotation[(2, 1)] = t21;
+        motion.rotation[(2, 2)] = t20;
     }
     /// Joint `drive_end`: conditions, position level.
     ///

@@ -6219,10 +6219,10 @@ pub mod nrel5mw_blade_equations {
         let t15 = t14.cos();
         let t16 = t14.sin();
         motion.spin[0] = model.speed;
-        motion.rotation[1][1] = t15;
-        motion.rotation[1][2] = -t16;
-        motion.rotation[2][1] = t16;
-        motion.rotation[2][2] = t15;
+        motion.rotation[(1, 1)] = t15;
+        motion.rotation[(1, 2)] = -t16;
+        motion.rotation[(2, 1)] = t16;
+        motion.rotation[(2, 2)] = t15;
     }
     /// Load `weight` in its frame's axes.
     ///

@@ -1046,8 +1046,8 @@ pub mod pinned_pipe_equations {
     pub fn force_value_support_0(
         model: &PinnedPipe,
         t: f64,
-        z: &[[f64; 3]],
-        velocity: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
+        velocity: &[::rncf::emitted::Vector],
         out: &mut [f64],
     ) {
         let z = &z[..2];
@@ -1061,8 +1061,8 @@ pub mod pinned_pipe_equations {
     pub fn force_tangent_support_0(
         model: &PinnedPipe,
         t: f64,
-        z: &[[f64; 3]],
-        velocity: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
+        velocity: &[::rncf::emitted::Vector],
         by_value: &mut [f64],
         by_velocity: &mut [f64],
     ) {
@@ -1079,7 +1079,7 @@ pub mod pinned_pipe_equations {
     pub fn force_energy_support_0(
         model: &PinnedPipe,
         t: f64,
-        z: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
         energy: &mut f64,
     ) {
         let z = &z[..2];
@@ -1096,8 +1096,8 @@ pub mod pinned_pipe_equations {
     pub fn force_value_shake(
         model: &PinnedPipe,
         t: f64,
-        z: &[[f64; 3]],
-        velocity: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
+        velocity: &[::rncf::emitted::Vector],
         out: &mut [f64],
     ) {
         let z = &z[..1];
@@ -1184,11 +1184,11 @@ pub mod pinned_pipe_equations {
                 parent: 0,
                 is_body: false,
                 motions: ::rncf::emitted::Motions::Spatial,
-                position: [0.0; 3],
-                axis: [0.0; 3],
+                position: ::rncf::emitted::Vector::zeros(),
+                axis: ::rncf::emitted::Vector::zeros(),
                 angle: 0.0,
-                velocity: [0.0; 3],
-                spin: [0.0; 3],
+                velocity: ::rncf::emitted::Vector::zeros(),
+                spin: ::rncf::emitted::Vector::zeros(),
                 rigid: ::rncf::emitted::RigidSpec::default(),
             };
             let mut specs = ::std::vec::Vec::from([
@@ -1644,8 +1644,8 @@ pub mod pinned_pipe_equations {
             &self,
             force: usize,
             t: f64,
-            z: &[[f64; 3]],
-            velocity: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
+            velocity: &[::rncf::emitted::Vector],
             out: &mut [f64],
         ) {
             out.fill(0.0);
@@ -1661,8 +1661,8 @@ pub mod pinned_pipe_equations {
             &self,
             force: usize,
             t: f64,
-            z: &[[f64; 3]],
-            velocity: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
+            velocity: &[::rncf::emitted::Vector],
             by_value: &mut [f64],
             by_velocity: &mut [f64],
         ) {
@@ -1686,11 +1686,16 @@ pub mod pinned_pipe_equations {
             &self,
             force: usize,
             t: f64,
-            z: &[[f64; 3]],
-            velocity: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
+            velocity: &[::rncf::emitted::Vector],
             out: &mut [f64],
         ) {}
-        fn marker_energy(&self, force: usize, t: f64, z: &[[f64; 3]]) -> f64 {
+        fn marker_energy(
+            &self,
+            force: usize,
+            t: f64,
+            z: &[::rncf::emitted::Vector],
+        ) -> f64 {
             let mut energy = 0.0;
             match force {
                 0 | 1 | 2 | 3 | 4 | 5 | 6 | 7 | 8 => {

@@ -2527,7 +2527,7 @@ pub mod right_angle_frame_equations {
     pub fn constraint_position_corner(
         model: &RightAngleFrame,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..8];
@@ -2547,7 +2547,7 @@ pub mod right_angle_frame_equations {
     pub fn constraint_velocity_corner(
         model: &RightAngleFrame,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..8];
@@ -2573,7 +2573,7 @@ pub mod right_angle_frame_equations {
     pub fn constraint_acceleration_corner(
         model: &RightAngleFrame,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..8];
@@ -2608,7 +2608,7 @@ pub mod right_angle_frame_equations {
     pub fn constraint_jerk_corner(
         model: &RightAngleFrame,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..8];
@@ -2670,7 +2670,7 @@ pub mod right_angle_frame_equations {
     pub fn constraint_gradient_corner(
         model: &RightAngleFrame,
         t: f64,
-        z: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
         gradient: &mut [f64],
     ) {
         let z = &z[..8];
@@ -2705,8 +2705,8 @@ pub mod right_angle_frame_equations {
     pub fn constraint_rate_gradient_corner(
         model: &RightAngleFrame,
         t: f64,
-        z: &[[f64; 3]],
-        velocity: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
+        velocity: &[::rncf::emitted::Vector],
         gradient: &mut [f64],
     ) {
         let z = &z[..8];
@@ -2736,7 +2736,7 @@ pub mod right_angle_frame_equations {
     pub fn constraint_hessian_corner(
         model: &RightAngleFrame,
         t: f64,
-        z: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
         lambda: &[f64],
         hessian: &mut [f64],
     ) {
@@ -3786,7 +3786,7 @@ pub mod right_angle_frame_equations {
             constraint: usize,
             level: ::rncf::emitted::ConstraintLevel,
             t: f64,
-            z: &[[[f64; 3]; 4]],
+            z: &[[::rncf::emitted::Vector; 4]],
             rows: &mut [f64],
         ) {
             match constraint {
@@ -3813,7 +3813,7 @@ pub mod right_angle_frame_equations {
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
             gradient: &mut [f64],
         ) {
             gradient.fill(0.0);
@@ -3826,8 +3826,8 @@ pub mod right_angle_frame_equations {
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
-            velocity: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
+            velocity: &[::rncf::emitted::Vector],
             gradient: &mut [f64],
         ) {
             gradient.fill(0.0);
@@ -3848,14 +3848,14 @@ pub mod right_angle_frame_equations {
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
             out: &mut [f64],
         ) {}
         fn marker_constraint_hessian(
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
             lambda: &[f64],
             hessian: &mut [f64],
         ) {

@@ -1239,10 +1239,10 @@ pub mod rotating_cantilever_equations {
         let t15 = theta.cos();
         let t16 = theta.sin();
         motion.spin[2] = model.eta;
-        motion.rotation[0][0] = t15;
-        motion.rotation[0][1] = -t16;
-        motion.rotation[1][0] = t16;
-        motion.rotation[1][1] = t15;
+        motion.rotation[(0, 0)] = t15;
+        motion.rotation[(0, 1)] = -t16;
+        motion.rotation[(1, 0)] = t16;
+        motion.rotation[(1, 1)] = t15;
     }
     /// Joint `root`: conditions, position level.
     ///

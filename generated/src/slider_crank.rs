@@ -2029,7 +2029,7 @@ pub mod slider_crank_equations {
     pub fn constraint_position_root(
         model: &SliderCrank,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..2];
@@ -2043,7 +2043,7 @@ pub mod slider_crank_equations {
     pub fn constraint_velocity_root(
         model: &SliderCrank,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..2];
@@ -2057,7 +2057,7 @@ pub mod slider_crank_equations {
     pub fn constraint_acceleration_root(
         model: &SliderCrank,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..2];
@@ -2071,7 +2071,7 @@ pub mod slider_crank_equations {
     pub fn constraint_jerk_root(
         model: &SliderCrank,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..2];
@@ -2085,7 +2085,7 @@ pub mod slider_crank_equations {
     pub fn constraint_gradient_root(
         model: &SliderCrank,
         t: f64,
-        z: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
         gradient: &mut [f64],
     ) {
         let z = &z[..2];
@@ -2106,7 +2106,7 @@ pub mod slider_crank_equations {
     pub fn constraint_position_chord_y(
         model: &SliderCrank,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..3];
@@ -2120,7 +2120,7 @@ pub mod slider_crank_equations {
     pub fn constraint_velocity_chord_y(
         model: &SliderCrank,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..3];
@@ -2138,7 +2138,7 @@ pub mod slider_crank_equations {
     pub fn constraint_acceleration_chord_y(
         model: &SliderCrank,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..3];
@@ -2159,7 +2159,7 @@ pub mod slider_crank_equations {
     pub fn constraint_jerk_chord_y(
         model: &SliderCrank,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..3];
@@ -2186,7 +2186,7 @@ pub mod slider_crank_equations {
     pub fn constraint_gradient_chord_y(
         model: &SliderCrank,
         t: f64,
-        z: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
         gradient: &mut [f64],
     ) {
         let z = &z[..3];
@@ -2206,8 +2206,8 @@ pub mod slider_crank_equations {
     pub fn constraint_rate_gradient_chord_y(
         model: &SliderCrank,
         t: f64,
-        z: &[[f64; 3]],
-        velocity: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
+        velocity: &[::rncf::emitted::Vector],
         gradient: &mut [f64],
     ) {
         let z = &z[..3];
@@ -2228,7 +2228,7 @@ pub mod slider_crank_equations {
     pub fn constraint_hessian_chord_y(
         model: &SliderCrank,
         t: f64,
-        z: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
         lambda: &[f64],
         hessian: &mut [f64],
     ) {
@@ -2257,7 +2257,7 @@ pub mod slider_crank_equations {
     pub fn constraint_position_cross_axis(
         model: &SliderCrank,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..1];
@@ -2277,7 +2277,7 @@ pub mod slider_crank_equations {
     pub fn constraint_velocity_cross_axis(
         model: &SliderCrank,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..1];
@@ -2306,7 +2306,7 @@ pub mod slider_crank_equations {
     pub fn constraint_acceleration_cross_axis(
         model: &SliderCrank,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..1];
@@ -2346,7 +2346,7 @@ pub mod slider_crank_equations {
     pub fn constraint_jerk_cross_axis(
         model: &SliderCrank,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..1];
@@ -2394,7 +2394,7 @@ pub mod slider_crank_equations {
     pub fn constraint_gradient_cross_axis(
         model: &SliderCrank,
         t: f64,
-        z: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
         gradient: &mut [f64],
     ) {
         let z = &z[..1];
@@ -2415,8 +2415,8 @@ pub mod slider_crank_equations {
     pub fn constraint_rate_gradient_cross_axis(
         model: &SliderCrank,
         t: f64,
-        z: &[[f64; 3]],
-        velocity: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
+        velocity: &[::rncf::emitted::Vector],
         gradient: &mut [f64],
     ) {
         let z = &z[..1];
@@ -2447,7 +2447,7 @@ pub mod slider_crank_equations {
     pub fn constraint_position_guide_y(
         model: &SliderCrank,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..1];
@@ -2459,7 +2459,7 @@ pub mod slider_crank_equations {
     pub fn constraint_velocity_guide_y(
         model: &SliderCrank,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..1];
@@ -2471,7 +2471,7 @@ pub mod slider_crank_equations {
     pub fn constraint_acceleration_guide_y(
         model: &SliderCrank,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..1];
@@ -2483,7 +2483,7 @@ pub mod slider_crank_equations {
     pub fn constraint_jerk_guide_y(
         model: &SliderCrank,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..1];
@@ -2495,7 +2495,7 @@ pub mod slider_crank_equations {
     pub fn constraint_gradient_guide_y(
         model: &SliderCrank,
         t: f64,
-        z: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
         gradient: &mut [f64],
     ) {
         let z = &z[..1];
@@ -2511,7 +2511,7 @@ pub mod slider_crank_equations {
     pub fn constraint_position_guide_z(
         model: &SliderCrank,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..1];
@@ -2523,7 +2523,7 @@ pub mod slider_crank_equations {
     pub fn constraint_velocity_guide_z(
         model: &SliderCrank,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..1];
@@ -2535,7 +2535,7 @@ pub mod slider_crank_equations {
     pub fn constraint_acceleration_guide_z(
         model: &SliderCrank,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..1];
@@ -2547,7 +2547,7 @@ pub mod slider_crank_equations {
     pub fn constraint_jerk_guide_z(
         model: &SliderCrank,
         t: f64,
-        z: &[[[f64; 3]; 4]],
+        z: &[[::rncf::emitted::Vector; 4]],
         rows: &mut [f64],
     ) {
         let z = &z[..1];
@@ -2559,7 +2559,7 @@ pub mod slider_crank_equations {
     pub fn constraint_gradient_guide_z(
         model: &SliderCrank,
         t: f64,
-        z: &[[f64; 3]],
+        z: &[::rncf::emitted::Vector],
         gradient: &mut [f64],
     ) {
         let z = &z[..1];
@@ -2722,11 +2722,11 @@ pub mod slider_crank_equations {
                 parent: 0,
                 is_body: false,
                 motions: ::rncf::emitted::Motions::Spatial,
-                position: [0.0; 3],
-                axis: [0.0; 3],
+                position: ::rncf::emitted::Vector::zeros(),
+                axis: ::rncf::emitted::Vector::zeros(),
                 angle: 0.0,
-                velocity: [0.0; 3],
-                spin: [0.0; 3],
+                velocity: ::rncf::emitted::Vector::zeros(),
+                spin: ::rncf::emitted::Vector::zeros(),
                 rigid: ::rncf::emitted::RigidSpec::default(),
             };
             let mut specs = ::std::vec::Vec::from([
@@ -3299,7 +3299,7 @@ pub mod slider_crank_equations {
             constraint: usize,
             level: ::rncf::emitted::ConstraintLevel,
             t: f64,
-            z: &[[[f64; 3]; 4]],
+            z: &[[::rncf::emitted::Vector; 4]],
             rows: &mut [f64],
         ) {
             match constraint {
@@ -3390,7 +3390,7 @@ pub mod slider_crank_equations {
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
             gradient: &mut [f64],
         ) {
             gradient.fill(0.0);
@@ -3407,8 +3407,8 @@ pub mod slider_crank_equations {
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
-            velocity: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
+            velocity: &[::rncf::emitted::Vector],
             gradient: &mut [f64],
         ) {
             gradient.fill(0.0);
@@ -3438,14 +3438,14 @@ pub mod slider_crank_equations {
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
             out: &mut [f64],
         ) {}
         fn marker_constraint_hessian(
             &self,
             constraint: usize,
             t: f64,
-            z: &[[f64; 3]],
+            z: &[::rncf::emitted::Vector],
             lambda: &[f64],
             hessian: &mut [f64],
         ) {

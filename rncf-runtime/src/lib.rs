@@ -15,10 +15,9 @@ pub mod linalg;
 mod modal;
 pub mod model;
 pub mod modes;
-pub mod rotation;
 mod scene;
+pub mod space;
 pub mod system;
-pub mod vector;
 
 pub use equilibrium::{Equilibrium, steady};
 pub use error::{ModelError, SolveError};
@@ -28,5 +27,6 @@ pub use model::{
     Ancf, AnyModel, Caution, Formulated, Formulation, Joints, Model, Output, Param, ParamKind, Rncf, RunDefaults,
     Scene, Start, Warning,
 };
-pub use rotation::Rotation;
+/// What places, rotations and small matrices are of: a program names the same version by it.
+pub use nalgebra;
 pub use system::{State, System};

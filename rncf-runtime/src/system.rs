@@ -13,8 +13,7 @@
 
 use crate::archive::{Archive, Keep};
 use crate::linalg::Pattern;
-use crate::rotation::{Rotation, inverse_tangent_map};
-use crate::vector::{Matrix, Vector};
+use crate::space::{Matrix, Rotation, Vector, inverse_tangent_map, three, turned};
 
 /// Position, velocity, acceleration and multipliers of a system at one time.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -71,14 +70,14 @@ impl State {
     /// A state of zeros at time `t` for `system`, orientations along the inertial axes.
     pub fn of(system: &dyn System, t: f64) -> Self {
         Self {
-            turns: vec![Rotation::IDENTITY; system.turns().len()],
+            turns: vec![Rotation::identity(); system.turns().len()],
             ..Self::zeros(t, system.unknowns(), system.constraints())
         }
     }
 
     /// Orientation `index` of [`System::turns`], whose first unknown is `unknown`.
     pub fn orientation(&self, index: usize, unknown: usize) -> Rotation {
-        self.turns[index].turned([self.x[unknown], self.x[unknown + 1], self.x[unknown + 2]])
+        turned(&self.turns[index], three(&self.x, unknown))
     }
 
     /// Begins the charts of the orientations with the given first unknowns anew: theta = 0.
@@ -441,13 +440,13 @@ impl AsSystem for dyn System + '_ {
 
 /// Multiplies the columns of the orientation whose first unknown is `turn` by `T(theta)^-1`.
 fn columns_to_increments(pattern: &Pattern, turn: usize, state: &State, values: &mut [f64]) {
-    let map = inverse_tangent_map([state.x[turn], state.x[turn + 1], state.x[turn + 2]]);
+    let map = inverse_tangent_map(three(&state.x, turn));
     for row in 0..pattern.rows() {
         let places: [Option<usize>; 3] = std::array::from_fn(|j| pattern.find(row, turn + j));
         let old = places.map(|place| place.map_or(0.0, |place| values[place]));
         for (j, place) in places.into_iter().enumerate() {
             if let Some(place) = place {
-                values[place] = (0..3).map(|l| old[l] * map[l][j]).sum();
+                values[place] = (0..3).map(|l| old[l] * map[(l, j)]).sum();
             }
         }
     }

@@ -17,6 +17,7 @@ use super::run::RunSettings;
 use super::scenario::{self, Scenario};
 use crate::equilibrium::Spin;
 use crate::model::Fidelity;
+use crate::space::Vector;
 use crate::{AnyModel, Formulation, Joints, Method, Options, Start, StepSize};
 
 /// A command line that makes sense.
@@ -313,11 +314,9 @@ fn equilibrium(matches: &ArgMatches) -> Result<EquilibriumSettings, String> {
         }
         (Some(spin), axis) => {
             let index = ["x", "y", "z"].iter().position(|name| Some(*name) == axis).unwrap_or(2);
-            let mut velocity = [0.0; 3];
-            velocity[index] = spin;
             Some(Spin {
-                velocity,
-                point: [0.0; 3],
+                velocity: Vector::ith(index, spin),
+                point: Vector::zeros(),
             })
         }
     };

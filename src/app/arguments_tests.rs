@@ -9,6 +9,7 @@ use super::finer::Judging;
 use super::run::RunSettings;
 use super::testing::Rotor;
 use crate::model::Fidelity;
+use crate::space::Vector;
 use crate::{Formulation, Joints, Method, Options, Start, StepSize};
 
 fn read(line: &[&str]) -> Result<Arguments, Refusal> {
@@ -114,7 +115,7 @@ fn all_flags_are_read() {
         (equilibrium.at, equilibrium.steps, equilibrium.count),
         (Some(1.0), 7, 5)
     );
-    assert_eq!(equilibrium.spin.unwrap().velocity, [2.0, 0.0, 0.0]);
+    assert_eq!(equilibrium.spin.unwrap().velocity, Vector::new(2.0, 0.0, 0.0));
     assert_eq!(equilibrium.range.map(|range| (range.param, range.from)), Some((0, 0.0)));
 }
 

@@ -548,7 +548,7 @@ pub(super) fn at_the_end(model: &dyn AnyModel, settings: &EquilibriumSettings) -
 /// Angular velocity of a uniform motion, rad/s.
 pub(super) fn spin(scene: &dyn Scene, at: &Uniform) -> f64 {
     let full = match at.spin {
-        Some(spin) => crate::vector::norm(spin.velocity),
+        Some(spin) => spin.velocity.norm(),
         None => scene.spin(at.t),
     };
     at.speed() * full

@@ -8,13 +8,14 @@ use super::parameters::digits;
 use super::report::escape;
 use super::summary::Summary;
 use crate::model::MassProperties;
+use crate::space::rows;
 
 /// Adds the masses to a summary; nothing where nothing has mass.
 pub(super) fn put(summary: &mut Summary, masses: &[MassProperties]) {
     if masses.is_empty() {
         return;
     }
-    let entry = |one: &MassProperties| json!({ "name": one.name, "mass": one.mass, "centre": one.centre, "inertia": one.inertia });
+    let entry = |one: &MassProperties| json!({ "name": one.name, "mass": one.mass, "centre": one.centre.as_slice(), "inertia": rows(&one.inertia) });
     summary.insert("masses".into(), masses.iter().map(entry).collect());
 }
 
@@ -102,13 +103,14 @@ fn group_row(text: &mut String, group: &[Value]) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::space::{Vector, from_rows};
 
     fn body(name: &str, mass: f64) -> MassProperties {
         MassProperties {
             name: name.into(),
             mass,
-            centre: [0.5, 0.0, 0.0],
-            inertia: [[1.0, 1e-17, 0.0], [1e-17, 2.0, 0.0], [0.0, 0.0, 2.5]],
+            centre: Vector::new(0.5, 0.0, 0.0),
+            inertia: from_rows(&[[1.0, 1e-17, 0.0], [1e-17, 2.0, 0.0], [0.0, 0.0, 2.5]]),
         }
     }
 

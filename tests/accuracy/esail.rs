@@ -1,7 +1,7 @@
 //! The E-sail against the recorded reference of THEORY 9.5: 10 km, 4 elements, steps of 1 s.
 
+use rncf::nalgebra::Vector3;
 use rncf::system::ConstraintLevel;
-use rncf::vector::{add, apply, norm};
 use rncf::{Formulation, Integrator, Joints, Method, Model, Options, Scene, State};
 use rncf_models::{Esail, EsailSlack};
 
@@ -40,14 +40,14 @@ struct Record {
 /// Nodal vectors of an element: position and slope at both ends.
 fn tension(q: &[f64], length: f64) -> f64 {
     let slope = |i: usize| 1.5 * (q[6 + i] - q[i]) / length - 0.25 * (q[3 + i] + q[9 + i]);
-    let stretch = norm([slope(0), slope(1), slope(2)]);
+    let stretch = Vector3::new(slope(0), slope(1), slope(2)).norm();
     320.0 * (stretch * stretch - 1.0) / 2.0 * stretch
 }
 
 /// Its mass times its centre, with 1.23428..e-5 kg/m.
-fn moment(q: &[f64], length: f64) -> [f64; 3] {
+fn moment(q: &[f64], length: f64) -> Vector3<f64> {
     let mass = 2700.0 * 4.571428571428571e-9 * length;
-    std::array::from_fn(|i| mass * ((q[i] + q[6 + i]) / 2.0 + length / 12.0 * (q[3 + i] - q[9 + i])))
+    Vector3::from_fn(|i, _| mass * ((q[i] + q[6 + i]) / 2.0 + length / 12.0 * (q[3 + i] - q[9 + i])))
 }
 
 fn record(model: &Esail, scene: &mut dyn Scene, state: &State) -> Record {
@@ -63,21 +63,21 @@ fn record(model: &Esail, scene: &mut dyn Scene, state: &State) -> Record {
         })
     };
     let mean = |element: usize| (0..tethers).map(|a| tension(main(a, element), length)).sum::<f64>() / tethers as f64;
-    let mut centre = [0.0; 3];
+    let mut centre = Vector3::zeros();
     for a in 0..tethers {
         for element in 0..count {
-            centre = add(centre, moment(main(a, element), length));
+            centre += moment(main(a, element), length);
         }
-        centre = add(centre, moment(ring(a), arc));
+        centre += moment(ring(a), arc);
         let tip = &main(a, count)[..3];
-        centre = std::array::from_fn(|i| centre[i] + model.remote_mass * tip[i]);
+        centre += model.remote_mass * Vector3::from_column_slice(tip);
     }
     // All of it, THEORY 9.5.
-    let centre = centre.map(|moment| moment / 148.118381729);
+    let centre = centre / 148.118381729;
     let pose = &frame.poses[0];
     Record {
-        radial: norm(pose.position) - DISTANCE,
-        radial_centre: norm(add(pose.position, apply(&pose.rotation.matrix(), centre))) - DISTANCE,
+        radial: pose.position.norm() - DISTANCE,
+        radial_centre: (pose.position + pose.rotation * centre).norm() - DISTANCE,
         z: bounds(&mut (0..tethers).map(|a| main(a, count)[2])),
         root: mean(0),
         tip: mean(count - 1),

@@ -1,6 +1,7 @@
 //! The freely tumbling cable of THEORY 9.6: against the same cable written by hand in the inertial frame, and what nothing
 //! can change.
 
+use rncf::nalgebra::Vector3;
 use rncf::{Formulation, Joints, Method, Model, Options, Scene, State};
 use rncf_models::FreeFlight;
 use rncf_tests::free_cable::{FreeCable, Kept};
@@ -54,19 +55,22 @@ pub fn start(model: &FreeFlight) -> Vec<f64> {
 pub fn kept(scene: &mut dyn Scene, state: &State, cable: &FreeCable) -> Kept {
     let seen = scene.frame_state(state);
     let pose = seen.poses[0];
-    let matrix = pose.rotation.matrix();
-    let turn = |v: [f64; 3]| -> [f64; 3] { std::array::from_fn(|i| (0..3).map(|j| matrix[i][j] * v[j]).sum()) };
+    let turn = |v: [f64; 3]| -> [f64; 3] { (pose.rotation * Vector3::from(v)).into() };
     let (mut q, mut qd) = (Vec::new(), Vec::new());
     for (vector, (at, rate)) in seen.q.chunks_exact(3).zip(seen.v.chunks_exact(3)).enumerate() {
         let at: [f64; 3] = at.try_into().unwrap();
-        let rate = turn(add(rate.try_into().unwrap(), cross(pose.spin, at)));
+        let rate = turn(add(rate.try_into().unwrap(), cross(pose.spin.into(), at)));
         let is_position = vector % 2 == 0;
         q.extend(if is_position {
-            add(pose.position, turn(at))
+            add(pose.position.into(), turn(at))
         } else {
             turn(at)
         });
-        qd.extend(if is_position { add(pose.velocity, rate) } else { rate });
+        qd.extend(if is_position {
+            add(pose.velocity.into(), rate)
+        } else {
+            rate
+        });
     }
     cable.kept(&q, &qd)
 }

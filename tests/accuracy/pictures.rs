@@ -3,7 +3,7 @@
 use rncf::AnyModel;
 use rncf::app::{EquilibriumSettings, Pictures, RunResult, RunSettings, modes, run};
 use rncf::model::{SignKind, SignPlace};
-use rncf::vector::{add, apply, dot, norm, subtract};
+use rncf::nalgebra::Vector3;
 use rncf_models::{EsailSlack, FreeFlight, HeavyTop, SpinUp};
 
 fn drawn(model: &dyn AnyModel, t_end: f64, every: f64) -> (RunResult, Pictures) {
@@ -25,8 +25,8 @@ fn scales_are_those_of_the_envelopes() {
     let (result, pictures) = drawn(&SpinUp::default(), 20.0, 0.03);
     assert!((pictures.times.len() as u64) < result.history.rows());
     let of = |name: &str| {
-        let scales = pictures.scales().into_iter();
-        scales.filter(|scale| scale.name == name).last().expect(name).range
+        let mut scales = pictures.scales().into_iter();
+        scales.rfind(|scale| scale.name == name).expect(name).range
     };
     let envelope = &result.envelopes.bodies[0];
     let force = envelope.axial_force.expect("a force").value;
@@ -60,9 +60,13 @@ fn joints_and_loads_have_their_places() {
     let Some(SignPlace::Frame { frame, at }) = pivot.place else {
         panic!("{pivot:?}")
     };
-    assert_eq!((top.frames[frame].as_str(), at), ("top", [0.0, -1.0, 0.0]));
+    assert_eq!((top.frames[frame].as_str(), at), ("top", -Vector3::y()));
     assert_eq!((weight.kind, weight.place), (SignKind::Gravity, None));
-    assert!(top.shots.iter().all(|shot| shot.acting == [[0.0, 0.0, -9.81]]));
+    assert!(
+        top.shots
+            .iter()
+            .all(|shot| shot.acting == [Vector3::new(0.0, 0.0, -9.81)])
+    );
 }
 
 /// A scene of many points has fewer pictures, so that its page does not grow without bound.
@@ -105,8 +109,8 @@ fn ends_of_curves_are_where_the_outputs_say() {
         let values = &result.history.values[row * 7..];
         let (place, rotation) = &shot.poses[1];
         for (point, output) in [(0, &values[..3]), (curves[0].points - 1, &values[3..6])] {
-            let drawn = add(*place, apply(&rotation.matrix(), shot.points[point]));
-            assert!(norm(subtract(drawn, [output[0], output[1], output[2]])) < 1e-12);
+            let drawn = *place + rotation * shot.points[point];
+            assert!((drawn - Vector3::new(output[0], output[1], output[2])).norm() < 1e-12);
         }
     }
 }
@@ -126,7 +130,7 @@ fn drawn_modes_are_those_of_a_cantilever() {
     // Along that of the tip, whose size is 1.
     let along_tip = |mode: usize, point: usize| {
         let [own, tip] = [point, points - 1].map(|point| shapes.moved[mode][point]);
-        dot(own[0], tip[0]) + dot(own[1], tip[1])
+        own[0].dot(&tip[0]) + own[1].dot(&tip[1])
     };
     for (mode, wanted) in [0.339_523, -0.713_666].into_iter().enumerate() {
         let [root, middle, tip] = [0, points / 2, points - 1].map(|point| along_tip(mode, point));

@@ -4,6 +4,7 @@ mod distributed;
 mod flows;
 
 use rncf::model::Configuration;
+use rncf::nalgebra::{UnitQuaternion, Vector3};
 use rncf::system::{State, Tangent};
 use rncf::{Formulation, Joints, Model, Scene};
 
@@ -128,7 +129,7 @@ fn shaken(scene: &dyn Scene, t: f64, seed: u64) -> State {
         }
     }
     for turn in &mut state.turns {
-        *turn = turn.turned([random.number(), random.number(), random.number()]);
+        *turn *= UnitQuaternion::new(Vector3::new(random.number(), random.number(), random.number()));
     }
     state
 }

@@ -1,6 +1,7 @@
 //! Runs on grids of times, and what a run keeps.
 
 use rncf::equilibrium::{Uniform, static_load};
+use rncf::nalgebra::Vector3;
 use rncf::prelude::*;
 use rncf::system::{ConstraintLevel, State};
 
@@ -78,22 +79,17 @@ pub fn momenta(scene: &mut dyn Scene, state: &State) -> [f64; 6] {
     pattern.multiply_add(1.0, &mass, &state.v, &mut impulse);
     let seen = scene.frame_state(state);
     std::array::from_fn(|k| {
-        let unit: [f64; 3] = std::array::from_fn(|i| if i == k % 3 { 1.0 } else { 0.0 });
+        let unit = Vector3::ith(k % 3, 1.0);
         let mut rigid = seen.clone();
         rigid.v.fill(0.0);
         for pose in &mut rigid.poses {
             let at = pose.position;
-            let matrix = pose.rotation.matrix();
-            let turning: [f64; 3] = std::array::from_fn(|i| {
-                let (j, l) = ((i + 1) % 3, (i + 2) % 3);
-                unit[j] * at[l] - unit[l] * at[j]
-            });
             *pose = Pose {
-                velocity: if k < 3 { unit } else { turning },
+                velocity: if k < 3 { unit } else { unit.cross(&at) },
                 spin: if k < 3 {
-                    [0.0; 3]
+                    Vector3::zeros()
                 } else {
-                    std::array::from_fn(|i| matrix[k - 3][i])
+                    pose.rotation.inverse() * unit
                 },
                 ..*pose
             };

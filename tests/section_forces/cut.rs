@@ -4,7 +4,7 @@
 use rncf::Scene;
 use rncf::equilibrium::{Uniform, static_load};
 use rncf::model::SectionState;
-use rncf::vector::{Vector, add, cross, dot, norm, scale, subtract};
+use rncf::space::Vector;
 
 /// Place and axes (x along `r_y x r_z`) of a section in the deformed shape.
 #[derive(Clone, Copy, Debug)]
@@ -39,29 +39,29 @@ impl Kind {
 }
 
 fn unit(u: Vector) -> Vector {
-    scale(1.0 / norm(u), u)
+    1.0 / u.norm() * u
 }
 
 /// Sections at the start, in the middle and at the end of every element, from the body's nodal vectors.
 pub fn sections(kind: Kind, elements: usize, length: f64, q: &[f64]) -> Vec<Section> {
     let [_, stride, dimension] = kind.counts();
     let at = |element: usize, vector: usize| -> Vector {
-        let mut found = [0.0; 3];
+        let mut found = Vector::zeros();
         let first = (element * stride + vector) * dimension;
-        found[..dimension].copy_from_slice(&q[first..first + dimension]);
+        found.as_mut_slice()[..dimension].copy_from_slice(&q[first..first + dimension]);
         found
     };
     let h = length / elements as f64;
-    let normal = [0.0, 0.0, 1.0];
+    let normal = Vector::z();
     let axes = |slope: Vector, y: Vector, z: Vector| match kind {
         Kind::PlanarCable => {
             let along = unit(slope);
-            [along, cross(normal, along), normal]
+            [along, normal.cross(&along), normal]
         }
-        Kind::PlanarBeam => [unit(cross(y, normal)), unit(y), normal],
+        Kind::PlanarBeam => [unit(y.cross(&normal)), unit(y), normal],
         Kind::SpatialBeam => {
-            let (along, y) = (unit(cross(y, z)), unit(y));
-            [along, y, cross(along, y)]
+            let (along, y) = (unit(y.cross(&z)), unit(y));
+            [along, y, along.cross(&y)]
         }
     };
     let mut found = Vec::new();
@@ -69,11 +69,11 @@ pub fn sections(kind: Kind, elements: usize, length: f64, q: &[f64]) -> Vec<Sect
         let next = element + 1;
         let [r0, s0, r1, s1] = [at(element, 0), at(element, 1), at(next, 0), at(next, 1)];
         // Hermite polynomials in the middle.
-        let middle = add(scale(0.5, add(r0, r1)), scale(h / 8.0, subtract(s0, s1)));
-        let slope = add(scale(1.5 / h, subtract(r1, r0)), scale(-0.25, add(s0, s1)));
+        let middle = 0.5 * (r0 + r1) + h / 8.0 * (s0 - s1);
+        let slope = 1.5 / h * (r1 - r0) + -0.25 * (s0 + s1);
         let inside = |place: usize| match kind {
-            Kind::PlanarCable => [[0.0; 3]; 2],
-            Kind::PlanarBeam => [at(element, [2, 3, 6][place]), [0.0; 3]],
+            Kind::PlanarCable => [Vector::zeros(); 2],
+            Kind::PlanarBeam => [at(element, [2, 3, 6][place]), Vector::zeros()],
             Kind::SpatialBeam => [at(element, [2, 4, 8][place]), at(element, [3, 5, 9][place])],
         };
         for (place, (position, slope)) in [(r0, s0), (middle, slope), (r1, s1)].into_iter().enumerate() {
@@ -108,12 +108,12 @@ pub struct Errors {
 pub fn errors(kind: Kind, sections: &[Section], states: &[SectionState], [force, moment]: [Vector; 2]) -> Errors {
     assert_eq!(sections.len(), states.len());
     let tip = sections.last().unwrap().position;
-    let of = |section: &Section| add(moment, cross(subtract(tip, section.position), force));
-    let (size, lever) = (norm(force).max(1e-300), norm(of(&sections[0])));
+    let of = |section: &Section| moment + (tip - section.position).cross(&force);
+    let (size, lever) = (force.norm().max(1e-300), of(&sections[0]).norm());
     let mut errors = Errors::default();
     for (section, state) in sections.iter().zip(states) {
-        let [n, qy, qz] = section.axes.map(|axis| dot(axis, force));
-        let [t, my, mz] = section.axes.map(|axis| dot(axis, of(section)));
+        let [n, qy, qz] = section.axes.map(|axis| axis.dot(&force));
+        let [t, my, mz] = section.axes.map(|axis| axis.dot(&of(section)));
         let larger = |error: &mut f64, found: f64, wanted: f64, size: f64| {
             *error = error.max((found - wanted).abs() / size);
         };

@@ -5,13 +5,14 @@ use rncf_models::{Bend45, PrincetonBeam};
 
 use crate::cut::{Errors, Kind, at_rest, errors, sections};
 use crate::models::{Blades, LENGTH, RADII, YOUNG, area, second_moment};
+use rncf::nalgebra::Vector3;
 
 /// Errors of both blades, the beam first.
 fn blades(model: &Blades) -> [Errors; 2] {
     let mut scene = model.scene::<Rncf>().unwrap();
     let (states, q) = at_rest(scene.as_mut());
     let n = model.elements;
-    let loads = [[model.pull_x, model.pull_y, 0.0], [0.0, 0.0, model.twist]];
+    let loads = [[model.pull_x, model.pull_y, 0.0], [0.0, 0.0, model.twist]].map(Vector3::from);
     let (mut states, mut q) = (&states[..], &q[..]);
     [Kind::PlanarBeam, Kind::PlanarCable].map(|kind| {
         let (own, others) = states.split_at(3 * n);
@@ -89,7 +90,7 @@ fn a_strip_bent_about_both_axes_is_in_equilibrium() {
         let (states, q) = at_rest(scene.as_mut());
         let force = [0.0, model.load * model.angle.cos(), model.load * model.angle.sin()];
         let sections = sections(Kind::SpatialBeam, elements, 0.508, &q);
-        let found = errors(Kind::SpatialBeam, &sections, &states, [force, [0.0; 3]]);
+        let found = errors(Kind::SpatialBeam, &sections, &states, [force.into(), Vector3::zeros()]);
         println!("{elements} elements: {found:?}");
         balanced(&found);
     }
@@ -108,10 +109,10 @@ fn a_strip_under_a_small_load_has_the_stress_of_the_handbook() {
     for state in &states {
         let arm = length - state.x;
         let moments = [-z * arm, y * arm];
-        for (found, wanted) in state.moments[1..].iter().zip(moments) {
+        for (found, wanted) in state.moments.iter().skip(1).zip(moments) {
             assert!((found - wanted).abs() < 1e-5 * y * length, "{found} {wanted} {state:?}");
         }
-        for (found, wanted) in state.forces[1..].iter().zip([y, z]) {
+        for (found, wanted) in state.forces.iter().skip(1).zip([y, z]) {
             assert!((found - wanted).abs() < 1e-4 * y, "{found} {wanted} {state:?}");
         }
         let bending = 6.0 * arm * (y / (width * height * height) + z / (height * width * width));
@@ -135,7 +136,7 @@ fn a_bend_is_twisted_by_its_load() {
         let length = 100.0 * std::f64::consts::FRAC_PI_4;
         let sections = sections(Kind::SpatialBeam, elements, length, &q);
         let loads = [[0.0, 0.0, model.load], [0.0; 3]];
-        let found = errors(Kind::SpatialBeam, &sections, &states, loads);
+        let found = errors(Kind::SpatialBeam, &sections, &states, loads.map(Vector3::from));
         println!("{elements} elements: {found:?}");
         balanced(&found);
     }

@@ -1,7 +1,6 @@
 //! T9 of THEORY 10: a body that tumbles through a pitch of 90 degrees, in Euler angles and on the rotation group.
 
-use rncf::rotation::Rotation;
-use rncf::vector::Matrix;
+use rncf::nalgebra::{Matrix3, UnitQuaternion};
 use rncf::{Formulation, Integrator, Joints, Method, Model, Options, Statistics, StepSize, Stop};
 
 use crate::agrees;
@@ -31,7 +30,7 @@ const END: f64 = 20.0;
 
 /// What the runtime does.
 struct Flight {
-    attitude: Matrix,
+    attitude: Matrix3<f64>,
     /// Largest change of the energy, relative to it.
     energy: f64,
     /// Largest departure of `A^T A` from 1 after a step.
@@ -46,7 +45,7 @@ fn fly(model: &Tumbling, method: Method, options: Options) -> Flight {
     let turn = scene.turns()[0];
     let mut integrator = Integrator::new(scene.as_mut(), rest, END, method, options).unwrap();
     let mut flight = Flight {
-        attitude: Rotation::IDENTITY.matrix(),
+        attitude: Matrix3::identity(),
         energy: 0.0,
         orthogonality: 0.0,
         statistics: Statistics::default(),
@@ -56,7 +55,7 @@ fn fly(model: &Tumbling, method: Method, options: Options) -> Flight {
         let state = integrator.state().clone();
         let change = (integrator.system().energy(&state).unwrap() / energy - 1.0).abs();
         flight.energy = flight.energy.max(change);
-        flight.attitude = state.orientation(0, turn).matrix();
+        flight.attitude = state.orientation(0, turn).to_rotation_matrix().into_inner();
         flight.orthogonality = flight.orthogonality.max(departure(&flight.attitude));
         if stop == Stop::End {
             flight.statistics = integrator.statistics().clone();
@@ -66,17 +65,12 @@ fn fly(model: &Tumbling, method: Method, options: Options) -> Flight {
 }
 
 /// Largest entry of `A^T A - 1`.
-fn departure(a: &Matrix) -> f64 {
-    let product = |i: usize, j: usize| a.iter().map(|row| row[i] * row[j]).sum::<f64>();
-    let entries = (0..9).map(|at| (at / 3, at % 3));
-    entries.fold(0.0, |most, (i, j)| {
-        most.max((product(i, j) - f64::from(u8::from(i == j))).abs())
-    })
+fn departure(a: &Matrix3<f64>) -> f64 {
+    (a.transpose() * a - Matrix3::identity()).amax()
 }
 
-fn apart(a: &Matrix, b: &Matrix) -> f64 {
-    let pairs = a.iter().flatten().zip(b.iter().flatten());
-    pairs.fold(0.0, |most, (a, b)| most.max((a - b).abs()))
+fn apart(a: &Matrix3<f64>, b: &Matrix3<f64>) -> f64 {
+    (a - b).amax()
 }
 
 #[test]
@@ -88,9 +82,9 @@ fn euler_angles_collapse_where_the_group_does_not_notice() {
     for (aside, [theirs, few]) in [(1e-2, [570.0, 319.0]), (1e-4, [881.0, 117.0]), (1e-6, [1051.0, 42.0])] {
         let angles = euler_angles::run(INERTIA, [0.0, 0.0, 0.0, aside, 1.0, aside], END, 1e-9);
         let [yaw, pitch, roll, ..] = angles.state;
-        let attitude = Rotation::exp([0.0, 0.0, yaw])
-            .turned([0.0, pitch, 0.0])
-            .turned([roll, 0.0, 0.0]);
+        let attitude = UnitQuaternion::from_euler_angles(roll, pitch, yaw)
+            .to_rotation_matrix()
+            .into_inner();
         let ours = fly(
             &Tumbling {
                 aside,
@@ -105,14 +99,14 @@ fn euler_angles_collapse_where_the_group_does_not_notice() {
             angles.smallest_step,
             ours.statistics.steps,
             ours.statistics.smallest_step,
-            apart(&attitude.matrix(), &ours.attitude)
+            apart(&attitude, &ours.attitude)
         );
         // The step falls with the distance from the singularity.
         assert!((0.005..0.1).contains(&(angles.smallest_step / aside)));
         assert!(ours.statistics.smallest_step > 5e-3);
         agrees(angles.steps as f64, theirs, 0.05);
         agrees(ours.statistics.steps as f64, few, 0.2);
-        assert!(apart(&attitude.matrix(), &ours.attitude) < 1e-5, "both tumble alike");
+        assert!(apart(&attitude, &ours.attitude) < 1e-5, "both tumble alike");
     }
 }
 

@@ -2,8 +2,8 @@
 
 use super::joints::{JointData, JointSpec, Prescribed};
 use super::markers::ConstraintSpec;
+use crate::space::Vector;
 use crate::system::ConstraintLevel;
-use crate::vector::Vector;
 
 /// Joints between ends of bodies and frames, and their conditions.
 pub trait JointConditions {

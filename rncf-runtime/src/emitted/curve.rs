@@ -1,7 +1,7 @@
 //! Space curves through points: cubic splines with continuous curvature, by arclength.
 
 use super::gauss::FIVE;
-use crate::vector::{Vector, add, norm, scale, subtract};
+use crate::space::Vector;
 
 /// Pieces of one span of the spline in the table of its arclength.
 const PIECES: usize = 16;
@@ -22,13 +22,14 @@ pub struct Spline {
 
 impl Spline {
     /// Through points (m), at least two, no two neighbours at one place: [`Spline::mistake`] tells where they are not.
-    pub fn through(points: &[Vector]) -> Self {
+    pub fn through(points: &[[f64; 3]]) -> Self {
+        let points: Vec<Vector> = points.iter().copied().map(Vector::from).collect();
         let mut knots = vec![0.0];
         let mut mistake = (points.len() < 2).then(|| "needs at least two points".to_string());
         for (at, pair) in points.windows(2).enumerate() {
-            let chord = norm(subtract(pair[1], pair[0]));
+            let chord = (pair[1] - pair[0]).norm();
             if !(chord > 0.0 && chord.is_finite()) {
-                let (next, place) = (at + 1, pair[1]);
+                let (next, place) = (at + 1, pair[1].as_slice());
                 let text = format!("has its points {at} and {next} at one place, or not at finite ones: {place:?} m");
                 mistake = mistake.or(Some(text));
             }
@@ -38,9 +39,9 @@ impl Spline {
             knots = vec![0.0, 1.0];
         }
         let points = if mistake.is_some() {
-            vec![[0.0; 3], [1.0, 0.0, 0.0]]
+            vec![Vector::zeros(), Vector::x()]
         } else {
-            points.to_vec()
+            points
         };
         let mut spline = Self {
             bends: bends(&knots, &points),
@@ -72,7 +73,7 @@ impl Spline {
     /// Position (m) and unit tangent at the fraction `u` in [0, 1] of the arclength.
     pub fn at(&self, u: f64) -> (Vector, Vector) {
         let (place, slope, _) = self.evaluate(self.parameter(u));
-        (place, scale(1.0 / norm(slope), slope))
+        (place, 1.0 / slope.norm() * slope)
     }
 
     /// The parameter where the arclength is a fraction of the whole: Newton's iteration in the piece of the table.
@@ -90,7 +91,7 @@ impl Spline {
         let mut at = start + share * width;
         for _ in 0..8 {
             let missing = wanted - self.lengths[place] - self.length_between(start, at);
-            let change = missing / norm(self.evaluate(at).1);
+            let change = missing / self.evaluate(at).1.norm();
             at = (at + change).clamp(start, start + width);
             if change.abs() <= 1e-15 * self.length() {
                 break;
@@ -100,7 +101,7 @@ impl Spline {
     }
 
     fn length_between(&self, from: f64, to: f64) -> f64 {
-        let speed = |(place, weight): (f64, f64)| weight * norm(self.evaluate(from + place * (to - from)).1);
+        let speed = |(place, weight): (f64, f64)| weight * self.evaluate(from + place * (to - from)).1.norm();
         (to - from) * FIVE.map(speed).iter().sum::<f64>()
     }
 
@@ -118,8 +119,8 @@ impl Spline {
         let [a, b] = [self.bends[span], self.bends[span + 1]];
         let square = width * width / 6.0;
         let combine = |of: [f64; 4]| {
-            let ends = add(scale(of[0], p), scale(of[1], q));
-            add(ends, add(scale(of[2], a), scale(of[3], b)))
+            let ends = of[0] * p + of[1] * q;
+            ends + (of[2] * a + of[3] * b)
         };
         let cubic = |t: f64| square * (t * t * t - t);
         let slope = |t: f64| width / 6.0 * (3.0 * t * t - 1.0);
@@ -134,18 +135,19 @@ impl Spline {
 /// Second derivatives of the natural spline: Thomas's elimination of a tridiagonal system.
 fn bends(knots: &[f64], points: &[Vector]) -> Vec<Vector> {
     let count = points.len();
-    let mut bends = vec![[0.0; 3]; count];
+    let mut bends = vec![Vector::zeros(); count];
     let mut factors = vec![0.0; count];
-    let chord = |at: usize| scale(1.0 / (knots[at + 1] - knots[at]), subtract(points[at + 1], points[at]));
+    let chord = |at: usize| 1.0 / (knots[at + 1] - knots[at]) * (points[at + 1] - points[at]);
     for at in 1..count.saturating_sub(1) {
         let (before, after) = (knots[at] - knots[at - 1], knots[at + 1] - knots[at]);
         let pivot = 2.0 * (before + after) - before * factors[at - 1];
         factors[at] = after / pivot;
-        let right = scale(6.0, subtract(chord(at), chord(at - 1)));
-        bends[at] = scale(1.0 / pivot, subtract(right, scale(before, bends[at - 1])));
+        let right = 6.0 * (chord(at) - chord(at - 1));
+        bends[at] = 1.0 / pivot * (right - before * bends[at - 1]);
     }
     for at in (1..count.saturating_sub(1)).rev() {
-        bends[at] = subtract(bends[at], scale(factors[at], bends[at + 1]));
+        let next = bends[at + 1];
+        bends[at] -= factors[at] * next;
     }
     bends
 }
@@ -161,15 +163,15 @@ mod tests {
             let angle = at as f64 / count as f64;
             [10.0 * angle.sin(), 10.0 * (1.0 - angle.cos()), 0.0]
         };
-        let points: Vec<Vector> = (0..=count).map(point).collect();
+        let points: Vec<[f64; 3]> = (0..=count).map(point).collect();
         let spline = Spline::through(&points);
         assert!((spline.length() - 10.0).abs() < 1e-5, "{}", spline.length());
         let (place, tangent) = spline.at(0.5);
-        let wanted = [10.0 * 0.5_f64.sin(), 10.0 * (1.0 - 0.5_f64.cos()), 0.0];
-        assert!(norm(subtract(place, wanted)) < 1e-5, "{place:?}");
+        let wanted = Vector::new(10.0 * 0.5_f64.sin(), 10.0 * (1.0 - 0.5_f64.cos()), 0.0);
+        assert!((place - wanted).norm() < 1e-5, "{place:?}");
         assert!((tangent[0] - 0.5_f64.cos()).abs() < 1e-5, "{tangent:?}");
         let (_, slope, bend) = spline.evaluate(spline.parameter(0.5));
-        let curvature = norm(crate::vector::cross(slope, bend)) / norm(slope).powi(3);
+        let curvature = slope.cross(&bend).norm() / slope.norm().powi(3);
         assert!((curvature - 0.1).abs() < 1e-5);
     }
 
@@ -177,12 +179,13 @@ mod tests {
     fn a_spline_through_points_of_a_line_is_the_line() {
         let points = [[0.0; 3], [1.0, 2.0, 0.0], [3.0, 6.0, 0.0], [3.5, 7.0, 0.0]];
         let spline = Spline::through(&points);
-        let whole = norm(points[3]);
+        let end = Vector::from(points[3]);
+        let whole = end.norm();
         assert!((spline.length() - whole).abs() < 1e-14 * whole);
         for u in [0.0, 0.1, 0.37, 0.999, 1.0] {
             let (place, tangent) = spline.at(u);
-            assert!(norm(subtract(place, scale(u, points[3]))) < 1e-14 * whole);
-            assert!(norm(subtract(tangent, scale(1.0 / whole, points[3]))) < 1e-14);
+            assert!((place - u * end).norm() < 1e-14 * whole);
+            assert!((tangent - 1.0 / whole * end).norm() < 1e-14);
         }
     }
 

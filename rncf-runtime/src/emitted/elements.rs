@@ -7,7 +7,6 @@ use super::repeated::{ShareSpec, StartSpec};
 use super::section_spec::SectionSpec;
 use super::table::Table;
 use crate::error::ModelError;
-use crate::vector::Vector;
 
 /// Bodies bodies: their specifications and the kernels of their elements.
 pub trait Bodies {
@@ -22,7 +21,7 @@ pub trait Bodies {
     /// Initial position (m) and velocity relative to the frame (m/s) of a body at the arclength `x`
     /// (m) of its axis, each with its derivative by `x`, frame axes; `None`: undeformed, at rest in
     /// the frame.
-    fn initial(&self, body: usize, x: f64) -> [Option<[Vector; 2]>; 2];
+    fn initial(&self, body: usize, x: f64) -> [Option<[[f64; 3]; 2]>; 2];
     /// Ends of bodies that are one node.
     fn shares(&self) -> Vec<ShareSpec>;
     /// Frames whose bodies start in relative equilibrium.
@@ -107,7 +106,7 @@ impl<T: WithoutBodies> Bodies for T {
     fn prepare(&mut self, _body: usize, _nodes: &[f64], _shape: &[f64]) -> Result<(), ModelError> {
         Ok(())
     }
-    fn initial(&self, _body: usize, _x: f64) -> [Option<[Vector; 2]>; 2] {
+    fn initial(&self, _body: usize, _x: f64) -> [Option<[[f64; 3]; 2]>; 2] {
         [None, None]
     }
     fn shares(&self) -> Vec<ShareSpec> {

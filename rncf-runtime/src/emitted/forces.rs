@@ -5,7 +5,7 @@ use super::lanes::LANES;
 use super::loads::LoadSpec;
 use super::markers::ForceSpec;
 use super::repeated::DensitySpec;
-use crate::vector::Vector;
+use crate::space::Vector;
 
 /// Loads.
 pub trait Loads {
@@ -192,7 +192,7 @@ impl<T: WithoutDensities> Densities for T {
 /// Gravity fields, loads of the kind [`LoadKind::Field`](super::LoadKind::Field): functions of markers.
 pub trait GravityFields {
     /// Gravity of a field load at its markers' values (inertial axes), m/s^2.
-    fn field(&self, load: usize, t: f64, z: &[Vector]) -> Vector;
+    fn field(&self, load: usize, t: f64, z: &[Vector]) -> [f64; 3];
     /// Its derivatives with respect to the markers: 3 x 3 k, rows first.
     fn field_gradient(&self, load: usize, t: f64, z: &[Vector], gradient: &mut [f64]);
 }
@@ -201,7 +201,7 @@ pub trait GravityFields {
 pub trait WithoutGravityFields {}
 
 impl<T: WithoutGravityFields> GravityFields for T {
-    fn field(&self, _load: usize, _t: f64, _z: &[Vector]) -> Vector {
+    fn field(&self, _load: usize, _t: f64, _z: &[Vector]) -> [f64; 3] {
         [0.0; 3]
     }
     fn field_gradient(&self, _load: usize, _t: f64, _z: &[Vector], _gradient: &mut [f64]) {}
@@ -261,7 +261,7 @@ impl<T: WithoutDistributedLoads> DistributedLoads for T {
 /// Gravity that changes from place to place.
 pub trait PlacedGravity {
     /// Gravity of a load at a place, m/s^2, inertial axes.
-    fn around(&self, load: usize, t: f64, place: Vector) -> Vector;
+    fn around(&self, load: usize, t: f64, place: Vector) -> [f64; 3];
     /// Its derivatives by the place, rows first.
     fn around_gradient(&self, load: usize, t: f64, place: Vector, gradient: &mut [f64; 9]);
 }
@@ -270,7 +270,7 @@ pub trait PlacedGravity {
 pub trait WithoutPlacedGravity {}
 
 impl<T: WithoutPlacedGravity> PlacedGravity for T {
-    fn around(&self, _load: usize, _t: f64, _place: Vector) -> Vector {
+    fn around(&self, _load: usize, _t: f64, _place: Vector) -> [f64; 3] {
         [0.0; 3]
     }
     fn around_gradient(&self, _load: usize, _t: f64, _place: Vector, _gradient: &mut [f64; 9]) {}

@@ -1,43 +1,45 @@
 //! Frames: what they do at one time.
 
-use crate::vector::{add, cross, subtract};
+use crate::space::{Matrix, Vector};
 
 /// Motion of a frame at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrameMotion {
     /// Origin, m, inertial axes.
-    pub position: [f64; 3],
+    pub position: Vector,
     /// Velocity of the origin, m/s, inertial axes.
-    pub velocity: [f64; 3],
+    pub velocity: Vector,
     /// Acceleration of the origin, m/s^2, inertial axes.
-    pub acceleration: [f64; 3],
-    /// Rotation matrix A, rows first; its columns are the frame's axes in the inertial frame.
-    pub rotation: [[f64; 3]; 3],
+    pub acceleration: Vector,
+    /// Rotation matrix A: its columns are the frame's axes in the inertial frame.
+    pub rotation: Matrix,
     /// Angular velocity, rad/s, frame axes.
-    pub spin: [f64; 3],
+    pub spin: Vector,
     /// Its time derivative, rad/s^2, frame axes.
-    pub spin_rate: [f64; 3],
+    pub spin_rate: Vector,
     /// Third time derivative of the origin's position, m/s^3, inertial axes. Constraints on markers in
     /// a prescribed frame need it on their jerk level.
-    pub jerk: [f64; 3],
+    pub jerk: Vector,
     /// Second time derivative of the angular velocity, rad/s^3, frame axes; needed as `jerk`.
-    pub spin_jerk: [f64; 3],
+    pub spin_jerk: Vector,
     /// Gravity of the fields on what the frame carries, m/s^2, inertial axes; the runtime sets it.
-    pub field: [f64; 3],
+    pub field: Vector,
 }
+
+const ZERO: Vector = Vector::new(0.0, 0.0, 0.0);
 
 impl FrameMotion {
     /// The inertial frame.
     pub const INERTIAL: FrameMotion = FrameMotion {
-        position: [0.0; 3],
-        velocity: [0.0; 3],
-        acceleration: [0.0; 3],
-        rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
-        spin: [0.0; 3],
-        spin_rate: [0.0; 3],
-        jerk: [0.0; 3],
-        spin_jerk: [0.0; 3],
-        field: [0.0; 3],
+        position: ZERO,
+        velocity: ZERO,
+        acceleration: ZERO,
+        rotation: Matrix::new(1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0),
+        spin: ZERO,
+        spin_rate: ZERO,
+        jerk: ZERO,
+        spin_jerk: ZERO,
+        field: ZERO,
     };
 
     /// Whether pose, velocities and accelerations are numbers.
@@ -49,58 +51,55 @@ impl FrameMotion {
             self.spin,
             self.spin_rate,
         ];
-        let values = vectors.iter().chain(&self.rotation).flatten();
-        values.copied().all(f64::is_finite)
+        let mut values = vectors.iter().flatten().chain(&self.rotation);
+        values.all(|value| value.is_finite())
     }
 
     /// A direction in frame axes, given in inertial axes: `A^T d`.
-    pub fn direction_to_frame(&self, d: [f64; 3]) -> [f64; 3] {
-        std::array::from_fn(|i| self.rotation[0][i] * d[0] + self.rotation[1][i] * d[1] + self.rotation[2][i] * d[2])
+    pub fn direction_to_frame(&self, d: Vector) -> Vector {
+        self.rotation.tr_mul(&d)
     }
 
     /// A direction in inertial axes, given in frame axes: `A d`.
-    pub fn direction_to_inertial(&self, d: [f64; 3]) -> [f64; 3] {
-        std::array::from_fn(|i| self.rotation[i][0] * d[0] + self.rotation[i][1] * d[1] + self.rotation[i][2] * d[2])
+    pub fn direction_to_inertial(&self, d: Vector) -> Vector {
+        self.rotation * d
     }
 
     /// A point in the frame, given in the inertial frame: `A^T (x - r)`.
-    pub fn point_to_frame(&self, x: [f64; 3]) -> [f64; 3] {
-        self.direction_to_frame(subtract(x, self.position))
+    pub fn point_to_frame(&self, x: Vector) -> Vector {
+        self.direction_to_frame(x - self.position)
     }
 
     /// A point in the inertial frame, given in the frame: `r + A p`.
-    pub fn point_to_inertial(&self, p: [f64; 3]) -> [f64; 3] {
-        add(self.position, self.direction_to_inertial(p))
+    pub fn point_to_inertial(&self, p: Vector) -> Vector {
+        self.position + self.direction_to_inertial(p)
     }
 
     /// Rate of a direction that changes in inertial axes, seen in the frame: `A^T d' - w x A^T d`.
-    pub fn rate_to_frame(&self, d: [f64; 3], rate: [f64; 3]) -> [f64; 3] {
-        subtract(
-            self.direction_to_frame(rate),
-            cross(self.spin, self.direction_to_frame(d)),
-        )
+    pub fn rate_to_frame(&self, d: Vector, rate: Vector) -> Vector {
+        self.direction_to_frame(rate) - self.spin.cross(&self.direction_to_frame(d))
     }
 
     /// Rate in inertial axes of a direction that changes in the frame: `A (d' + w x d)`.
-    pub fn rate_to_inertial(&self, d: [f64; 3], rate: [f64; 3]) -> [f64; 3] {
-        self.direction_to_inertial(add(rate, cross(self.spin, d)))
+    pub fn rate_to_inertial(&self, d: Vector, rate: Vector) -> Vector {
+        self.direction_to_inertial(rate + self.spin.cross(&d))
     }
 
     /// Acceleration of the origin minus gravity (m/s^2, inertial axes) and fields, frame axes: e of THEORY 2.
-    pub fn felt(&self, gravity: [f64; 3]) -> [f64; 3] {
-        self.direction_to_frame(subtract(self.acceleration, add(gravity, self.field)))
+    pub fn felt(&self, gravity: Vector) -> Vector {
+        self.direction_to_frame(self.acceleration - (gravity + self.field))
     }
 
     /// The frame in steady rotation: `scale` times its spin, which does not change; the origin's
     /// acceleration scales with the square, as in a uniform rotation.
     pub fn steady(&self, scale: f64) -> FrameMotion {
         FrameMotion {
-            velocity: self.velocity.map(|v| scale * v),
-            acceleration: self.acceleration.map(|a| scale * scale * a),
-            spin: self.spin.map(|w| scale * w),
-            spin_rate: [0.0; 3],
-            jerk: self.jerk.map(|j| scale * scale * scale * j),
-            spin_jerk: [0.0; 3],
+            velocity: scale * self.velocity,
+            acceleration: scale * scale * self.acceleration,
+            spin: scale * self.spin,
+            spin_rate: ZERO,
+            jerk: scale * scale * scale * self.jerk,
+            spin_jerk: ZERO,
             ..*self
         }
     }

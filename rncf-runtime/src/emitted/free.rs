@@ -1,6 +1,6 @@
 //! Free frames: reference frames and rigid bodies whose pose is unknown (THEORY 2, 3.1).
 
-use crate::vector::{Matrix, Vector};
+use crate::space::{Matrix, Vector};
 
 /// Which motions of a free frame are unknown. Unknowns stand in this order: displacements of the origin
 /// from its start in inertial axes (m), then the orientation. A start that is far away, like one

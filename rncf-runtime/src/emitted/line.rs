@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::curve::Spline;
 use super::nodes::{Held, Nodes};
-use crate::vector::{add, cross, dot, norm, subtract};
+use crate::space::Vector;
 
 /// Stress-free twist of a section: angle about the tangent (rad) as a function of the fraction of the axis in [0, 1].
 #[derive(Clone)]
@@ -68,7 +68,7 @@ impl Line {
     /// Arclength, m.
     pub fn length(&self) -> f64 {
         match *self {
-            Line::Straight { from, to } => norm(subtract(to, from)),
+            Line::Straight { from, to } => (Vector::from(to) - Vector::from(from)).norm(),
             Line::Arc { radius, angle, .. } => radius * angle.abs(),
             Line::Curve(ref spline) => spline.length(),
             Line::Nodes(ref nodes) => nodes.body().map_or(f64::NAN, |body| body.extent()),
@@ -76,18 +76,19 @@ impl Line {
     }
 
     /// Position (m) and unit tangent at the fraction `u` in [0, 1] of the arclength.
-    pub fn at(&self, u: f64) -> ([f64; 3], [f64; 3]) {
+    pub fn at(&self, u: f64) -> (Vector, Vector) {
         match *self {
             Line::Straight { from, to } => {
-                let whole = subtract(to, from);
-                let length = norm(whole);
+                let (from, to) = (Vector::from(from), Vector::from(to));
+                let whole = to - from;
+                let length = whole.norm();
                 // Both ends exactly as declared.
                 let point = if u < 0.5 {
-                    add(from, whole.map(|x| u * x))
+                    from + u * whole
                 } else {
-                    subtract(to, whole.map(|x| (1.0 - u) * x))
+                    to - (1.0 - u) * whole
                 };
-                (point, whole.map(|x| x / length))
+                (point, whole / length)
             }
             Line::Arc {
                 from,
@@ -98,14 +99,14 @@ impl Line {
             } => {
                 let (tangent, normal) = directions(direction, normal);
                 // Centre to the left of the tangent for a positive angle.
-                let side = cross(normal, tangent).map(|x| x * angle.signum());
+                let side = angle.signum() * normal.cross(&tangent);
                 let turn = (angle * u).abs();
                 let (sine, cosine) = turn.sin_cos();
-                let along = tangent.map(|x| radius * sine * x);
+                let along = radius * sine * tangent;
                 // 1 - cos without cancellation
-                let across = side.map(|x| radius * 2.0 * (0.5 * turn).sin().powi(2) * x);
-                let here = add(tangent.map(|x| cosine * x), side.map(|x| sine * x));
-                (add(from, add(along, across)), here)
+                let across = radius * 2.0 * (0.5 * turn).sin().powi(2) * side;
+                let here = cosine * tangent + sine * side;
+                (Vector::from(from) + (along + across), here)
             }
             Line::Curve(ref spline) => spline.at(u),
             Line::Nodes(ref nodes) => {
@@ -114,24 +115,26 @@ impl Line {
                     Held::Interface(interface) => interface,
                     Held::Coordinates(_) => 0,
                 };
-                let place = nodes.body().map_or([f64::NAN; 3], |body| body.place(interface));
-                (place, [1.0, 0.0, 0.0])
+                let place = nodes
+                    .body()
+                    .map_or(Vector::repeat(f64::NAN), |body| body.place(interface));
+                (place, Vector::x())
             }
         }
     }
 
     /// Rotation vector (rad) of the tangent from the start to the fraction `u` of the arclength; `None` of a curve, whose
     /// sections are oriented at every place by themselves.
-    pub fn turned(&self, u: f64) -> Option<[f64; 3]> {
+    pub fn turned(&self, u: f64) -> Option<Vector> {
         Some(match *self {
-            Line::Straight { .. } | Line::Nodes(_) => [0.0; 3],
+            Line::Straight { .. } | Line::Nodes(_) => Vector::zeros(),
             Line::Curve(_) => return None,
             Line::Arc {
                 direction,
                 normal,
                 angle,
                 ..
-            } => directions(direction, normal).1.map(|x| angle * u * x),
+            } => angle * u * directions(direction, normal).1,
         })
     }
 
@@ -140,8 +143,9 @@ impl Line {
         match *self {
             Line::Straight { .. } | Line::Curve(_) | Line::Nodes(_) => true,
             Line::Arc { direction, normal, .. } => {
-                let size = norm(direction) * norm(normal);
-                size.is_finite() && norm(cross(direction, normal)) > PARALLEL * size
+                let (direction, normal) = (Vector::from(direction), Vector::from(normal));
+                let size = direction.norm() * normal.norm();
+                size.is_finite() && direction.cross(&normal).norm() > PARALLEL * size
             }
         }
     }
@@ -151,12 +155,13 @@ impl Line {
 pub(crate) const PARALLEL: f64 = 1e-6;
 
 /// Unit tangent at the start of an arc, and its unit normal normal to it.
-fn directions(direction: [f64; 3], normal: [f64; 3]) -> ([f64; 3], [f64; 3]) {
-    let size = norm(direction);
-    let tangent = direction.map(|x| x / size);
-    let across = subtract(normal, tangent.map(|x| dot(normal, tangent) * x));
-    let size = norm(across);
-    (tangent, across.map(|x| x / size))
+fn directions(direction: [f64; 3], normal: [f64; 3]) -> (Vector, Vector) {
+    let (direction, normal) = (Vector::from(direction), Vector::from(normal));
+    let size = direction.norm();
+    let tangent = direction / size;
+    let across = normal - normal.dot(&tangent) * tangent;
+    let size = across.norm();
+    (tangent, across / size)
 }
 
 #[cfg(test)]

@@ -1,7 +1,6 @@
 //! What constraints, forces and outputs are functions of: vectors in inertial axes (THEORY 6).
 
 use super::body_spec::Place;
-use crate::vector::Vector;
 
 /// A vector in inertial axes that moves with the system. Constraints C(z, t) and forces f(z, z', t)
 /// are emitted as functions of these vectors; how a vector depends on frames and nodal vectors is
@@ -13,14 +12,14 @@ pub enum MarkerSpec {
         /// Frame, prescribed or free.
         frame: usize,
         /// p.
-        at: Vector,
+        at: [f64; 3],
     },
     /// A direction fixed in a frame: `A d`.
     Direction {
         /// Frame.
         frame: usize,
         /// d, frame axes.
-        along: Vector,
+        along: [f64; 3],
     },
     /// A place on a flexible body: `r + A s_a(x) q_a`.
     BodyPoint {

@@ -29,6 +29,7 @@ mod section_spec;
 mod table;
 
 pub use crate::import::{Imported, ImportedSpec};
+pub use crate::space::{Matrix, Vector};
 pub use crate::system::ConstraintLevel;
 pub use body_spec::{BodySpec, Fidelity, FrameTie, Interpolant, NodalSpec, Place};
 pub use checks::{array, array_mut, finite, inertia, non_negative, part, poisson, positive, section};

@@ -3,6 +3,7 @@
 use super::newton::{Failure, Newton, Patience};
 use crate::error::{SolveError, SolveErrorKind};
 use crate::model::{Kind, Scene, Uniform};
+use crate::space::product;
 use crate::system::State;
 
 /// Smallest increment of the scale.
@@ -207,7 +208,7 @@ fn strays_within(scene: &mut dyn Scene, newton: &mut Newton, at: &Uniform, last:
 
 /// Angular velocity of a uniform motion, rad/s.
 fn angular_velocity(scene: &dyn Scene, at: &Uniform) -> f64 {
-    let full = at.spin.map(|spin| crate::vector::norm(spin.velocity));
+    let full = at.spin.map(|spin| spin.velocity.norm());
     at.speed() * full.unwrap_or_else(|| scene.spin(at.t))
 }
 
@@ -308,8 +309,8 @@ pub(super) fn distance(scene: &dyn Scene, a: &State, b: &State) -> f64 {
     let mut b = b.clone();
     // In the charts of a.
     for (index, &unknown) in scene.turns().iter().enumerate() {
-        let away = a.turns[index].inverse().times(&b.orientation(index, unknown));
-        b.x[unknown..unknown + 3].copy_from_slice(&away.log());
+        let away = product(&a.turns[index].inverse(), &b.orientation(index, unknown));
+        b.x[unknown..unknown + 3].copy_from_slice(away.scaled_axis().as_slice());
     }
     // Those of equilibria have just begun anew.
     let parts = a.x.iter().zip(&b.x).zip(scene.sizes());

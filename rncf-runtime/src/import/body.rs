@@ -1,7 +1,7 @@
 //! An imported body before it is reduced: nodes, matrices and interfaces in SI.
 
 use super::files::{self, FULL_NODE, File, FiniteElements, Matrices, Modes, Sparse};
-use crate::vector::{Vector, add, cross, norm, scale, subtract};
+use crate::space::Vector;
 
 /// Distance below which the nodes of an interface lie on a line, relative to their extent.
 const ON_A_LINE: f64 = 1e-6;
@@ -65,10 +65,13 @@ impl Imported {
                 .map(|&id| elements.find(id).ok_or(id))
                 .collect::<Result<Vec<_>, _>>();
             let nodes = found.map_err(|id| wrong(format!("interface `{name}`: there is no node {id}")))?;
-            let sum = nodes.iter().fold([0.0; 3], |sum, &node| add(sum, elements.nodes[node]));
+            let sum = nodes
+                .iter()
+                .map(|&node| Vector::from(elements.nodes[node]))
+                .sum::<Vector>();
             let interface = Interface {
                 name,
-                place: scale(1.0 / nodes.len() as f64, sum),
+                place: (1.0 / nodes.len() as f64) * sum,
                 nodes,
             };
             for other in &interfaces {
@@ -111,7 +114,7 @@ impl Imported {
             });
             high - low
         };
-        norm([0, 1, 2].map(span))
+        Vector::from([0, 1, 2].map(span)).norm()
     }
 
     /// Number of interfaces.
@@ -152,15 +155,15 @@ impl Imported {
         let arms: Vec<Vector> = interface
             .nodes
             .iter()
-            .map(|&node| subtract(self.elements.nodes[node], interface.place))
+            .map(|&node| Vector::from(self.elements.nodes[node]) - interface.place)
             .collect();
-        let longest = arms.iter().copied().max_by(|a, b| norm(*a).total_cmp(&norm(*b)));
-        let Some(longest) = longest.filter(|arm| norm(*arm) > 0.0) else {
+        let longest = arms.iter().copied().max_by(|a, b| a.norm().total_cmp(&b.norm()));
+        let Some(longest) = longest.filter(|arm| arm.norm() > 0.0) else {
             return false;
         };
-        let size = norm(longest);
+        let size = longest.norm();
         arms.iter()
-            .any(|&arm| norm(cross(longest, arm)) > ON_A_LINE * size * size)
+            .any(|&arm| longest.cross(&arm).norm() > ON_A_LINE * size * size)
     }
 
     /// Rates of the axes of the nodes in the modes, where the file has them.
@@ -182,7 +185,7 @@ fn to_si(elements: &mut FiniteElements, [length, mass, time]: [f64; 3]) {
     }
     let per_node = elements.per_node;
     for node in &mut elements.nodes {
-        *node = scale(length, *node);
+        *node = node.map(|component| length * component);
     }
     // A unit rotation displaces by a length of the file.
     let arm = |freedom: usize| if freedom % per_node < 3 { 1.0 } else { length };

@@ -2,7 +2,7 @@
 
 use super::body::Imported;
 use super::files::{FULL_NODE, Sparse};
-use crate::vector::{Vector, add, cross, subtract};
+use crate::space::Vector;
 
 /// Displacements of all nodes.
 pub(super) type Columns = Vec<Vec<f64>>;
@@ -35,7 +35,7 @@ impl Freedoms {
                 freedoms.next(is_there && !held[component])
             });
             for &node in &interface.nodes {
-                let arm = subtract(body.elements.nodes[node], interface.place);
+                let arm = Vector::from(body.elements.nodes[node]) - interface.place;
                 for component in 0..per_node {
                     let row = node * per_node + component;
                     rigid[row] = true;
@@ -48,9 +48,9 @@ impl Freedoms {
                     add(component, 1.0);
                     if component < 3 && interface.nodes.len() > 1 {
                         for turned in 0..3 {
-                            let mut unit = [0.0; 3];
+                            let mut unit = Vector::zeros();
                             unit[turned] = 1.0;
-                            add(3 + turned, cross(unit, arm)[axis]);
+                            add(3 + turned, unit.cross(&arm)[axis]);
                         }
                     }
                 }
@@ -97,7 +97,7 @@ impl Freedoms {
             }
         }
         for (interface, own) in body.interfaces.iter().zip(&self.interfaces) {
-            let at = add(motion[0], cross(motion[1], interface.place));
+            let at = motion[0] + motion[1].cross(&interface.place);
             for (component, unknown) in own.iter().enumerate() {
                 if let Some(unknown) = unknown {
                     y[*unknown] = if component < 3 {
@@ -115,7 +115,7 @@ impl Freedoms {
 /// Rigid motions: shift and turn.
 pub(super) fn rigid_motions() -> [[Vector; 2]; FULL_NODE] {
     std::array::from_fn(|which| {
-        let mut motion = [[0.0; 3]; 2];
+        let mut motion = [Vector::zeros(); 2];
         motion[which / 3][which % 3] = 1.0;
         motion
     })
@@ -126,8 +126,9 @@ pub(super) fn rigid_motion(body: &Imported, [shift, turn]: [Vector; 2]) -> Vec<f
     let per_node = body.elements.per_node;
     let nodes = body.elements.nodes.iter();
     let all = nodes.flat_map(|&node| {
-        let moved = add(shift, cross(turn, node));
-        moved.into_iter().chain(turn).take(per_node)
+        let moved = shift + turn.cross(&Vector::from(node));
+        let both: [[f64; 3]; 2] = [moved.into(), turn.into()];
+        both.into_iter().flatten().take(per_node)
     });
     all.collect()
 }

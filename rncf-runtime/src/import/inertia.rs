@@ -3,7 +3,7 @@
 use super::body::Imported;
 use super::files::{self, FULL_NODE, Invariants, Sparse, TRANSLATIONS};
 use super::freedoms::{rigid_motion, rigid_motions};
-use crate::vector::{Matrix, Vector, add, cross, crossed, scale, second_moment, transpose};
+use crate::space::{Matrix, Vector, crossed, second_moment, three};
 
 /// Relative difference of masses along x, y and z that a file may have.
 const ALIKE: f64 = 1e-6;
@@ -50,8 +50,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 
 /// `1/2 tr(J) 1 - J`: second moments from moments of inertia.
 fn second_of(inertia: &Matrix) -> Matrix {
-    let trace: f64 = (0..3).map(|i| inertia[i][i]).sum();
-    std::array::from_fn(|i| std::array::from_fn(|j| if i == j { 0.5 * trace } else { 0.0 } - inertia[i][j]))
+    Matrix::from_diagonal_element(0.5 * inertia.trace()) - inertia
 }
 
 impl Scalars {
@@ -59,7 +58,7 @@ impl Scalars {
     fn new(body: &Imported, mass: &Sparse) -> Option<Self> {
         let (per_node, count) = (body.elements.per_node, body.elements.nodes.len());
         let mut entries = Vec::new();
-        let mut turning = vec![[[0.0; 3]; 3]; if per_node == FULL_NODE { count } else { 0 }];
+        let mut turning = vec![Matrix::zeros(); if per_node == FULL_NODE { count } else { 0 }];
         for (row, own) in mass.rows.iter().enumerate() {
             let (node, component) = (row / per_node, row % per_node);
             for &(column, value) in own {
@@ -76,7 +75,7 @@ impl Scalars {
                             entries.push((node, other, value));
                         }
                     }
-                    (false, false) if node == other => turning[node][component - 3][of - 3] += value,
+                    (false, false) if node == other => turning[node][(component - 3, of - 3)] += value,
                     _ if is_small => {}
                     _ => return None,
                 }
@@ -139,21 +138,24 @@ impl Scalars {
 
     /// Axes of the nodes that turn, behind the vectors of the nodes.
     fn field(&self, mut nodes: Vec<Vector>, axes: impl Fn(usize, Vector) -> Vector) -> Field {
-        let units: [Vector; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let units = [Vector::x(), Vector::y(), Vector::z()];
         nodes.extend((0..self.axes.len()).flat_map(|node| units.map(|unit| axes(node, unit))));
         nodes
     }
 
     fn shape(&self, body: &Imported) -> Field {
-        self.field(body.elements.nodes.clone(), |_, unit| unit)
+        self.field(
+            body.elements.nodes.iter().copied().map(Vector::from).collect(),
+            |_, unit| unit,
+        )
     }
 
     fn mode(&self, per_node: usize, shape: &[f64]) -> Field {
-        let vector = |place: usize| -> Vector { [shape[place], shape[place + 1], shape[place + 2]] };
+        let vector = |place: usize| three(shape, place);
         let nodes = (0..shape.len() / per_node)
             .map(|node| vector(node * per_node))
             .collect();
-        self.field(nodes, |node, unit| cross(vector(node * per_node + TRANSLATIONS), unit))
+        self.field(nodes, |node, unit| vector(node * per_node + TRANSLATIONS).cross(&unit))
     }
 
     /// The field of momenta.
@@ -161,16 +163,16 @@ impl Scalars {
         let count = self.nodes.size();
         let sum = |row: &Vec<(usize, f64)>| {
             row.iter()
-                .fold([0.0; 3], |sum, &(node, mass)| add(sum, scale(mass, field[node])))
+                .fold(Vector::zeros(), |sum, &(node, mass)| sum + mass * field[node])
         };
         let mut all: Field = self.nodes.rows.iter().map(sum).collect();
         for (node, second) in self.axes.iter().enumerate() {
-            for row in second {
+            for row in second.row_iter() {
                 let own = &field[count + 3 * node..][..3];
                 all.push(
                     row.iter()
                         .zip(own)
-                        .fold([0.0; 3], |sum, (&m, &axis)| add(sum, scale(m, axis))),
+                        .fold(Vector::zeros(), |sum, (&m, &axis)| sum + m * axis),
                 );
             }
         }
@@ -198,17 +200,16 @@ impl Inertia {
         }
         // T^T M R = -[m r_c]
         let moment = [(1, 2), (2, 0), (0, 1)].map(|(i, j)| 0.5 * (whole(i, 3 + j) - whole(j, 3 + i)));
-        let inertia: Matrix =
-            std::array::from_fn(|i| std::array::from_fn(|j| 0.5 * (whole(3 + i, 3 + j) + whole(3 + j, 3 + i))));
-        if let Some(axis) = (0..3).find(|&axis| inertia[axis][axis] < 0.0) {
+        let inertia: Matrix = Matrix::from_fn(|i, j| 0.5 * (whole(3 + i, 3 + j) + whole(3 + j, 3 + i)));
+        if let Some(axis) = (0..3).find(|&axis| inertia[(axis, axis)] < 0.0) {
             return Err(format!(
                 "its mass matrix `M` makes a moment of inertia of {:e} kg m^2 about {} of it, and no body has that",
-                inertia[axis][axis],
+                inertia[(axis, axis)],
                 ["x", "y", "z"][axis]
             ));
         }
         let on = |first: usize| {
-            let of = |shape: &Vec<f64>| -> Vector { std::array::from_fn(|i| dot(&momenta[first + i], shape)) };
+            let of = |shape: &Vec<f64>| -> Vector { Vector::from_fn(|i, _| dot(&momenta[first + i], shape)) };
             shapes.iter().map(of).collect::<Vec<Vector>>()
         };
         let images: Vec<Vec<f64>> = shapes.iter().map(|shape| mass.times(shape)).collect();
@@ -218,12 +219,10 @@ impl Inertia {
         let scalars = exact.unwrap_or_else(|| Scalars::lumped(body, mass));
         let mut own = Self::of_scalars(body, &scalars, shapes);
         own.inner = pairs.map(|(i, j)| dot(&shapes[i], &images[j])).collect();
-        (own.mass, own.moment, own.inertia, own.phibar) = (mean, moment, inertia, on(0));
+        (own.mass, own.moment, own.inertia, own.phibar) = (mean, moment.into(), inertia, on(0));
         // The skew part of Gamma_i is -[gamma_i]/2.
         for (gamma, first) in on(3).into_iter().zip(&mut own.first) {
-            let back = transpose(first);
-            let skew = crate::vector::skew(gamma);
-            *first = std::array::from_fn(|i| std::array::from_fn(|j| 0.5 * (first[i][j] + back[i][j] - skew[i][j])));
+            *first = 0.5 * (*first + first.transpose() - gamma.cross_matrix());
         }
         own.gamma = on(3);
         Ok((own, is_lumped))
@@ -238,15 +237,10 @@ impl Inertia {
         let weighted: Vec<Field> = modes.iter().map(|mode| scalars.weighted(mode)).collect();
         let momentum = scalars.weighted(&shape);
         let count = scalars.nodes.size();
-        let sum = |field: &Field| field[..count].iter().fold([0.0; 3], |sum, &u| add(sum, u));
+        let sum = |field: &Field| field[..count].iter().fold(Vector::zeros(), |sum, &u| sum + u);
         let pairs = || (0..modes.len().pow(2)).map(|at| (at / modes.len(), at % modes.len()));
-        let inner = |(i, j): (usize, usize)| -> f64 {
-            modes[i]
-                .iter()
-                .zip(&weighted[j])
-                .map(|(&u, &v)| crate::vector::dot(u, v))
-                .sum()
-        };
+        let inner =
+            |(i, j): (usize, usize)| -> f64 { modes[i].iter().zip(&weighted[j]).map(|(&u, &v)| u.dot(&v)).sum() };
         Self {
             mass: scalars.nodes.rows.iter().flatten().map(|(_, mass)| mass).sum(),
             moment: sum(&momentum),
@@ -274,11 +268,7 @@ impl Inertia {
                     .iter()
                     .enumerate()
                     .map(|(node, mass)| (node, node, (mass[0] + mass[1] + mass[2]) / 3.0));
-                let turning = |mass: &[f64; 6]| {
-                    second_of(&std::array::from_fn(|i| {
-                        std::array::from_fn(|j| if i == j { mass[3 + i] } else { 0.0 })
-                    }))
-                };
+                let turning = |mass: &[f64; 6]| second_of(&Matrix::from_diagonal(&three(mass, 3)));
                 let axes = match body.elements.per_node {
                     FULL_NODE => masses.iter().map(turning).collect(),
                     _ => Vec::new(),
@@ -301,22 +291,13 @@ impl Inertia {
 
     fn given(body: &Imported, given: &Invariants, combined: &[Vec<f64>]) -> Self {
         let modes = body.elements.modes.as_ref().map_or(0, |modes| modes.count);
-        let vectors = |values: &[f64]| -> Vec<Vector> { values.chunks_exact(3).map(|v| [v[0], v[1], v[2]]).collect() };
-        let matrices = |values: &[f64]| -> Vec<Matrix> {
-            let matrix = |v: &[f64]| std::array::from_fn(|i| std::array::from_fn(|j| v[3 * i + j]));
-            values.chunks_exact(9).map(matrix).collect()
-        };
-        let plus = |sum: &mut Matrix, factor: f64, matrix: &Matrix| {
-            for i in 0..3 {
-                for j in 0..3 {
-                    sum[i][j] += factor * matrix[i][j];
-                }
-            }
-        };
+        let vectors =
+            |values: &[f64]| -> Vec<Vector> { values.chunks_exact(3).map(Vector::from_column_slice).collect() };
+        let matrices = |values: &[f64]| -> Vec<Matrix> { values.chunks_exact(9).map(Matrix::from_row_slice).collect() };
         let of_mode = |values: &[Vector]| -> Vec<Vector> {
             let sum = |combination: &Vec<f64>| {
                 let parts = combination.iter().zip(values);
-                parts.fold([0.0; 3], |sum, (&factor, &value)| add(sum, scale(factor, value)))
+                parts.fold(Vector::zeros(), |sum, (&factor, &value)| sum + factor * value)
             };
             combined.iter().map(sum).collect()
         };
@@ -332,28 +313,28 @@ impl Inertia {
         let mut whole = matrices(&given.inertia);
         Self {
             mass: given.mass,
-            moment: given.moment,
+            moment: given.moment.into(),
             inertia: whole.pop().unwrap_or_default(),
             phibar: of_mode(&vectors(&given.phibar)),
             gamma: of_mode(&vectors(&given.gamma)),
             eta: pairs()
-                .map(|all| all.fold([0.0; 3], |sum, (at, factor)| add(sum, scale(factor, eta[at]))))
+                .map(|all| all.fold(Vector::zeros(), |sum, (at, factor)| sum + factor * eta[at]))
                 .collect(),
             first: combined
                 .iter()
                 .map(|combination| {
-                    let mut sum = [[0.0; 3]; 3];
+                    let mut sum = Matrix::zeros();
                     combination
                         .iter()
                         .zip(&first)
-                        .for_each(|(factor, one)| plus(&mut sum, *factor, one));
+                        .for_each(|(factor, one)| sum += *factor * one);
                     sum
                 })
                 .collect(),
             second: pairs()
                 .map(|all| {
-                    let mut sum = [[0.0; 3]; 3];
-                    all.for_each(|(at, factor)| plus(&mut sum, factor, &second[at]));
+                    let mut sum = Matrix::zeros();
+                    all.for_each(|(at, factor)| sum += factor * second[at]);
                     sum
                 })
                 .collect(),

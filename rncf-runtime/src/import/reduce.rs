@@ -8,7 +8,7 @@ use super::freedoms::{Columns, Freedoms, loose, massless, rigid_motion, rigid_mo
 use super::inertia::Inertia;
 use super::lowest::{lowest, orthonormal};
 use crate::linalg::Cholesky;
-use crate::vector::{Vector, add, cross, norm, scale, subtract};
+use crate::space::Vector;
 
 /// Part of what a stiffness does to a rigid motion that may be left of it, as files of single precision have.
 const RIGID: f64 = 1e-6;
@@ -151,12 +151,9 @@ impl Imported {
     /// Refuses a stiffness that resists rigid motions.
     fn check_rigid(&self, stiffness: &Sparse) -> Result<(), String> {
         let nodes = &self.elements.nodes;
-        let middle = scale(
-            1.0 / nodes.len() as f64,
-            nodes.iter().fold([0.0; 3], |sum, node| add(sum, *node)),
-        );
+        let middle = (1.0 / nodes.len() as f64) * nodes.iter().map(|&node| Vector::from(node)).sum::<Vector>();
         for ([shift, turn], word) in rigid_motions().into_iter().zip(MOTIONS) {
-            let motion = rigid_motion(self, [subtract(shift, cross(turn, middle)), turn]);
+            let motion = rigid_motion(self, [shift - turn.cross(&middle), turn]);
             let per_node = self.elements.per_node;
             for kind in 0..per_node.div_ceil(3) {
                 let rows = || {
@@ -230,7 +227,7 @@ impl Imported {
         let interfaces = lowest.vectors.iter().map(|y| {
             let own = freedoms.interfaces.iter();
             let value = |unknown: Option<usize>| unknown.map_or(0.0, |unknown| y[unknown]);
-            own.map(|own| [0, 3].map(|first| std::array::from_fn(|axis| value(own[first + axis]))))
+            own.map(|own| [0, 3].map(|first| Vector::from_fn(|axis, _| value(own[first + axis]))))
                 .collect()
         });
         Ok(Found {
@@ -355,7 +352,7 @@ impl Imported {
     fn interface_motions(&self, column: &[f64]) -> Vec<[Vector; 2]> {
         let per_node = self.elements.per_node;
         let vector = |node: usize, first: usize| -> Vector {
-            std::array::from_fn(|axis| {
+            Vector::from_fn(|axis, _| {
                 let component = first + axis;
                 if component < per_node {
                     column[node * per_node + component]
@@ -367,18 +364,20 @@ impl Imported {
         let motion = |interface: &Interface| -> [Vector; 2] {
             let nodes = &interface.nodes;
             let mean = |first: usize| {
-                let sum = nodes.iter().fold([0.0; 3], |sum, &node| add(sum, vector(node, first)));
-                scale(1.0 / nodes.len() as f64, sum)
+                let sum = nodes
+                    .iter()
+                    .fold(Vector::zeros(), |sum, &node| sum + vector(node, first));
+                (1.0 / nodes.len() as f64) * sum
             };
             let shift = mean(0);
             if nodes.len() == 1 {
                 return [shift, mean(3)];
             }
-            let (mut turning, mut moment) = (vec![0.0; 9], [0.0; 3]);
+            let (mut turning, mut moment) = (vec![0.0; 9], Vector::zeros());
             for &node in nodes {
-                let arm = subtract(self.elements.nodes[node], interface.place);
-                moment = add(moment, cross(arm, vector(node, 0)));
-                let square = arm.iter().map(|x| x * x).sum::<f64>();
+                let arm = Vector::from(self.elements.nodes[node]) - interface.place;
+                moment += arm.cross(&vector(node, 0));
+                let square = arm.norm_squared();
                 for i in 0..3 {
                     turning[4 * i] += square;
                     for j in 0..3 {
@@ -387,7 +386,7 @@ impl Imported {
                 }
             }
             if let Ok(factor) = Cholesky::new(3, &turning) {
-                factor.solve(&mut moment);
+                factor.solve(moment.as_mut_slice());
             }
             [shift, moment]
         };
@@ -397,8 +396,8 @@ impl Imported {
     /// Rates of the axes of the interfaces: those of the file, or turned by the rotations.
     fn axes_of(&self, found: &Found) -> Vec<Vec<[Vector; 3]>> {
         let Some(axes) = self.axes() else {
-            let units: [Vector; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-            let turned = |[_, turn]: &[Vector; 2]| units.map(|unit| cross(*turn, unit));
+            let units: [Vector; 3] = [Vector::x(), Vector::y(), Vector::z()];
+            let turned = |[_, turn]: &[Vector; 2]| units.map(|unit| turn.cross(&unit));
             return found
                 .interfaces
                 .iter()
@@ -408,7 +407,7 @@ impl Imported {
         let modes = self.elements.modes.as_ref().map_or(0, |modes| modes.count);
         let of = |combination: &Vec<f64>, interface: &Interface| -> [Vector; 3] {
             let node = interface.nodes[0];
-            let mut sum = [[0.0; 3]; 3];
+            let mut sum = [Vector::zeros(); 3];
             for (mode, factor) in combination.iter().enumerate() {
                 for (place, value) in axes[(node * modes + mode) * 9..][..9].iter().enumerate() {
                     sum[place / 3][place % 3] += factor * value;
@@ -431,7 +430,7 @@ impl Imported {
             let vectors = shape.chunks_exact(3).enumerate();
             let each = vectors.map(|(at, vector)| {
                 let is_turn = per_node == FULL_NODE && at % 2 == 1;
-                norm([vector[0], vector[1], vector[2]]) / if is_turn { 1.0 } else { extent }
+                Vector::from([vector[0], vector[1], vector[2]]).norm() / if is_turn { 1.0 } else { extent }
             });
             1.0 / each.fold(f64::MIN_POSITIVE, f64::max)
         };

@@ -2,7 +2,7 @@
 
 use super::files::{FiniteElements, Matrices};
 use super::{Imported, ImportedSpec, Wanted};
-use crate::vector::{Vector, add, cross, dot, norm, scale, subtract};
+use crate::space::{Vector, three};
 
 const BEAM: &[u8] = include_bytes!("../../../tests/reference/data/beam.npz");
 const BEAM_MM: &[u8] = include_bytes!("../../../tests/reference/data/beam_mm.npz");
@@ -90,30 +90,30 @@ fn invariants_of_a_block_of_bricks_are_sums_over_its_field() {
     let inertia = &found.inertia;
     let whole = 2700.0 * 1.2 * 0.01;
     assert!((inertia.mass - whole).abs() < 1e-10 * whole);
-    assert!(norm(subtract(inertia.moment, scale(whole, [0.6, 0.05, 0.05]))) < 1e-10 * whole);
+    assert!((inertia.moment - whole * Vector::from([0.6, 0.05, 0.05])).norm() < 1e-10 * whole);
     let xx = whole * 2.0 * 0.01 / 3.0;
-    assert!((inertia.inertia[0][0] - xx).abs() < 1e-9 * xx);
+    assert!((inertia.inertia[(0, 0)] - xx).abs() < 1e-9 * xx);
     // Kinetic energy of a displaced and moving body by the constants, and by the velocities of its nodes.
-    let (spin, velocity) = ([0.3, -0.5, 0.7], [1.0, 2.0, -0.4]);
+    let (spin, velocity) = (Vector::new(0.3, -0.5, 0.7), Vector::new(1.0, 2.0, -0.4));
     let shapes = shapes(&body, 4);
     let (p, rates): (Vec<f64>, Vec<f64>) = (0..4).map(|i| (0.02 * (1.0 + i as f64), 3.0 - i as f64)).unzip();
-    let vector = |shape: &Vec<f64>, node: usize| -> Vector { [0, 1, 2].map(|axis| shape[3 * node + axis]) };
+    let vector = |shape: &Vec<f64>, node: usize| three(shape, 3 * node);
     let sum = |factors: &[f64], node: usize| {
         let parts = factors.iter().zip(&shapes);
-        parts.fold([0.0; 3], |sum, (factor, shape)| {
-            add(sum, scale(*factor, vector(shape, node)))
-        })
+        parts
+            .map(|(factor, shape)| *factor * vector(shape, node))
+            .sum::<Vector>()
     };
     let moved: Vec<f64> = (0..body.elements.nodes.len())
         .flat_map(|node| {
-            let place = add(body.elements.nodes[node], sum(&p, node));
-            add(velocity, add(cross(spin, place), sum(&rates, node)))
+            let place = Vector::from(body.elements.nodes[node]) + sum(&p, node);
+            <[f64; 3]>::from(velocity + (spin.cross(&place) + sum(&rates, node)))
         })
         .collect();
     let by_nodes: f64 = 0.5 * moved.iter().zip(mass.times(&moved)).map(|(v, p)| v * p).sum::<f64>();
     let sums = crate::modal::kinetic_of(&found.inertia, spin, &p, &rates);
     let (momentum, kinetic) = sums;
-    let by_constants = kinetic + dot(velocity, momentum) + 0.5 * inertia.mass * dot(velocity, velocity);
+    let by_constants = kinetic + velocity.dot(&momentum) + 0.5 * inertia.mass * velocity.dot(&velocity);
     assert!(
         (by_constants - by_nodes).abs() < 1e-10 * by_nodes,
         "{by_constants} {by_nodes}"
@@ -140,7 +140,7 @@ fn units_change_nothing_but_the_numbers() {
         assert!((a - b).abs() < 1e-7 * a, "{a} {b}");
     }
     assert!((own.inertia.mass - other.inertia.mass).abs() < 1e-12);
-    assert!((own.inertia.inertia[1][1] - other.inertia.inertia[1][1]).abs() < 1e-11);
+    assert!((own.inertia.inertia[(1, 1)] - other.inertia.inertia[(1, 1)]).abs() < 1e-11);
 }
 
 /// With all normal modes those of the interfaces span everything: the free frequencies are the natural ones.

@@ -2,9 +2,8 @@
 //! body increments dpi = T(theta) dtheta, and what follows from `theta' = T^-1(theta) w`.
 
 use crate::linalg::Pattern;
-use crate::rotation::{inverse_tangent_map, tangent_map};
+use crate::space::{inverse_tangent_map, tangent_map, three};
 use crate::system::State;
-use crate::vector::{Vector, apply, cross, norm};
 
 /// Largest rotation within one step, rad; the chart ends at twice that.
 const LARGEST: f64 = std::f64::consts::PI;
@@ -37,10 +36,10 @@ impl Charts {
         for (&turn, rows) in self.turns.iter().zip(&self.rows) {
             let map = inverse_tangent_map(three(&state.x, turn));
             for places in rows {
-                let old: Vector = places.map(|place| place.map_or(0.0, |place| values[place]));
+                let old = places.map(|place| place.map_or(0.0, |place| values[place]));
                 for (j, place) in places.iter().enumerate() {
                     if let Some(place) = *place {
-                        values[place] = old[0] * map[0][j] + old[1] * map[1][j] + old[2] * map[2][j];
+                        values[place] = old[0] * map[(0, j)] + old[1] * map[(1, j)] + old[2] * map[(2, j)];
                     }
                 }
             }
@@ -50,16 +49,16 @@ impl Charts {
     /// Turns right increments, or angular velocities, in `y` into changes of theta: `T^-1 y`.
     pub(super) fn to_chart(&self, state: &State, y: &mut [f64]) {
         for &turn in &self.turns {
-            let change = apply(&inverse_tangent_map(three(&state.x, turn)), three(y, turn));
-            y[turn..turn + 3].copy_from_slice(&change);
+            let change = inverse_tangent_map(three(&state.x, turn)) * three(y, turn);
+            y[turn..turn + 3].copy_from_slice(change.as_slice());
         }
     }
 
     /// Turns changes of theta in `y` into right increments: `T y`.
     pub(super) fn to_increments(&self, state: &State, y: &mut [f64]) {
         for &turn in &self.turns {
-            let change = apply(&tangent_map(three(&state.x, turn)), three(y, turn));
-            y[turn..turn + 3].copy_from_slice(&change);
+            let change = tangent_map(three(&state.x, turn)) * three(y, turn);
+            y[turn..turn + 3].copy_from_slice(change.as_slice());
         }
     }
 
@@ -68,14 +67,14 @@ impl Charts {
     pub(super) fn curvature(&self, factor: f64, state: &State, out: &mut [f64]) {
         out.fill(0.0);
         for &turn in &self.turns {
-            let bracket = cross(three(&state.v, turn), three(&state.a, turn));
-            out[turn..turn + 3].copy_from_slice(&bracket.map(|component| factor * component));
+            let bracket = three(&state.v, turn).cross(&three(&state.a, turn));
+            out[turn..turn + 3].copy_from_slice((factor * bracket).as_slice());
         }
     }
 
     /// First unknown of an orientation that turned too far for its chart, if any.
     pub(super) fn overturned(&self, state: &State) -> Option<usize> {
-        let far = |turn: &usize| norm(three(&state.x, *turn)) > LARGEST;
+        let far = |turn: &usize| three(&state.x, *turn).norm() > LARGEST;
         self.turns.iter().copied().find(far)
     }
 }
@@ -89,9 +88,4 @@ fn rows(turn: usize, pattern: &Pattern) -> Vec<[Option<usize>; 3]> {
     rows.iter()
         .map(|&row| std::array::from_fn(|j| pattern.find(row, turn + j)))
         .collect()
-}
-
-/// Three components from `first` on.
-pub(super) fn three(y: &[f64], first: usize) -> Vector {
-    [y[first], y[first + 1], y[first + 2]]
 }

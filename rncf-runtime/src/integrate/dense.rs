@@ -1,9 +1,7 @@
 //! Dense output between two states by cubic Hermite polynomials.
 
-use super::charts::three;
-use crate::rotation::inverse_tangent_map;
+use crate::space::{inverse_tangent_map, product, three};
 use crate::system::State;
-use crate::vector::apply;
 
 /// The state at `t` between `first` and `last`, whose charts have just begun: positions cubic
 /// through positions and velocities (orientations in the chart of `first`), velocities cubic
@@ -22,10 +20,16 @@ pub(super) fn hermite(first: &State, last: &State, turns: &[usize], t: f64, out:
     linear(s, &first.lambda, &last.lambda, &mut out.lambda);
     out.turns.clone_from(&first.turns);
     for (index, &turn) in turns.iter().enumerate() {
-        let theta = first.turns[index].inverse().times(&last.orientation(index, turn)).log();
-        let rate = apply(&inverse_tangent_map(theta), three(&last.v, turn));
+        let theta = product(&first.turns[index].inverse(), &last.orientation(index, turn)).scaled_axis();
+        let rate = inverse_tangent_map(theta) * three(&last.v, turn);
         let start = (&first.x[turn..turn + 3], &first.v[turn..turn + 3]);
-        cubic(s, h, start, (&theta, &rate), &mut out.x[turn..turn + 3]);
+        cubic(
+            s,
+            h,
+            start,
+            (theta.as_slice(), rate.as_slice()),
+            &mut out.x[turn..turn + 3],
+        );
     }
 }
 

@@ -18,12 +18,10 @@
 //! centre, the formulas are applied to the angular momentum H = R J w instead of w; `w_1 = J^-1 R_1^T H_1`.
 
 use super::alpha::Coefficients;
-use super::charts::three;
 use super::compensated::{self, Low};
 use crate::archive::{Archive, Keep};
-use crate::rotation::Rotation;
+use crate::space::{Matrix, Vector, exp, from_rows, matrix, three, turned};
 use crate::system::{Lever, State, System, Turning};
-use crate::vector::{Matrix, Vector, add, apply, apply_transposed, cross, dot, scale, subtract};
 
 /// Values for every position with a lever: of L, L' and L''.
 type Motion = [Vec<f64>; 3];
@@ -122,7 +120,7 @@ impl Levers {
             let inertia = inertia(&self.list[spin.lever]);
             let [before, behind] = [now, later].map(|state| spin.rate_at(inertia, state));
             let behind = spin.to_start(later, behind);
-            spin.offset = scale(shift / dt, subtract(behind, before));
+            spin.offset = shift / dt * (behind - before);
         }
     }
 
@@ -132,11 +130,11 @@ impl Levers {
         for spin in &mut self.spins {
             let inertia = inertia(&self.list[spin.lever]);
             spin.rate = spin.rate_at(inertia, now);
-            spin.momentum = apply(&inertia[0], three(v, spin.first));
+            spin.momentum = inertia[0] * three(v, spin.first);
             spin.from = if goes_on {
                 spin.left
             } else {
-                add(spin.rate, scale(h, spin.offset))
+                spin.rate + h * spin.offset
             };
         }
         if goes_on {
@@ -183,11 +181,11 @@ impl Levers {
         for spin in &mut self.spins {
             let inertia = inertia(&self.list[spin.lever]);
             let rate = spin.to_start(state, spin.rate_at(inertia, state));
-            let known = subtract(scale(alpha_f, spin.rate), scale(alpha_m, spin.from));
-            spin.to = scale(1.0 / (1.0 - alpha_m), add(scale(1.0 - alpha_f, rate), known));
-            let gained = add(scale(1.0 - gamma, spin.from), scale(gamma, spin.to));
-            let momentum = add(spin.momentum, scale(h, gained));
-            let speed = apply(&inertia[1], spin.to_end(state, momentum));
+            let known = alpha_f * spin.rate - alpha_m * spin.from;
+            spin.to = 1.0 / (1.0 - alpha_m) * ((1.0 - alpha_f) * rate + known);
+            let gained = (1.0 - gamma) * spin.from + gamma * spin.to;
+            let momentum = spin.momentum + h * gained;
+            let speed = inertia[1] * spin.to_end(state, momentum);
             for axis in 0..3 {
                 let at = spin.first + axis;
                 let change = speed[axis] - state.v[at] - low.v[at];
@@ -201,7 +199,7 @@ impl Levers {
         for spin in &mut self.spins {
             spin.left = spin.to_end(state, spin.to);
             let rate = spin.rate_at(inertia(&self.list[spin.lever]), state);
-            spin.offset = scale(1.0 / h, subtract(spin.left, rate));
+            spin.offset = 1.0 / h * (spin.left - rate);
         }
         self.left[0].copy_from_slice(&self.end[1]);
         self.left[1].copy_from_slice(&self.to);
@@ -215,28 +213,29 @@ impl Spin {
     /// Rate of the angular momentum at a state, body axes.
     fn rate_at(&self, [inertia, _]: &[Matrix; 2], state: &State) -> Vector {
         let spin = three(&state.v, self.first);
-        let gyroscopic = cross(spin, apply(inertia, spin));
-        add(apply(inertia, three(&state.a, self.first)), gyroscopic)
+        let gyroscopic = spin.cross(&(inertia * spin));
+        inertia * three(&state.a, self.first) + gyroscopic
     }
 
     /// A vector in the body axes of a state within the step, in those of the start.
     fn to_start(&self, state: &State, vector: Vector) -> Vector {
-        apply(&self.turned(state), vector)
+        self.turned(state) * vector
     }
 
     fn to_end(&self, state: &State, vector: Vector) -> Vector {
-        apply_transposed(&self.turned(state), vector)
+        self.turned(state).tr_mul(&vector)
     }
 
     /// Rotation since the start of the step, where the chart begins.
     fn turned(&self, state: &State) -> Matrix {
-        Rotation::exp(three(&state.x, self.first)).matrix()
+        matrix(&exp(three(&state.x, self.first)))
     }
 }
 
 /// The inertia of a lever that has one.
 fn inertia(lever: &Lever) -> &[Matrix; 2] {
-    const NONE: [Matrix; 2] = [[[0.0; 3]; 3]; 2];
+    const ZERO: Matrix = from_rows(&[[0.0; 3]; 3]);
+    const NONE: [Matrix; 2] = [ZERO; 2];
     lever.inertia.as_ref().unwrap_or(&NONE)
 }
 
@@ -247,26 +246,22 @@ fn motion(list: &[Lever], turns: &[usize], state: &State, out: &mut Motion) {
         let (rotation, spin, rate): (_, Vector, Vector) = match lever.turning {
             Turning::Orientation { index } => {
                 let first = turns[index];
-                let three = |y: &[f64]| [y[first], y[first + 1], y[first + 2]];
-                (
-                    state.turns[index].turned(three(&state.x)),
-                    three(&state.v),
-                    three(&state.a),
-                )
+                let at = |y: &[f64]| three(y, first);
+                (turned(&state.turns[index], at(&state.x)), at(&state.v), at(&state.a))
             }
             Turning::Angle { unknown, axis, base } => (
-                base.turned(scale(state.x[unknown], axis)),
-                scale(state.v[unknown], axis),
-                scale(state.a[unknown], axis),
+                turned(&base, state.x[unknown] * axis),
+                state.v[unknown] * axis,
+                state.a[unknown] * axis,
             ),
         };
-        let matrix = rotation.matrix();
-        let speed = cross(spin, lever.arm);
-        let ways = [lever.arm, speed, add(cross(rate, lever.arm), cross(spin, speed))];
-        let ways = ways.map(|way| apply(&matrix, way));
+        let matrix = matrix(&rotation);
+        let speed = spin.cross(&lever.arm);
+        let ways = [lever.arm, speed, rate.cross(&lever.arm) + spin.cross(&speed)];
+        let ways = ways.map(|way| matrix * way);
         for (_, direction) in &lever.positions {
             for (values, way) in out.iter_mut().zip(ways) {
-                values[at] = dot(*direction, way);
+                values[at] = direction.dot(&way);
             }
             at += 1;
         }

@@ -1,22 +1,23 @@
 //! What a moving frame does to a body in modes, and what the body makes on the frame.
 
 use crate::emitted::FrameMotion;
+use crate::space::Vector;
 
 /// What a moving frame does to a body of modes in it, in the order of the body's axes (planar bodies: spin
 /// about the normal first).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct FrameAction {
     /// Acceleration of the origin minus gravity, m/s^2.
-    pub acceleration: [f64; 3],
+    pub acceleration: Vector,
     /// Angular velocity, rad/s.
-    pub spin: [f64; 3],
+    pub spin: Vector,
     /// Angular acceleration, rad/s^2.
-    pub spin_rate: [f64; 3],
+    pub spin_rate: Vector,
 }
 
 impl FrameMotion {
     /// What the frame does to a body with the given axes under gravity (m/s^2, inertial axes).
-    pub(crate) fn action(&self, axes: &[usize], gravity: [f64; 3]) -> FrameAction {
+    pub(crate) fn action(&self, axes: &[usize], gravity: Vector) -> FrameAction {
         let acceleration = self.felt(gravity);
         let mut action = FrameAction::default();
         for (place, &axis) in axes.iter().enumerate() {

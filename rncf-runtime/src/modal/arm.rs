@@ -1,14 +1,14 @@
 //! A model for tests of modal scenes.
 
 use super::tests::{Cable, element_mass};
+use crate::ModelError;
 use crate::emitted::*;
 use crate::model::{Formulation, Joints};
 use crate::scene::MeshScene;
 use crate::scene::bodies::described::Elements;
 use crate::scene::tests::scenery::{NODAL, along_slope};
+use crate::space::{Vector, exp, matrix, rows, three};
 use crate::system::ConstraintLevel;
-use crate::vector::Vector;
-use crate::{ModelError, Rotation};
 
 /// A heavy cable arm clamped in frame 1, which is free or turns uniformly; a unit at its tip, a spring
 /// from its middle to the ground, a moment on its tip, and the tip at a constant distance from the ground.
@@ -96,8 +96,8 @@ impl Parts for Arm {
     fn frames(&self, t: f64, motions: &mut [FrameMotion]) {
         motions[0] = FrameMotion::INERTIAL;
         motions[1] = FrameMotion {
-            rotation: Rotation::exp([0.0, 0.0, self.spin * t]).matrix(),
-            spin: [0.0, 0.0, self.spin],
+            rotation: matrix(&exp(Vector::new(0.0, 0.0, self.spin * t))),
+            spin: Vector::new(0.0, 0.0, self.spin),
             ..FrameMotion::INERTIAL
         };
     }
@@ -121,15 +121,15 @@ impl Parts for Arm {
             parent: 0,
             is_body: false,
             motions,
-            position: [0.0; 3],
-            axis: [0.0, 0.0, 1.0],
+            position: Vector::zeros(),
+            axis: Vector::new(0.0, 0.0, 1.0),
             angle: 0.3,
-            velocity: [0.0; 3],
-            spin: [0.0, 0.0, self.spin],
+            velocity: Vector::zeros(),
+            spin: Vector::new(0.0, 0.0, self.spin),
             rigid: RigidSpec {
                 mass: HUB,
-                moment: [0.0; 3],
-                inertia: std::array::from_fn(|i| std::array::from_fn(|j| if i == j { 0.02 * HUB } else { 0.0 })),
+                moment: Vector::zeros(),
+                inertia: Matrix::from_fn(|i, j| if i == j { 0.02 * HUB } else { 0.0 }),
             },
         };
         if self.free { vec![free] } else { Vec::new() }
@@ -173,7 +173,7 @@ impl Bodies for Arm {
     fn prepare(&mut self, _body: usize, _nodes: &[f64], _shape: &[f64]) -> Result<(), ModelError> {
         Ok(())
     }
-    fn initial(&self, _body: usize, _x: f64) -> [Option<[Vector; 2]>; 2] {
+    fn initial(&self, _body: usize, _x: f64) -> [Option<[[f64; 3]; 2]>; 2] {
         [None, None]
     }
     fn shares(&self) -> Vec<ShareSpec> {
@@ -352,8 +352,8 @@ impl SlopeMoments for Arm {
             force[0] -= moment[0] * slope[1];
             force[1] += moment[0] * slope[0];
         } else {
-            let cross = crate::vector::cross(moment, [slope[0], slope[1], slope[2]]);
-            force.iter_mut().zip(cross).for_each(|(sum, value)| *sum += value);
+            let cross = Vector::from(moment).cross(&three(slope, 0));
+            force.iter_mut().zip(&cross).for_each(|(sum, value)| *sum += value);
         }
     }
     fn moment_tangent(&self, dimension: usize, _slope: &[f64], moment: [f64; 3], tangent: &mut [f64]) {
@@ -361,7 +361,7 @@ impl SlopeMoments for Arm {
             tangent[1] -= moment[0];
             tangent[2] += moment[0];
         } else {
-            let skew = crate::vector::skew(moment);
+            let skew = rows(&Vector::from(moment).cross_matrix());
             tangent
                 .iter_mut()
                 .zip(skew.concat())
@@ -394,12 +394,12 @@ impl MarkerConstraints for Arm {
         z: &[[Vector; 4]],
         rows: &mut [f64],
     ) {
-        let gap = crate::vector::subtract(z[0][0], z[1][0]);
-        rows[0] = 0.5 * crate::vector::dot(gap, gap) - 0.4;
+        let gap = z[0][0] - z[1][0];
+        rows[0] = 0.5 * gap.dot(&gap) - 0.4;
     }
     fn marker_constraint_gradient(&self, _constraint: usize, _t: f64, z: &[Vector], gradient: &mut [f64]) {
-        let gap = crate::vector::subtract(z[0], z[1]);
-        gradient.copy_from_slice(&[gap, gap.map(|x| -x)].concat());
+        let gap = z[0] - z[1];
+        gradient.copy_from_slice([gap, -gap].map(<[f64; 3]>::from).as_flattened());
     }
     fn marker_constraint_rate_gradient(
         &self,
@@ -438,8 +438,8 @@ impl MarkerForces for Arm {
         false
     }
     fn marker_force(&self, _force: usize, _t: f64, z: &[Vector], _velocity: &[Vector], out: &mut [f64]) {
-        let gap = crate::vector::subtract(z[1], z[0]);
-        out.copy_from_slice(&[gap.map(|x| 40.0 * x), gap.map(|x| -40.0 * x)].concat());
+        let gap = z[1] - z[0];
+        out.copy_from_slice([40.0 * gap, -40.0 * gap].map(<[f64; 3]>::from).as_flattened());
     }
     fn marker_force_tangent(
         &self,

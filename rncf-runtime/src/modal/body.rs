@@ -10,7 +10,7 @@ use crate::error::ModelError;
 use crate::linalg::{Cholesky, natural_modes};
 use crate::scene::bodies::described::Elements;
 use crate::scene::numbering::assembly::Connectivity;
-use crate::vector::Vector;
+use crate::space::Vector;
 
 /// What a modal body is made of. Components are counted within the body.
 #[derive(Clone, Debug)]
@@ -259,7 +259,7 @@ impl Nodal {
     /// Components of all vectors as vectors of space.
     pub(super) fn vectors(&self, full: &mut dyn Iterator<Item = f64>) -> Vec<Vector> {
         let full: Vec<f64> = full.collect();
-        let vector = |part: &[f64]| std::array::from_fn(|i| part.get(i).copied().unwrap_or(0.0));
+        let vector = |part: &[f64]| Vector::from_fn(|i, _| part.get(i).copied().unwrap_or(0.0));
         full.chunks_exact(self.dimension).map(vector).collect()
     }
 

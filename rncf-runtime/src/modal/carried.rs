@@ -6,8 +6,8 @@ use super::body::ModalBody;
 use crate::emitted::FrameMotion;
 use crate::scene::MeshScene;
 use crate::scene::frames::directions::Direction;
+use crate::space::Vector;
 use crate::system::Tangent;
-use crate::vector::{Vector, cross, dot, subtract};
 
 /// Most rows of force and moment.
 const ROWS: usize = 6;
@@ -63,14 +63,14 @@ fn rows_of(axes: &[usize], force: Vector, moment: Vector) -> [f64; ROWS] {
     if let [first, second] = *axes {
         rows[2] = moment[3 - first - second];
     } else {
-        rows[3..].copy_from_slice(&moment);
+        rows[3..].copy_from_slice(moment.as_slice());
     }
     rows
 }
 
 /// The reverse of [`rows_of`]: force and moment, frame axes.
 fn vectors_of(axes: &[usize], rows: &[f64; ROWS]) -> [Vector; 2] {
-    let [mut force, mut moment] = [[0.0; 3]; 2];
+    let [mut force, mut moment] = [Vector::zeros(); 2];
     for (place, &axis) in axes.iter().enumerate() {
         force[axis] = rows[place];
     }
@@ -104,8 +104,8 @@ fn seen(axes: &[usize], frame: &FrameMotion, e: Vector, direction: &Direction, f
         rate: rows_of(axes, shift, direction.turn),
         change: rows_of(
             axes,
-            subtract(cross(e, direction.turn), frame.direction_to_frame(field)),
-            [0.0; 3],
+            e.cross(&direction.turn) - frame.direction_to_frame(field),
+            Vector::zeros(),
         ),
         shift,
         turn: direction.turn,
@@ -138,7 +138,7 @@ fn chain(axes: &[usize], unknowns: &[Seen], force: Vector, tangent: &CarriedTang
             out[blocks.start(2) + i * k + j] += product(&by_spin[..s], &other.rate[d..]);
             // The row of the force turns with the frame: d(A F) = A (dF + dpi x F).
             out[blocks.start(5) + i * k + j] +=
-                product(&by_motion[..b], &other.change) + dot(unknown.shift, cross(other.turn, force));
+                product(&by_motion[..b], &other.change) + unknown.shift.dot(&other.turn.cross(&force));
         }
         for c in 0..n {
             let mass = row(&tangent.mass, b + n, weights, b + c);
@@ -164,7 +164,12 @@ impl MeshScene {
         let frame = &self.free[free];
         let motion = &self.buffers.frames[frame.spec.frame];
         let e = motion.felt(gravity);
-        let change = |place: usize| self.buffers.field_changes.get(free).map_or([0.0; 3], |all| all[place]);
+        let change = |place: usize| {
+            self.buffers
+                .field_changes
+                .get(free)
+                .map_or(Vector::zeros(), |all| all[place])
+        };
         let directions = frame.directions.iter().enumerate();
         directions
             .map(|(place, direction)| seen(axes, motion, e, direction, change(place)))

@@ -1,6 +1,6 @@
 //! Bodies in modes that come from elsewhere.
 
-use crate::vector::Vector;
+use crate::space::Vector;
 
 /// What is known of a body from elsewhere beside its modes.
 #[derive(Clone, Debug)]

@@ -5,7 +5,7 @@ use super::expansion::Elastic;
 use super::scene::ModalScene;
 use crate::emitted::{BodySpec, Interpolant};
 use crate::model::ExportedBody;
-use crate::vector::{Matrix, Vector, add, cross, dot, scale};
+use crate::space::{Matrix, Vector, rows};
 
 /// Of every node its position, its displacement and the rates of its axes, of the undeformed body and of each mode.
 struct NodeVectors {
@@ -41,16 +41,20 @@ fn nodes(spec: &BodySpec, vectors: &[Vector]) -> Vec<NodeVectors> {
 fn rotation(axes: &[Option<Vector>; 3], rates: &[Option<Vector>; 3]) -> Vector {
     let pairs = axes.iter().zip(rates).map(|(axis, rate)| Some(((*axis)?, (*rate)?)));
     let [slope, section @ ..] = &pairs.collect::<Vec<_>>()[..] else {
-        return [0.0; 3];
+        return Vector::zeros();
     };
     let section: Vec<(Vector, Vector)> = section.iter().flatten().copied().collect();
-    let turning = |pairs: &[(Vector, Vector)]| pairs.iter().fold([0.0; 3], |sum, pair| add(sum, cross(pair.0, pair.1)));
+    let turning = |pairs: &[(Vector, Vector)]| {
+        pairs
+            .iter()
+            .fold(Vector::zeros(), |sum, pair| sum + pair.0.cross(&pair.1))
+    };
     match section[..] {
         [] => turning(&slope.iter().copied().collect::<Vec<_>>()),
         [(y, _), (z, _)] => {
             // Both axes see the turning about their normal.
-            let (sum, normal) = (turning(&section), cross(y, z));
-            add(sum, scale(-0.5 * dot(normal, sum), normal))
+            let (sum, normal) = (turning(&section), y.cross(&z));
+            sum + -0.5 * normal.dot(&sum) * normal
         }
         _ => turning(&section),
     }
@@ -74,8 +78,11 @@ fn exported(spec: &BodySpec, body: &ModalBody) -> ExportedBody {
         _ => [0, 1, 2],
     };
     let turned = |vector: Vector| -> Vector {
-        let mut own = [0.0; 3];
-        places.iter().zip(vector).for_each(|(&place, value)| own[place] = value);
+        let mut own = Vector::zeros();
+        places
+            .iter()
+            .zip(&vector)
+            .for_each(|(&place, value)| own[place] = *value);
         own
     };
     let vectors = |values: &mut dyn Iterator<Item = f64>| -> Vec<Vector> {
@@ -95,7 +102,7 @@ fn exported(spec: &BodySpec, body: &ModalBody) -> ExportedBody {
                 shapes[(6 * node + 3 + component) * k + mode] = turn[component];
             }
             for axis in 0..3 {
-                let mut unit = [0.0; 3];
+                let mut unit = Vector::zeros();
                 unit[axis] = 1.0;
                 // Axes of the frame, as those of the body carry them.
                 let known = rest
@@ -107,10 +114,10 @@ fn exported(spec: &BodySpec, body: &ModalBody) -> ExportedBody {
                 let rate = match known.len() {
                     3 => known
                         .iter()
-                        .fold([0.0; 3], |sum, (at, rate)| add(sum, scale(dot(**at, unit), **rate))),
-                    _ => cross(turn, unit),
+                        .fold(Vector::zeros(), |sum, (at, rate)| sum + (**at).dot(&unit) * **rate),
+                    _ => turn.cross(&unit),
                 };
-                axes[(node * k + mode) * 9 + 3 * axis..][..3].copy_from_slice(&rate);
+                axes[(node * k + mode) * 9 + 3 * axis..][..3].copy_from_slice(rate.as_slice());
             }
         }
     }
@@ -122,20 +129,21 @@ fn exported(spec: &BodySpec, body: &ModalBody) -> ExportedBody {
         damping.copy_from_slice(&own.constant);
     }
     let inertia = &body.invariants;
-    let list = |values: &[Vector]| -> Vec<f64> { values.iter().flat_map(|&vector| turned(vector)).collect() };
+    let concat = |values: &[Vector]| -> Vec<f64> { values.iter().flatten().copied().collect() };
+    let list = |values: &[Vector]| concat(&values.iter().copied().map(turned).collect::<Vec<_>>());
     let matrix = |matrix: &Matrix| -> Vec<f64> {
-        let mut own = [[0.0; 3]; 3];
+        let mut own = Matrix::zeros();
         for i in 0..3 {
             for j in 0..3 {
-                own[places[i]][places[j]] = matrix[i][j];
+                own[(places[i], places[j])] = matrix[(i, j)];
             }
         }
-        own.concat()
+        rows(&own).concat()
     };
     let matrices = |values: &[Matrix]| -> Vec<f64> { values.iter().flat_map(matrix).collect() };
     let positions: Vec<Vector> = rest.iter().map(|node| node.position).collect();
     let arrays = [
-        ("nodes", vec![count, 3], positions.concat()),
+        ("nodes", vec![count, 3], concat(&positions)),
         ("node_ids", vec![count], (1..=count).map(|id| id as f64).collect()),
         ("modes", vec![6 * count, k], shapes),
         ("axes", vec![count, k, 9], axes),

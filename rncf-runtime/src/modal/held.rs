@@ -7,7 +7,7 @@ use super::body::{ModalBody, Nodal};
 use crate::emitted::Fidelity;
 use crate::linalg::Cholesky;
 use crate::scene::bodies::described::{Described, Elements, Inertial};
-use crate::vector::{Vector, cross, norm, scale, subtract};
+use crate::space::Vector;
 
 /// Most iterations in which an elastic structure in the deformed place is solved with the factors of the undeformed
 /// one, and the part of the energy that may be left.
@@ -69,17 +69,17 @@ impl<'a> Structure<'a> {
             let all = vectors().flat_map(|vector| (0..d).map(move |c| if c == axis { of(vector) } else { 0.0 }));
             all.collect()
         };
-        let spread = |at: &[f64]| -> Vector { std::array::from_fn(|i| at.get(i).copied().unwrap_or(0.0)) };
+        let spread = |at: &[f64]| -> Vector { Vector::from_fn(|i, _| at.get(i).copied().unwrap_or(0.0)) };
         let turn = |axis: Vector| -> Vec<f64> {
             let all = vectors().flat_map(|vector| {
                 let counted = nodal.is_position(vector[0]);
                 let place = |c: usize| q[vector[c]] - if counted { origin[c] } else { 0.0 };
                 let place: Vec<f64> = (0..d).map(place).collect();
-                cross(axis, spread(&place)).into_iter().take(d)
+                axis.cross(&spread(&place)).iter().copied().take(d).collect::<Vec<_>>()
             });
             all.collect()
         };
-        let units: [Vector; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let units: [Vector; 3] = [Vector::x(), Vector::y(), Vector::z()];
         let axes = if d == 2 {
             vec![units[2]]
         } else if vectors().count() > CENTRE_LINE {
@@ -90,12 +90,12 @@ impl<'a> Structure<'a> {
             let end: Vec<f64> = ends
                 .next_back()
                 .map_or(Vec::new(), |end| end.iter().map(|&c| q[c]).collect());
-            let chord = subtract(spread(&end), spread(&origin));
+            let chord = spread(&end) - spread(&origin);
             let least = (0..3).min_by(|&i, &j| chord[i].abs().total_cmp(&chord[j].abs()));
-            let first = cross(chord, units[least.unwrap_or(0)]);
-            let first = scale(1.0 / norm(first), first);
-            let second = cross(chord, first);
-            vec![first, scale(1.0 / norm(second), second)]
+            let first = chord.cross(&units[least.unwrap_or(0)]);
+            let first = 1.0 / first.norm() * first;
+            let second = chord.cross(&first);
+            vec![first, 1.0 / second.norm() * second]
         };
         let shifts = (0..d).map(shift);
         let turns = axes.into_iter().map(turn);

@@ -17,7 +17,7 @@ use crate::model::Warning;
 use crate::scene::MeshScene;
 use crate::scene::bodies::described::Inertial;
 use crate::scene::bodies::place::element_at;
-use crate::vector::{Vector, norm};
+use crate::space::Vector;
 
 /// Rotation of an interface (rad) from which a linear body is told to be bent too far: its error is half the square.
 const LARGE: f64 = 0.2;
@@ -167,7 +167,7 @@ impl ModalBody {
         };
         let mut warnings = Vec::new();
         let farthest = elsewhere.names.iter().enumerate().map(|(interface, name)| {
-            let sum: Vector = std::array::from_fn(|axis| {
+            let sum: Vector = Vector::from_fn(|axis, _| {
                 elsewhere
                     .turns
                     .iter()
@@ -175,7 +175,7 @@ impl ModalBody {
                     .map(|(mode, p)| mode[interface][axis] * p)
                     .sum()
             });
-            (norm(sum), name)
+            (sum.norm(), name)
         });
         if let Some((angle, interface)) = farthest.max_by(|a, b| a.0.total_cmp(&b.0))
             && angle > LARGE
@@ -187,10 +187,10 @@ impl ModalBody {
             });
         }
         let action = Action {
-            spin_rate: [0.0; 3],
+            spin_rate: Vector::zeros(),
             ..Action::new(frame, 3)
         };
-        let spin = norm(action.spin);
+        let spin = action.spin.norm();
         let remaining = self.least_stiffness(&action);
         if spin > 0.0
             && let Some(remaining) = remaining.filter(|remaining| *remaining < 1.0 - TAKEN)

@@ -2,10 +2,7 @@
 
 use super::action::{CarriedTangent, FrameAction};
 use crate::scene::bodies::described::Inertial;
-use crate::vector::{
-    Matrix, Vector, add, apply, apply_transposed, cross, crossed, dot, identity, multiply, scale, second_moment, skew,
-    subtract, transpose,
-};
+use crate::space::{Matrix, Vector, crossed, rows, second_moment};
 
 /// What the frame does, in three components; planar bodies lie in the first two.
 #[derive(Clone, Copy, Debug, Default)]
@@ -21,7 +18,13 @@ pub struct Action {
 impl Action {
     /// From the order of a body's axes.
     pub(crate) fn new(frame: &FrameAction, dimension: usize) -> Self {
-        let turned = |spin: Vector| if dimension == 2 { [0.0, 0.0, spin[0]] } else { spin };
+        let turned = |spin: Vector| {
+            if dimension == 2 {
+                Vector::new(0.0, 0.0, spin[0])
+            } else {
+                spin
+            }
+        };
         Self {
             acceleration: frame.acceleration,
             spin: turned(frame.spin),
@@ -48,27 +51,25 @@ pub use crate::import::Inertia as Invariants;
 const CENTRED: f64 = 1e-12;
 
 fn plus(a: &Matrix, factor: f64, b: &Matrix) -> Matrix {
-    std::array::from_fn(|i| std::array::from_fn(|j| a[i][j] + factor * b[i][j]))
+    Matrix::from_fn(|i, j| a[(i, j)] + factor * b[(i, j)])
 }
 
 /// `d/dw (w x (w x u))`, THEORY 2.1
 fn spin_derivative(w: Vector, u: Vector) -> Matrix {
-    let parallel = dot(w, u);
-    std::array::from_fn(|i| {
-        std::array::from_fn(|j| {
-            let unit = if i == j { parallel } else { 0.0 };
-            unit + w[i] * u[j] - 2.0 * u[i] * w[j]
-        })
+    let parallel = w.dot(&u);
+    Matrix::from_fn(|i, j| {
+        let unit = if i == j { parallel } else { 0.0 };
+        unit + w[i] * u[j] - 2.0 * u[i] * w[j]
     })
 }
 
 fn quadratic(w: Vector, a: &Matrix) -> f64 {
-    dot(w, apply(a, w))
+    w.dot(&(a * w))
 }
 
 /// `M^ab u_b`
 fn weighted(mass: &[f64], u: &[Vector]) -> Vec<Vector> {
-    let row = |row: &[f64]| row.iter().zip(u).fold([0.0; 3], |sum, (&m, &u)| add(sum, scale(m, u)));
+    let row = |row: &[f64]| row.iter().zip(u).fold(Vector::zeros(), |sum, (&m, &u)| sum + m * u);
     mass.chunks_exact(u.len()).map(row).collect()
 }
 
@@ -93,17 +94,12 @@ impl Invariants {
             .chunks_exact(whole.len())
             .map(|row| row.iter().zip(whole).map(|(m, c)| m * c).sum())
             .collect();
-        let first_moment = |u: &[Vector]| {
-            moments
-                .iter()
-                .zip(u)
-                .fold([0.0; 3], |sum, (&d, &u)| add(sum, scale(d, u)))
-        };
+        let first_moment = |u: &[Vector]| moments.iter().zip(u).fold(Vector::zeros(), |sum, (&d, &u)| sum + d * u);
         let weighted_modes: Vec<Vec<Vector>> = modes.iter().map(|mode| weighted(mass, mode)).collect();
         let pairs = || (0..k).flat_map(|i| (0..k).map(move |j| (i, j)));
         let inner = |i: usize, j: usize| {
             let pairs = modes[i].iter().zip(&weighted_modes[j]);
-            pairs.map(|(&u, &v)| dot(u, v)).sum::<f64>()
+            pairs.map(|(&u, &v)| u.dot(&v)).sum::<f64>()
         };
         Self {
             mass: moments.iter().zip(whole).map(|(d, c)| d * c).sum(),
@@ -130,7 +126,7 @@ impl Invariants {
                 0.0
             }
         });
-        let centre = scale(1.0 / self.mass, moment);
+        let centre = 1.0 / self.mass * moment;
         Self {
             mass: self.mass,
             moment,
@@ -158,15 +154,15 @@ impl Invariants {
         let k = self.modes();
         let mut moment = self.moment;
         let mut inertia = self.inertia;
-        let mut rate = [[0.0; 3]; 3];
+        let mut rate = Matrix::zeros();
         let mut gamma = self.gamma.clone();
         for i in 0..k {
-            moment = add(moment, scale(at.p[i], self.phibar[i]));
-            let both = plus(&self.first[i], 1.0, &transpose(&self.first[i]));
+            moment += at.p[i] * self.phibar[i];
+            let both = plus(&self.first[i], 1.0, &self.first[i].transpose());
             inertia = plus(&inertia, at.p[i], &both);
             rate = plus(&rate, at.v[i], &self.first[i]);
             for j in 0..k {
-                gamma[j] = add(gamma[j], scale(at.p[i], self.eta[i * k + j]));
+                gamma[j] += at.p[i] * self.eta[i * k + j];
                 inertia = plus(&inertia, at.p[i] * at.p[j], &self.second[i * k + j]);
                 rate = plus(&rate, at.p[i] * at.v[j], &self.second[i * k + j]);
             }
@@ -183,12 +179,12 @@ impl Invariants {
     pub fn carried(&self, spin: Vector, p: &[f64], v: &[f64]) -> Inertial {
         let none = vec![0.0; p.len()];
         let body = self.displaced(Motion { p, v, a: &none });
-        let (mut rate, mut turned) = ([0.0; 3], apply(&body.inertia, spin));
-        let mut kinetic = 0.5 * dot(spin, turned);
+        let (mut rate, mut turned) = (Vector::zeros(), body.inertia * spin);
+        let mut kinetic = 0.5 * spin.dot(&turned);
         for i in 0..self.modes() {
-            rate = add(rate, scale(v[i], self.phibar[i]));
-            turned = add(turned, scale(v[i], body.gamma[i]));
-            kinetic += v[i] * dot(spin, body.gamma[i]);
+            rate += v[i] * self.phibar[i];
+            turned += v[i] * body.gamma[i];
+            kinetic += v[i] * spin.dot(&body.gamma[i]);
             for j in 0..self.modes() {
                 kinetic += 0.5 * v[i] * v[j] * self.inner[i * self.modes() + j];
             }
@@ -197,7 +193,7 @@ impl Invariants {
             mass: self.mass,
             moment: body.moment,
             inertia: body.inertia,
-            momentum: add(cross(spin, body.moment), rate),
+            momentum: spin.cross(&body.moment) + rate,
             spin: turned,
             kinetic,
         }
@@ -215,10 +211,10 @@ impl Invariants {
         let k = self.modes();
         let (w, dw) = (action.spin, action.spin_rate);
         for i in 0..k {
-            let mut sum = dot(self.phibar[i], action.acceleration) + dot(self.gamma[i], dw);
+            let mut sum = self.phibar[i].dot(&action.acceleration) + self.gamma[i].dot(&dw);
             for j in 0..k {
                 let eta = self.eta[i * k + j];
-                sum += self.inner[i * k + j] * at.a[j] - at.p[j] * dot(eta, dw) - 2.0 * at.v[j] * dot(w, eta);
+                sum += self.inner[i * k + j] * at.a[j] - at.p[j] * eta.dot(&dw) - 2.0 * at.v[j] * w.dot(&eta);
             }
             out[i] += sum - quadratic(w, &self.shifted(i, at.p));
         }
@@ -227,8 +223,8 @@ impl Invariants {
     /// Adds the derivatives of (17) with respect to p and p', k x k.
     pub fn modal_tangent(&self, action: &Action, stiffness: &mut [f64], damping: &mut [f64]) {
         for (place, (eta, second)) in self.eta.iter().zip(&self.second).enumerate() {
-            stiffness[place] -= dot(*eta, action.spin_rate) + quadratic(action.spin, second);
-            damping[place] -= 2.0 * dot(action.spin, *eta);
+            stiffness[place] -= eta.dot(&action.spin_rate) + quadratic(action.spin, second);
+            damping[place] -= 2.0 * action.spin.dot(eta);
         }
     }
 
@@ -240,18 +236,18 @@ impl Invariants {
             spin_rate: dw,
         } = *action;
         let body = self.displaced(at);
-        let mut force = add(scale(self.mass, e), cross(dw, body.moment));
-        let mut moment = add(cross(body.moment, e), apply(&body.inertia, dw));
-        moment = add(moment, cross(w, apply(&body.inertia, w)));
-        moment = add(moment, scale(2.0, apply(&body.rate, w)));
-        let mut rate = [0.0; 3];
+        let mut force = self.mass * e + dw.cross(&body.moment);
+        let mut moment = body.moment.cross(&e) + body.inertia * dw;
+        moment += w.cross(&(body.inertia * w));
+        moment += 2.0 * (body.rate * w);
+        let mut rate = Vector::zeros();
         for i in 0..self.modes() {
-            force = add(force, scale(at.a[i], self.phibar[i]));
-            moment = add(moment, scale(at.a[i], body.gamma[i]));
-            rate = add(rate, scale(at.v[i], self.phibar[i]));
+            force += at.a[i] * self.phibar[i];
+            moment += at.a[i] * body.gamma[i];
+            rate += at.v[i] * self.phibar[i];
         }
-        let turned = add(scale(2.0, rate), cross(w, body.moment));
-        [add(force, cross(w, turned)), moment]
+        let turned = 2.0 * rate + w.cross(&body.moment);
+        [force + w.cross(&turned), moment]
     }
 
     /// Derivatives of (15) and (16), six rows; `moves`: whether the modal coordinates change the
@@ -259,14 +255,14 @@ impl Invariants {
     pub(crate) fn frame_tangent(&self, action: &Action, at: Motion, moves: bool, out: &mut CarriedTangent) {
         let (k, w) = (self.modes(), action.spin);
         let body = self.displaced(at);
-        let tilt = skew(body.moment);
-        let mut rate = [0.0; 3];
+        let tilt = body.moment.cross_matrix();
+        let mut rate = Vector::zeros();
         for i in 0..k {
-            rate = add(rate, scale(at.v[i], self.phibar[i]));
+            rate += at.v[i] * self.phibar[i];
         }
-        let by_spin = plus(&spin_derivative(w, body.moment), -2.0, &skew(rate));
-        let turning = multiply(&skew(w), &body.inertia);
-        let gyroscopic = plus(&turning, -1.0, &skew(apply(&body.inertia, w)));
+        let by_spin = plus(&spin_derivative(w, body.moment), -2.0, &rate.cross_matrix());
+        let turning = w.cross_matrix() * body.inertia;
+        let gyroscopic = plus(&turning, -1.0, &(body.inertia * w).cross_matrix());
         let gyroscopic = plus(&gyroscopic, 2.0, &body.rate);
         resize(&mut out.mass, 6 * (6 + k));
         resize(&mut out.damping, 6 * (3 + k));
@@ -277,9 +273,9 @@ impl Invariants {
             6 + k,
             0,
             0,
-            &plus(&[[0.0; 3]; 3], self.mass, &identity()),
+            &plus(&Matrix::zeros(), self.mass, &Matrix::identity()),
         );
-        block(&mut out.mass, 6 + k, 0, 3, &transpose(&tilt));
+        block(&mut out.mass, 6 + k, 0, 3, &tilt.transpose());
         block(&mut out.mass, 6 + k, 3, 0, &tilt);
         block(&mut out.mass, 6 + k, 3, 3, &body.inertia);
         block(&mut out.damping, 3 + k, 0, 0, &by_spin);
@@ -291,14 +287,8 @@ impl Invariants {
                 self.first[j]
             };
             column(&mut out.mass, 6 + k, 6 + j, self.phibar[j], body.gamma[j]);
-            let coriolis = scale(2.0, apply(&shifted, w));
-            column(
-                &mut out.damping,
-                3 + k,
-                3 + j,
-                scale(2.0, cross(w, self.phibar[j])),
-                coriolis,
-            );
+            let coriolis = 2.0 * (shifted * w);
+            column(&mut out.damping, 3 + k, 3 + j, 2.0 * w.cross(&self.phibar[j]), coriolis);
             self.spin_row(action, at, j, &mut out.spin);
         }
         if moves {
@@ -317,26 +307,26 @@ impl Invariants {
     fn spin_row(&self, action: &Action, at: Motion, i: usize, spin: &mut [f64]) {
         let shifted = self.shifted(i, at.p);
         let w = action.spin;
-        let mut row = scale(-1.0, add(apply(&shifted, w), apply_transposed(&shifted, w)));
+        let mut row = -(shifted * w + shifted.tr_mul(&w));
         for j in 0..self.modes() {
-            row = subtract(row, scale(2.0 * at.v[j], self.eta[i * self.modes() + j]));
+            row -= 2.0 * at.v[j] * self.eta[i * self.modes() + j];
         }
-        spin[3 * i..3 * i + 3].copy_from_slice(&row);
+        spin[3 * i..3 * i + 3].copy_from_slice(row.as_slice());
     }
 
     /// d(15), (16)/dp_j.
     fn displacement_column(&self, action: &Action, at: Motion, j: usize, stiffness: &mut [f64]) {
         let k = self.modes();
         let (w, dw, phibar) = (action.spin, action.spin_rate, self.phibar[j]);
-        let force = add(cross(dw, phibar), cross(w, cross(w, phibar)));
+        let force = dw.cross(&phibar) + w.cross(&w.cross(&phibar));
         let shifted = self.shifted(j, at.p);
-        let inertia = plus(&shifted, 1.0, &transpose(&shifted));
-        let mut moment = add(cross(phibar, action.acceleration), apply(&inertia, dw));
-        moment = add(moment, cross(w, apply(&inertia, w)));
+        let inertia = plus(&shifted, 1.0, &shifted.transpose());
+        let mut moment = phibar.cross(&action.acceleration) + inertia * dw;
+        moment += w.cross(&(inertia * w));
         for m in 0..k {
-            moment = add(moment, scale(at.a[m], self.eta[j * k + m]));
-            let rate = apply(&self.second[j * k + m], w);
-            moment = add(moment, scale(2.0 * at.v[m], rate));
+            moment += at.a[m] * self.eta[j * k + m];
+            let rate = self.second[j * k + m] * w;
+            moment += 2.0 * at.v[m] * rate;
         }
         column(stiffness, k, j, force, moment);
     }
@@ -348,7 +338,7 @@ fn resize(values: &mut Vec<f64>, count: usize) {
 }
 
 fn block(values: &mut [f64], width: usize, row: usize, first: usize, entries: &Matrix) {
-    for (i, line) in entries.iter().enumerate() {
+    for (i, line) in rows(entries).iter().enumerate() {
         values[(row + i) * width + first..(row + i) * width + first + 3].copy_from_slice(line);
     }
 }

@@ -31,10 +31,10 @@ pub use scene::build_as;
 #[cfg(test)]
 pub(crate) fn kinetic_of(
     inertia: &crate::import::Inertia,
-    spin: crate::vector::Vector,
+    spin: crate::space::Vector,
     p: &[f64],
     v: &[f64],
-) -> (crate::vector::Vector, f64) {
+) -> (crate::space::Vector, f64) {
     let sums = inertia.carried(spin, p, v);
     (sums.momentum, sums.kinetic)
 }

@@ -14,6 +14,7 @@ use crate::linalg::Pattern;
 use crate::model::{Formulation, Joints, Scene, Warning};
 use crate::scene::MeshScene;
 use crate::scene::bodies::described::{Elements, Kernels};
+use crate::space::Vector;
 use crate::system::{Branch, Conserving, ConstraintLevel, Jump, Lever, State, System, Tangent, Turning};
 
 /// Builds the scene of a model with emitted parts: with modal coordinates where a body asks for them, and with bodies, by
@@ -184,7 +185,7 @@ impl ModalScene {
     /// loaded state.
     pub(super) fn each_body(
         &self,
-        gravity: [f64; 3],
+        gravity: Vector,
         mut call: impl FnMut(&Block, usize, &ModalBody, &dyn Elements, &FrameAction),
     ) {
         for (place, (block, &index)) in self.reduction.blocks().iter().zip(&self.bodies).enumerate() {
@@ -198,7 +199,7 @@ impl ModalScene {
         }
     }
 
-    pub(super) fn gravity(&self, t: f64, load_scale: f64) -> [f64; 3] {
+    pub(super) fn gravity(&self, t: f64, load_scale: f64) -> Vector {
         self.scene.gravity(t).map(|g| load_scale * g)
     }
 
@@ -278,7 +279,7 @@ impl ModalScene {
         let from = self.scene.pattern();
         self.reduction
             .reduce_square(from, &self.tangent.mass, &self.pattern, values);
-        self.each_body([0.0; 3], |block, _, modes, _, _| {
+        self.each_body(Vector::zeros(), |block, _, modes, _, _| {
             self.add_modal(block, modes.mass(), values)
         });
         for (block, beside) in self.reduction.blocks().iter().zip(beside) {

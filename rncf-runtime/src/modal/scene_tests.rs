@@ -7,6 +7,7 @@ use crate::emitted::Fidelity;
 use crate::linalg::{Cholesky, Pattern};
 use crate::model::{Formulation, Joints, Scene, Uniform};
 use crate::scene::MeshScene;
+use crate::space::Vector;
 use crate::system::{ConstraintLevel, State, System, Tangent};
 
 fn dense(pattern: &Pattern, values: &[f64]) -> Vec<f64> {
@@ -263,8 +264,8 @@ fn a_point_has_the_mass_of_its_body_at_its_centre_and_no_inertia_about_it() {
     let carried = |nodal: &Nodal, fidelity, spin_rate| {
         let body = ModalBody::new(nodal.clone(), fidelity, &cable).unwrap();
         let action = FrameAction {
-            acceleration: [0.5, -2.0, 0.0],
-            spin: [0.0, 0.0, 2.0],
+            acceleration: Vector::new(0.5, -2.0, 0.0),
+            spin: Vector::new(0.0, 0.0, 2.0),
             spin_rate,
         };
         let mut carried = [0.0; 6];
@@ -272,9 +273,9 @@ fn a_point_has_the_mass_of_its_body_at_its_centre_and_no_inertia_about_it() {
         carried
     };
     // 1 kg at x = 1/2: its acceleration is (0.5 - 4/2, -2 + 3/2, 0), the moment x times the second component.
-    let point = carried(&nodal, Fidelity::Point, [7.0, 0.0, 3.0]);
+    let point = carried(&nodal, Fidelity::Point, Vector::new(7.0, 0.0, 3.0));
     close(&point, &[-1.5, -0.5, 0.0, 0.0, 0.0, -0.25], 1e-14);
-    let rigid = carried(&nodal, Fidelity::Rigid, [7.0, 0.0, 3.0]);
+    let rigid = carried(&nodal, Fidelity::Rigid, Vector::new(7.0, 0.0, 3.0));
     close(&rigid[..3], &point[..3], 1e-14);
     close(&rigid[3..], &[0.0, 0.0, -0.25 + 3.0 / 12.0], 1e-14);
     // About the frame's origin nothing is left, not even round-off.
@@ -282,6 +283,6 @@ fn a_point_has_the_mass_of_its_body_at_its_centre_and_no_inertia_about_it() {
     for node in 0..4 {
         centred.shape[6 * node] -= 0.5;
     }
-    let point = carried(&centred, Fidelity::Point, [7.0, 4.0, 3.0]);
+    let point = carried(&centred, Fidelity::Point, Vector::new(7.0, 4.0, 3.0));
     assert_eq!(point[3..], [0.0; 3]);
 }

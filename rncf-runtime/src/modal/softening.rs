@@ -10,7 +10,7 @@ use super::invariants::{Action, Motion};
 use crate::emitted::Fidelity;
 use crate::linalg::{Cholesky, symmetric_eigen, times};
 use crate::scene::bodies::described::Elements;
-use crate::vector::{Vector, cross, norm};
+use crate::space::Vector;
 
 /// Part of its stiffness at rest that a combination of modes must keep.
 const LOWEST: f64 = 0.5;
@@ -79,10 +79,10 @@ impl ModalBody {
         p: &[f64],
     ) -> Option<LossOfStiffness> {
         let action = Action {
-            spin_rate: [0.0; 3],
+            spin_rate: Vector::zeros(),
             ..Action::new(frame, self.nodal.dimension)
         };
-        let spin = norm(action.spin);
+        let spin = action.spin.norm();
         if self.modes() == 0 || spin == 0.0 {
             return None;
         }
@@ -157,7 +157,7 @@ impl ModalBody {
         let nodal = &self.nodal;
         let w = action.spin;
         let shape = nodal.vectors(&mut nodal.shape.iter().copied());
-        let pull = |&q: &Vector| -> Vec<f64> { cross(w, cross(w, q))[..nodal.dimension].to_vec() };
+        let pull = |&q: &Vector| -> Vec<f64> { w.cross(&w.cross(&q)).as_slice()[..nodal.dimension].to_vec() };
         let pull: Vec<f64> = shape.iter().flat_map(pull).collect();
         let mut load = nodal.reduced(&nodal.momenta(&pull, 1));
         self.stiffness.as_ref()?.solve(&mut load);
@@ -192,7 +192,7 @@ impl ModalBody {
         let k = self.modes();
         let zeros = vec![0.0; k];
         let spin = Action {
-            acceleration: [0.0; 3],
+            acceleration: Vector::zeros(),
             ..*action
         };
         for _ in 0..STEPS {

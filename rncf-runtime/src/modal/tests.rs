@@ -5,7 +5,7 @@ use crate::modal::expansion::Elastic;
 use crate::modal::invariants::Action;
 use crate::scene::bodies::described::{Described, Elements};
 use crate::scene::numbering::assembly::Connectivity;
-use crate::vector::{Matrix, Vector, add, apply, cross, dot, scale};
+use crate::space::{Matrix, Vector, from_rows};
 
 /// Hermite cable elements (THEORY 5.1) of equal length, three Gauss points.
 #[derive(Clone, Copy)]
@@ -48,7 +48,7 @@ impl Cable {
         for (place, value) in q.iter().enumerate() {
             sum[place % self.dimension] += weights[place / self.dimension] * value;
         }
-        sum
+        sum.into()
     }
 }
 
@@ -57,12 +57,9 @@ impl Elements for Cable {
         for (x, weight) in GAUSS {
             let [first, second] = self.slopes(x);
             let (a, b, rate) = (self.sum(&first, q), self.sum(&second, q), self.sum(&first, v));
-            let tension = self.axial * (0.5 * (dot(a, a) - 1.0) + self.damping * dot(a, rate));
-            let by_a = add(
-                scale(tension + self.bending * dot(b, b), a),
-                scale(-self.bending * dot(a, b), b),
-            );
-            let by_b = add(scale(self.bending * dot(a, a), b), scale(-self.bending * dot(a, b), a));
+            let tension = self.axial * (0.5 * (a.dot(&a) - 1.0) + self.damping * a.dot(&rate));
+            let by_a = (tension + self.bending * b.dot(&b)) * a + -self.bending * a.dot(&b) * b;
+            let by_b = self.bending * a.dot(&a) * b + -self.bending * a.dot(&b) * a;
             for (place, value) in force.iter_mut().enumerate() {
                 let (n, c) = (place / self.dimension, place % self.dimension);
                 *value += weight * self.length * (first[n] * by_a[c] + second[n] * by_b[c]);
@@ -75,7 +72,7 @@ impl Elements for Cable {
         for (x, weight) in GAUSS {
             let [first, second] = self.slopes(x);
             let (a, b, rate) = (self.sum(&first, q), self.sum(&second, q), self.sum(&first, v));
-            let tension = self.axial * (0.5 * (dot(a, a) - 1.0) + self.damping * dot(a, rate));
+            let tension = self.axial * (0.5 * (a.dot(&a) - 1.0) + self.damping * a.dot(&rate));
             let (ea, ei, w) = (self.axial, self.bending, weight * self.length);
             for row in 0..size {
                 for column in 0..size {
@@ -83,10 +80,10 @@ impl Elements for Cable {
                     let unit = if i == j { 1.0 } else { 0.0 };
                     let aa = tension * unit
                         + ea * a[i] * (a[j] + self.damping * rate[j])
-                        + ei * (dot(b, b) * unit - b[i] * b[j]);
-                    let bb = ei * (dot(a, a) * unit - a[i] * a[j]);
-                    let ab = ei * (2.0 * a[i] * b[j] - dot(a, b) * unit - b[i] * a[j]);
-                    let ba = ei * (2.0 * b[i] * a[j] - dot(a, b) * unit - a[i] * b[j]);
+                        + ei * (b.dot(&b) * unit - b[i] * b[j]);
+                    let bb = ei * (a.dot(&a) * unit - a[i] * a[j]);
+                    let ab = ei * (2.0 * a[i] * b[j] - a.dot(&b) * unit - b[i] * a[j]);
+                    let ba = ei * (2.0 * b[i] * a[j] - a.dot(&b) * unit - a[i] * b[j]);
                     stiffness[row * size + column] += w
                         * (first[m] * first[n] * aa
                             + second[m] * second[n] * bb
@@ -191,13 +188,13 @@ fn motion(body: &ModalBody, part: f64) -> [Vec<f64>; 3] {
 
 fn frame(dimension: usize) -> FrameAction {
     let mut action = FrameAction {
-        acceleration: [0.7, -1.1, 0.4],
-        spin: [0.9, -0.5, 1.3],
-        spin_rate: [-0.6, 0.8, 0.35],
+        acceleration: Vector::new(0.7, -1.1, 0.4),
+        spin: Vector::new(0.9, -0.5, 1.3),
+        spin_rate: Vector::new(-0.6, 0.8, 0.35),
     };
     if dimension == 2 {
         action.acceleration[2] = 0.0;
-        (action.spin, action.spin_rate) = ([1.3, 0.0, 0.0], [0.35, 0.0, 0.0]);
+        (action.spin, action.spin_rate) = (Vector::new(1.3, 0.0, 0.0), Vector::new(0.35, 0.0, 0.0));
     }
     action
 }
@@ -212,21 +209,21 @@ fn direct(body: &ModalBody, frame: &FrameAction, at: [&[f64]; 3]) -> (Vec<f64>, 
     let [q, v, a] = full.map(|values| nodal.vectors(&mut values.iter().copied()));
     let w = action.spin;
     let acceleration = |b: usize| {
-        let steady = cross(w, cross(w, q[b]));
-        let moving = add(scale(2.0, cross(w, v[b])), cross(action.spin_rate, q[b]));
-        add(a[b], add(steady, moving))
+        let steady = w.cross(&w.cross(&q[b]));
+        let moving = 2.0 * w.cross(&v[b]) + action.spin_rate.cross(&q[b]);
+        a[b] + (steady + moving)
     };
     let count = nodal.whole.len();
-    let (mut forces, mut total, mut moment) = (Vec::new(), [0.0; 3], [0.0; 3]);
+    let (mut forces, mut total, mut moment) = (Vec::new(), Vector::zeros(), Vector::zeros());
     for row in 0..count {
-        let mut force = [0.0; 3];
+        let mut force = Vector::zeros();
         for b in 0..count {
-            let whole = scale(nodal.whole[b], action.acceleration);
-            force = add(force, scale(nodal.mass[row * count + b], add(acceleration(b), whole)));
+            let whole = nodal.whole[b] * action.acceleration;
+            force += nodal.mass[row * count + b] * (acceleration(b) + whole);
         }
-        total = add(total, scale(nodal.whole[row], force));
-        moment = add(moment, cross(q[row], force));
-        forces.extend(&force[..nodal.dimension]);
+        total += nodal.whole[row] * force;
+        moment += q[row].cross(&force);
+        forces.extend(&force.as_slice()[..nodal.dimension]);
     }
     (forces, [total, moment])
 }
@@ -343,15 +340,15 @@ fn tangents_are_derivatives() {
             let action = frame(dimension);
             let [p, v, a] = motion(&body, 0.3);
             let values = [
-                action.acceleration[..d].to_vec(),
-                action.spin[..s].to_vec(),
-                action.spin_rate[..s].to_vec(),
+                action.acceleration.as_slice()[..d].to_vec(),
+                action.spin.as_slice()[..s].to_vec(),
+                action.spin_rate.as_slice()[..s].to_vec(),
                 p,
                 v,
                 a,
             ];
             let made = |values: &[Vec<f64>]| {
-                let three = |part: &Vec<f64>| std::array::from_fn(|i| part.get(i).copied().unwrap_or(0.0));
+                let three = |part: &Vec<f64>| Vector::from_fn(|i, _| part.get(i).copied().unwrap_or(0.0));
                 FrameAction {
                     acceleration: three(&values[0]),
                     spin: three(&values[1]),
@@ -494,7 +491,7 @@ fn small_deformations_agree_to_first_order() {
 
 fn spinning(eta: f64) -> FrameAction {
     FrameAction {
-        spin: [eta, 0.0, 0.0],
+        spin: Vector::new(eta, 0.0, 0.0),
         ..FrameAction::default()
     }
 }
@@ -528,7 +525,7 @@ fn a_shaft_that_truly_softens_is_not_reported() {
     let (nodal, cable) = cantilever(3, 6, 1e5, 0.0, 0.0);
     let body = ModalBody::new(nodal, Fidelity::Modal(4), &cable).unwrap();
     let action = FrameAction {
-        spin: [3.4, 0.0, 0.0],
+        spin: Vector::new(3.4, 0.0, 0.0),
         ..FrameAction::default()
     };
     assert_eq!(body.loss_of_stiffness(&cable, &action, &[0.0; 4]), None);
@@ -548,12 +545,12 @@ fn joints_carry_all_of_a_load() {
             let sum = force
                 .iter()
                 .zip(&nodal.whole)
-                .fold([0.0; 3], |sum, (&f, &c)| add(sum, scale(c, f)));
+                .fold(Vector::zeros(), |sum, (&f, &c)| sum + c * f);
             let moment = force
                 .iter()
                 .zip(&places)
-                .fold([0.0; 3], |sum, (&f, &q)| add(sum, cross(q, f)));
-            [sum, moment].concat()
+                .fold(Vector::zeros(), |sum, (&f, &q)| sum + q.cross(&f));
+            [sum, moment].map(<[f64; 3]>::from).concat()
         };
         let mut force = load.clone();
         let carried = body.held(&cable, &q, &mut force);
@@ -593,12 +590,12 @@ fn a_rigid_rod_has_its_moment_of_inertia() {
     let (nodal, cable) = cantilever(3, 3, 1e3, 0.0, 0.0);
     let body = ModalBody::new(nodal, Fidelity::Rigid, &cable).unwrap();
     let action = FrameAction {
-        spin_rate: [2.0, 0.0, 3.0],
+        spin_rate: Vector::new(2.0, 0.0, 3.0),
         ..FrameAction::default()
     };
     let mut carried = [0.0; 6];
     body.carried(&action, [&[], &[], &[]], &mut carried);
-    let inertia: Matrix = [[0.0; 3], [0.0, 1.0 / 3.0, 0.0], [0.0, 0.0, 1.0 / 3.0]];
-    let moment = apply(&inertia, action.spin_rate);
+    let inertia: Matrix = from_rows(&[[0.0; 3], [0.0, 1.0 / 3.0, 0.0], [0.0, 0.0, 1.0 / 3.0]]);
+    let moment = inertia * action.spin_rate;
     close(&carried, &[0.0, 1.5, 0.0, moment[0], moment[1], moment[2]], 1e-14);
 }

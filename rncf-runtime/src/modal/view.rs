@@ -6,6 +6,7 @@ use crate::model::{
     Composition, Configuration, Curve, DescribedBody, ExportedBody, FrameState, MassProperties, MeshError, Scene,
     SectionBody, SectionState, Sign, Uniform, Warning,
 };
+use crate::space::Vector;
 use crate::system::{State, Tangent};
 
 /// Growth of what modes hinder from which on the part that is missing is found anew: it takes a static problem of the
@@ -206,7 +207,7 @@ impl Scene for ModalScene {
         self.expand(state);
         let mut warnings = self.scene.warnings(&self.full);
         let mut worst = std::mem::take(&mut self.worst);
-        self.each_body([0.0; 3], |block, body, modes, elements, action| {
+        self.each_body(Vector::zeros(), |block, body, modes, elements, action| {
             let own = |of: &[f64]| of[block.coordinate..][..block.count].to_vec();
             let [p, v, a] = [&state.x, &state.v, &state.a].map(|of| own(of));
             if modes.elsewhere.is_some() {

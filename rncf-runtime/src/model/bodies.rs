@@ -3,6 +3,7 @@
 use crate::archive::{Archive, Keep};
 use crate::emitted::{Fidelity, SectionQuantity};
 use crate::import::{Named, archive};
+use crate::space::{Matrix, Vector};
 
 /// A meshed body of the declaration, as it is described in a scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,9 +26,9 @@ pub struct MassProperties {
     /// kg.
     pub mass: f64,
     /// Centre of mass, m.
-    pub centre: [f64; 3],
+    pub centre: Vector,
     /// Inertia about the centre of mass, kg m^2.
-    pub inertia: [[f64; 3]; 3],
+    pub inertia: Matrix,
 }
 
 /// A flexible body of a scene, as far as its section states need it.
@@ -79,10 +80,10 @@ pub struct SectionState {
     /// Arclength of the stress-free axis, m.
     pub x: f64,
     /// Axial force and shear forces along y and z, N.
-    pub forces: [f64; 3],
+    pub forces: Vector,
     /// Torque and moments about y and z, N m. A centre line has the last alone: about the plane's normal,
     /// in space its magnitude.
-    pub moments: [f64; 3],
+    pub moments: Vector,
     /// Largest von Mises stress over the section, Pa; `None` where the section's extents are not known.
     pub stress: Option<f64>,
     /// Whether the body stays in a plane: its moment keeps its sign.
@@ -92,8 +93,8 @@ pub struct SectionState {
 impl SectionState {
     /// One of its numbers; `None` for a stress that is not known.
     pub fn value(&self, of: SectionQuantity) -> Option<f64> {
-        let [axial, shear_y, shear_z] = self.forces;
-        let [torque, moment_y, moment_z] = self.moments;
+        let [axial, shear_y, shear_z]: [f64; 3] = self.forces.into();
+        let [torque, moment_y, moment_z]: [f64; 3] = self.moments.into();
         Some(match of {
             SectionQuantity::AxialForce => axial,
             SectionQuantity::ShearY => shear_y,

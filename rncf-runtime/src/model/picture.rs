@@ -1,8 +1,7 @@
 //! Pictures of a scene: the lines of its bodies in their frames, and where the frames are.
 
 use crate::archive::{Archive, Keep};
-use crate::rotation::Rotation;
-use crate::vector::Vector;
+use crate::space::{Rotation, Vector};
 
 /// A line of a picture.
 #[derive(Clone, Debug, PartialEq)]

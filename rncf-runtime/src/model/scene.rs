@@ -6,9 +6,8 @@ use super::picture::{Configuration, Curve, Sign};
 use super::uniform::Uniform;
 use crate::archive::{Archive, Keep};
 use crate::error::ModelError;
-use crate::rotation::Rotation;
+use crate::space::{Rotation, Vector};
 use crate::system::{AsSystem, State, System, Tangent};
-use crate::vector::Vector;
 
 /// A system with bodies in it: outputs, initial states and relative equilibria.
 pub trait Scene: System + Send {

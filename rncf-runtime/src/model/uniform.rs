@@ -1,7 +1,7 @@
 //! Uniform motions: a rotation of the whole system about an axis fixed in space, or rest
 //! (THEORY 8.1).
 
-use crate::vector::Vector;
+use crate::space::Vector;
 
 /// What the system does in an equilibrium.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]

@@ -57,15 +57,15 @@ impl Whirl {
 mod tests {
     use super::*;
     use crate::scene::turning::circulation::Whirling;
-    use crate::vector::{Vector, dot};
+    use crate::space::Vector;
 
-    const Z: Vector = [0.0, 0.0, 1.0];
+    const Z: Vector = Vector::new(0.0, 0.0, 1.0);
 
     fn circulation(points: &[[Vector; 2]], axis: Vector) -> Option<f64> {
         let mut whirling = Whirling::about(Some(axis));
         for point in points {
             whirling.add(point, point);
-            whirling.add_whole(point.iter().map(|part| dot(*part, *part)).sum());
+            whirling.add_whole(point.iter().map(|part| part.dot(part)).sum());
         }
         whirling.circulation()
     }
@@ -73,20 +73,23 @@ mod tests {
     #[test]
     fn a_circle_with_the_spin_is_forward() {
         // (cos t, sin t) = Re((1, -i) exp(i t))
-        let forward = [[1.0, 0.0, 0.3], [0.0, -1.0, 0.0]];
-        let backward = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+        let forward = [Vector::new(1.0, 0.0, 0.3), -Vector::y()];
+        let backward = [Vector::x(), Vector::y()];
         assert_eq!(circulation(&[forward], Z), Some(1.0));
         assert_eq!(circulation(&[backward], Z), Some(-1.0));
         assert_eq!(circulation(&[forward, backward], Z), Some(0.0));
         // About the opposite axis.
-        assert_eq!(circulation(&[forward], [0.0, 0.0, -1.0]), Some(-1.0));
+        assert_eq!(circulation(&[forward], Vector::new(0.0, 0.0, -1.0)), Some(-1.0));
     }
 
     #[test]
     fn what_does_not_whirl_has_no_sense() {
-        assert_eq!(circulation(&[[[0.0, 0.0, 1.0], [0.0; 3]]], Z), None);
+        assert_eq!(circulation(&[[Vector::new(0.0, 0.0, 1.0), Vector::zeros()]], Z), None);
         // A torsion with the round-off of a circle across the axis.
-        assert_eq!(circulation(&[[[1e-9, 0.0, 1.0], [0.0, 1e-9, 0.0]]], Z), None);
+        assert_eq!(
+            circulation(&[[Vector::new(1e-9, 0.0, 1.0), Vector::new(0.0, 1e-9, 0.0)]], Z),
+            None
+        );
         assert_eq!(Whirling::about(None).circulation(), None);
         assert_eq!(Whirl::of(2.0, None), Whirl::None);
         assert_eq!(Whirl::of(0.0, Some(1.0)), Whirl::None);

@@ -27,7 +27,7 @@ use crate::scene::pieces::marker::{Linked, MarkedLoad, Marker};
 use crate::scene::pieces::push::{Law, Push};
 use crate::scene::terms::linked::markers;
 use crate::scene::terms::moments::turned_by_moments;
-use crate::vector::{Vector, add, apply};
+use crate::space::{Vector, matrix};
 
 /// Part of its length that an element has which stands for nothing.
 const NOTHING: f64 = 1e-9;
@@ -408,8 +408,8 @@ impl MeshScene {
                 let whole = Tie::new(index, body, &self.layout, &initial, [false; 2], frame)?;
                 if let Some([velocity, spin]) = ties::taken(&whole, body, &initial, &rates) {
                     let start = &mut self.free[free].start;
-                    let moved = apply(&start.rotation.matrix(), velocity);
-                    (start.velocity, start.spin) = (add(start.velocity, moved), add(start.spin, spin));
+                    let moved = matrix(&start.rotation) * velocity;
+                    (start.velocity, start.spin) = (start.velocity + moved, start.spin + spin);
                     self.taken.push((body.frame, [velocity, spin]));
                 }
             } else if self.fixed.iter().any(|frame| frame.spec.frame == body.spec.frame) {
@@ -522,7 +522,7 @@ fn prepare(parts: &mut dyn Parts, specs: &[BodySpec]) -> Result<Vec<usize>, Mode
 
 /// Planar bodies have no component along the normal: in absolute coordinates it is that of their frame.
 fn plane_offset(spec: &BodySpec, absolute: bool, frame: &FrameMotion) -> Vector {
-    let mut offset = [0.0; 3];
+    let mut offset = Vector::zeros();
     if let ([first, second], true) = (spec.axes, absolute) {
         let normal = 3 - first - second;
         offset[normal] = frame.position[normal];

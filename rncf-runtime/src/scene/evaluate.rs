@@ -6,7 +6,6 @@ use std::sync::Arc;
 use super::mesh_scene::MeshScene;
 use crate::emitted::{LoadKind, Prescribed};
 use crate::model::Scene;
-use crate::rotation::Rotation;
 use crate::scene::bodies::described::Kernels;
 use crate::scene::bodies::mesh_body::MeshBody;
 use crate::scene::bodies::nodal_mass::Transport;
@@ -17,8 +16,8 @@ use crate::scene::pieces::batches::Blocks;
 use crate::scene::pieces::buffers::{Buffers, Regime};
 use crate::scene::pieces::combination::Combination;
 use crate::scene::terms::moments::turned_by_moments;
+use crate::space::{Rotation, Vector};
 use crate::system::{State, Sums, Tangent};
-use crate::vector::{Matrix, add};
 
 /// Most components of a node's vectors that a joint is about, and most of its conditions.
 pub(crate) const MOST: usize = 9;
@@ -37,7 +36,7 @@ impl Combined<'_> {
             let starts = turned.starts;
             if (starts[0]..starts[3]).contains(&entry) {
                 let from = (1..3).filter(|&column| entry >= starts[column]).count();
-                for (place, factor) in turned.places[entry - starts[0]].into_iter().zip(map[from]) {
+                for (place, factor) in turned.places[entry - starts[0]].into_iter().zip(&map.row(from)) {
                     if let Some(place) = place {
                         self.values[place] += factor * value;
                     }
@@ -147,14 +146,11 @@ impl MeshScene {
     }
 
     /// Sum of all gravity loads, inertial axes.
-    pub(crate) fn gravity(&self, t: f64) -> [f64; 3] {
-        let mut sum = [0.0; 3];
+    pub(crate) fn gravity(&self, t: f64) -> Vector {
+        let mut sum = Vector::zeros();
         for (index, load) in self.loads.iter().enumerate() {
             if load.kind == LoadKind::Gravity {
-                sum = add(
-                    sum,
-                    self.buffers.frames[load.frame].direction_to_inertial(self.parts.load(index, t)),
-                );
+                sum += self.buffers.frames[load.frame].direction_to_inertial(self.parts.load(index, t).into());
             }
         }
         sum
@@ -163,7 +159,7 @@ impl MeshScene {
     /// `M a + f` of all components at the loaded state; loads are multiplied by `load_scale`.
     pub(crate) fn full_force(&mut self, t: f64, load_scale: f64) {
         self.set_fields(t, load_scale);
-        let gravity = self.gravity(t).map(|g| load_scale * g);
+        let gravity = load_scale * self.gravity(t);
         self.buffers.force.fill(0.0);
         // The sums for free frames hold before elastic forces are added.
         self.add_inertia_forces(gravity);
@@ -202,7 +198,7 @@ impl MeshScene {
     /// Force or moment of a load in the axes of its body, in their order.
     pub(crate) fn load_in_body(&self, index: usize, t: f64, body: &MeshBody) -> [f64; 3] {
         let load = &self.loads[index];
-        let mut value = self.parts.load(index, t);
+        let mut value = Vector::from(self.parts.load(index, t));
         if load.frame != body.frame {
             let frames = &self.buffers.frames;
             value = frames[body.frame].direction_to_frame(frames[load.frame].direction_to_inertial(value));
@@ -274,7 +270,7 @@ impl MeshScene {
                 body.scatter.add_by(element, |entry| c[entry][lane], by_rate);
             }
         });
-        let gravity = self.gravity(t).map(|g| load_scale * g);
+        let gravity = load_scale * self.gravity(t);
         for (place, values) in [&mut out.mass, &mut out.damping, &mut out.stiffness]
             .into_iter()
             .enumerate()
@@ -298,7 +294,7 @@ impl MeshScene {
         // All that is not elastic starts the stiffness, so that one pass adds everything.
         let blocks = |transport: &Transport| {
             let block = combination.block(transport);
-            let divided = |factor: f64| -> Matrix { block.map(|row| row.map(|entry| entry / factor)) };
+            let divided = |factor: f64| block / factor;
             let mut blocks = Blocks::default();
             if k != 0.0 {
                 blocks.by_place = divided(k);
@@ -345,7 +341,7 @@ impl MeshScene {
                 continue;
             }
             let axes = body.spec.axes;
-            let blocks = blocks(&Transport::new(&frames[body.frame], axes, [0.0; 3]));
+            let blocks = blocks(&Transport::new(&frames[body.frame], axes, Vector::zeros()));
             let bodies = &self.bodies;
             group.each_tangent(
                 &*self.parts,

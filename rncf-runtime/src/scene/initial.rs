@@ -6,7 +6,7 @@ use crate::error::ModelError;
 use crate::model::Warning;
 use crate::scene::frames::ties::add_rigid;
 use crate::scene::numbering::conditions::{directions, joint_data};
-use crate::vector::{Vector, add, cross, dot, norm, scale, subtract};
+use crate::space::Vector;
 
 /// Relative size of a contradiction between an initial shape and a joint that counts as round-off.
 const ROUND_OFF: f64 = 1e-10;
@@ -62,18 +62,21 @@ impl MeshScene {
         let spec = &self.bodies[body].spec;
         let (point, tangent) = spec.line.at(u);
         let [position, velocity] = self.parts.initial(body, spec.line.length() * u);
-        let [at, slope] = position.unwrap_or([point, tangent]);
-        let [rate, slope_rate] = velocity.unwrap_or_default();
+        let [at, slope] = position.map_or([point, tangent], |given| given.map(Vector::from));
+        let [rate, slope_rate] = velocity.unwrap_or_default().map(Vector::from);
         if !spec.has_section() {
-            return [[at, slope, [0.0; 3], [0.0; 3]], [rate, slope_rate, [0.0; 3], [0.0; 3]]];
+            return [
+                [at, slope, Vector::zeros(), Vector::zeros()],
+                [rate, slope_rate, Vector::zeros(), Vector::zeros()],
+            ];
         }
         let section = spec.section(u);
         let axes = match position {
             Some(_) => section.map(|axis| turned(axis, tangent, slope, section[0])),
             None => section,
         };
-        let spin = scale(1.0 / dot(slope, slope), cross(slope, slope_rate));
-        let rates = axes.map(|axis| cross(spin, axis));
+        let spin = 1.0 / slope.dot(&slope) * slope.cross(&slope_rate);
+        let rates = axes.map(|axis| spin.cross(&axis));
         [[at, slope, axes[0], axes[1]], [rate, slope_rate, rates[0], rates[1]]]
     }
 
@@ -85,7 +88,13 @@ impl MeshScene {
             for within in 0..body.spec.vectors() {
                 let (node, local) = body.spec.locate(within);
                 let x = body.spec.line.length() * body.spec.fraction(node, local);
-                check_node(&body.spec, x, self.parts.initial(index, x))?;
+                check_node(
+                    &body.spec,
+                    x,
+                    self.parts
+                        .initial(index, x)
+                        .map(|given| given.map(|both| both.map(Vector::from))),
+                )?;
             }
         }
         let frames = self.motions(0.0);
@@ -112,7 +121,7 @@ impl MeshScene {
             seen_in(&frames[spec.frame], &frames[joint.frame], q, v)
         };
         if position.is_none() && joint.point.is_some() {
-            return self.check_point(index, norm(in_plane(spec, subtract(q[0], held.data.point))));
+            return self.check_point(index, in_plane(spec, q[0] - Vector::from(held.data.point)).norm());
         }
         let (point, tangent) = spec.line.at(u);
         let [y, z] = spec.section(u);
@@ -162,19 +171,19 @@ fn in_plane(spec: &BodySpec, vector: Vector) -> Vector {
     if spec.dimension() == 3 {
         return vector;
     }
-    std::array::from_fn(|axis| if spec.axes.contains(&axis) { vector[axis] } else { 0.0 })
+    Vector::from_fn(|axis, _| if spec.axes.contains(&axis) { vector[axis] } else { 0.0 })
 }
 
 /// A vector turned by the smallest rotation that takes the direction of the unit vector `from` to that of
 /// `to`; opposite directions turn about `about`.
 fn turned(vector: Vector, from: Vector, to: Vector, about: Vector) -> Vector {
-    let to = scale(1.0 / norm(to), to);
-    let (axis, cosine) = (cross(from, to), dot(from, to));
+    let to = 1.0 / to.norm() * to;
+    let (axis, cosine) = (from.cross(&to), from.dot(&to));
     if 1.0 + cosine < OPPOSITE {
-        return subtract(scale(2.0 * dot(about, vector), about), vector);
+        return 2.0 * about.dot(&vector) * about - vector;
     }
-    let first = cross(axis, vector);
-    add(add(vector, first), scale(1.0 / (1.0 + cosine), cross(axis, first)))
+    let first = axis.cross(&vector);
+    vector + first + 1.0 / (1.0 + cosine) * axis.cross(&first)
 }
 
 fn check_node(spec: &BodySpec, x: f64, initial: [Option<[Vector; 2]>; 2]) -> Result<(), ModelError> {
@@ -184,7 +193,7 @@ fn check_node(spec: &BodySpec, x: f64, initial: [Option<[Vector; 2]>; 2]) -> Res
         .flatten()
         .flatten()
         .all(|value| value.is_finite());
-    let has_slope = initial[0].is_none_or(|[_, slope]| norm(slope) > 0.0);
+    let has_slope = initial[0].is_none_or(|[_, slope]| slope.norm() > 0.0);
     if is_finite && has_slope {
         return Ok(());
     }
@@ -197,13 +206,13 @@ fn check_node(spec: &BodySpec, x: f64, initial: [Option<[Vector; 2]>; 2]) -> Res
 
 /// Vectors of a place and their rates of one frame as seen in another one.
 fn seen_in(own: &FrameMotion, other: &FrameMotion, q: Vectors, v: Vectors) -> (Vectors, Vectors) {
-    let point = subtract(own.point_to_inertial(q[0]), other.position);
-    let velocity = add(own.velocity, own.rate_to_inertial(q[0], v[0]));
+    let point = own.point_to_inertial(q[0]) - other.position;
+    let velocity = own.velocity + own.rate_to_inertial(q[0], v[0]);
     let inertial: Vectors = std::array::from_fn(|i| if i == 0 { point } else { own.direction_to_inertial(q[i]) });
     let places = inertial.map(|vector| other.direction_to_frame(vector));
     let rates = std::array::from_fn(|i| {
         let rate = if i == 0 {
-            subtract(velocity, other.velocity)
+            velocity - other.velocity
         } else {
             own.rate_to_inertial(q[i], v[i])
         };
@@ -225,28 +234,28 @@ impl Held {
     /// Place, name and direction of the vectors that it holds besides the position.
     fn directions(&self) -> impl Iterator<Item = (usize, &'static str, Vector)> {
         const NAMES: [&str; 4] = ["position", "slope", "section's y axis", "section's z axis"];
-        let along = [self.data.tangent, self.data.second];
+        let along = [self.data.tangent, self.data.second].map(Vector::from);
         let places = self.directions.iter().map(|&(of, order)| place_of(of, order));
         places.zip(along).map(|(place, along)| (place, NAMES[place], along))
     }
 
     /// How the vectors differ from what is held, in words.
     fn misplaced(&self, q: &Vectors, undeformed: Vectors) -> Option<String> {
-        let gap = norm(subtract(q[0], self.data.point));
+        let gap = (q[0] - Vector::from(self.data.point)).norm();
         let away =
             || (gap > ROUND_OFF * self.length).then(|| format!("it starts {gap:.3e} m away from the joint's point"));
         match self.kind {
             JointKind::Pin => away(),
             JointKind::Clamp => away().or_else(|| {
                 self.directions().find_map(|(place, name, along)| {
-                    let angle = norm(cross(along, q[place])).atan2(dot(along, q[place]));
+                    let angle = along.cross(&q[place]).norm().atan2(along.dot(&q[place]));
                     (angle > ROUND_OFF)
                         .then(|| format!("its {name} starts at {angle:.3e} rad to the joint's direction"))
                 })
             }),
             JointKind::ClampFull => away().or_else(|| {
                 self.directions().find_map(|(place, name, along)| {
-                    let gap = norm(subtract(q[place], along));
+                    let gap = (q[place] - along).norm();
                     (gap > ROUND_OFF).then(|| format!("its {name} starts {gap:.3e} away from the joint's"))
                 })
             }),
@@ -264,16 +273,16 @@ impl Held {
     fn moving(&self, q: &Vectors, v: &Vectors) -> Option<String> {
         let most = |rate: &dyn Fn(usize, Vector) -> f64| {
             let rates = self.directions().map(|(place, _, along)| rate(place, along));
-            rates.fold(norm(v[0]), f64::max)
+            rates.fold(v[0].norm(), f64::max)
         };
         let across = match self.kind {
             JointKind::Hold { of, order, axis } => v[place_of(of, order)][axis].abs(),
-            JointKind::Pin => norm(v[0]),
+            JointKind::Pin => v[0].norm(),
             // The norms may change.
-            JointKind::Clamp => most(&|place, along| norm(cross(along, v[place])) / norm(q[place])),
-            JointKind::ClampFull => most(&|place, _| norm(v[place])),
+            JointKind::Clamp => most(&|place, along| along.cross(&v[place]).norm() / q[place].norm()),
+            JointKind::ClampFull => most(&|place, _| v[place].norm()),
         };
-        let size = 1.0 + norm(v[0]) + norm(v[1]);
+        let size = 1.0 + v[0].norm() + v[1].norm();
         (across > ROUND_OFF * size).then(|| format!("what it holds starts with the rate {across:.3e}"))
     }
 }
@@ -284,19 +293,18 @@ mod tests {
 
     #[test]
     fn the_smallest_rotation_takes_one_direction_to_the_other_and_nothing_else() {
-        let near =
-            |found: Vector, wanted: Vector| assert!(norm(subtract(found, wanted)) < 1e-15, "{found:?} {wanted:?}");
-        let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let near = |found: Vector, wanted: Vector| assert!((found - wanted).norm() < 1e-15, "{found:?} {wanted:?}");
+        let [x, y, z] = [Vector::x(), Vector::y(), Vector::z()];
         // From x towards z: about -y, whatever the length.
-        let along = [0.6, 0.0, 0.8];
-        let at = |vector| turned(vector, x, scale(3.0, along), y);
+        let along = Vector::new(0.6, 0.0, 0.8);
+        let at = |vector| turned(vector, x, 3.0 * along, y);
         near(at(x), along);
         near(at(y), y);
-        near(at(z), [-0.8, 0.0, 0.6]);
+        near(at(z), Vector::new(-0.8, 0.0, 0.6));
         near(turned(z, x, x, y), z);
         // Opposite directions turn about the given axis.
-        near(turned(x, x, [-2.0, 0.0, 0.0], y), [-1.0, 0.0, 0.0]);
-        near(turned(y, x, [-2.0, 0.0, 0.0], y), y);
-        near(turned(z, x, [-2.0, 0.0, 0.0], y), [0.0, 0.0, -1.0]);
+        near(turned(x, x, -2.0 * x, y), Vector::new(-1.0, 0.0, 0.0));
+        near(turned(y, x, -2.0 * x, y), y);
+        near(turned(z, x, -2.0 * x, y), Vector::new(0.0, 0.0, -1.0));
     }
 }

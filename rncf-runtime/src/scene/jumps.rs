@@ -4,7 +4,6 @@ use super::mesh_scene::MeshScene;
 use crate::emitted::FrameMotion;
 use crate::scene::frames::free_frames::declared_free;
 use crate::system::{ConstraintLevel, Jump, State, System};
-use crate::vector::{add, norm, scale, subtract};
 
 /// Change of a position over the size of the model, or of an angle (rad), that counts as round-off.
 const ROUND_OFF: f64 = 1e-6;
@@ -57,12 +56,12 @@ impl MeshScene {
         for &frame in &prescribed {
             let (a, b) = (&before[frame], &after[frame]);
             // Over the time between the two it moves by itself.
-            let moved = norm(subtract(b.position, add(a.position, scale(behind - t, a.velocity))));
+            let moved = (b.position - (a.position + (behind - t) * a.velocity)).norm();
             let turned = (0..3)
-                .map(|row| norm(subtract(b.rotation[row], a.rotation[row])))
+                .map(|row| (b.rotation.row(row) - a.rotation.row(row)).norm())
                 .fold(0.0, f64::max);
-            let turning = 2.0 * (behind - t) * norm(a.spin).max(norm(b.spin));
-            if moved > ROUND_OFF * size + FAR * norm(a.position) {
+            let turning = 2.0 * (behind - t) * a.spin.norm().max(b.spin.norm());
+            if moved > ROUND_OFF * size + FAR * a.position.norm() {
                 return Some(Jump {
                     text: format!("the origin of frame `{}` jumps by {moved:.3e} m", name(frame)),
                     of_position: true,
@@ -85,8 +84,8 @@ impl MeshScene {
                 (a.velocity, b.velocity, size, "velocity", "m/s"),
                 (a.spin, b.spin, 1.0, "angular velocity", "rad/s"),
             ] {
-                let change = norm(subtract(b, a));
-                if change > ROUND_OFF * (norm(a).max(norm(b)) + 1e-3 * least) {
+                let change = (b - a).norm();
+                if change > ROUND_OFF * (a.norm().max(b.norm()) + 1e-3 * least) {
                     return Some(Jump {
                         text: format!("the {what} of frame `{}` jumps by {change:.3e} {unit}", name(frame)),
                         of_position: false,

@@ -4,8 +4,8 @@ use crate::linalg::Pattern;
 use crate::model::Scene;
 use crate::scene::MeshScene;
 use crate::scene::frames::free_frames::{FreeFrame, angle_axis};
+use crate::space::{Matrix, Vector, matrix};
 use crate::system::{Lever, System, Turning};
-use crate::vector::{Matrix, Vector, add, apply_transposed, cross, determinant, dot, inverse, scale};
 
 /// Determinant of an inertia over the cube of its trace, below which it counts as that of a line.
 const SLENDER: f64 = 1e-10;
@@ -64,29 +64,25 @@ impl Inertia<'_> {
             place.map_or(0.0, |place| self.mass[place])
         };
         // Coupling of positions with a turn t is m R (t x c); (t x c) x t is c without its part along t.
-        let rotation = frame.start.rotation.matrix();
-        let (mass, mut arm) = (if shifts == 0 { 0.0 } else { entry(0, 0) }, [0.0; 3]);
+        let rotation = matrix(&frame.start.rotation);
+        let (mass, mut arm) = (if shifts == 0 { 0.0 } else { entry(0, 0) }, Vector::zeros());
         for column in shifts..frame.count() {
-            let mut moment: Vector = [0.0; 3];
+            let mut moment: Vector = Vector::zeros();
             for row in 0..shifts {
-                moment = add(moment, scale(entry(row, column) / mass, frame.directions[row].shift));
+                moment += entry(row, column) / mass * frame.directions[row].shift;
             }
-            arm = add(
-                arm,
-                cross(apply_transposed(&rotation, moment), frame.directions[column].turn),
-            );
+            arm += rotation.tr_mul(&moment).cross(&frame.directions[column].turn);
         }
         let mut inertia = None;
         if frame.turn.is_some() {
             // Each part was counted for two turns.
-            arm = scale(0.5, arm);
-            let about_origin: Matrix = std::array::from_fn(|i| std::array::from_fn(|j| entry(shifts + i, shifts + j)));
-            let square = dot(arm, arm);
-            let about_centre = std::array::from_fn(|i| {
-                let steiner = |j: usize| if i == j { square } else { 0.0 } - arm[i] * arm[j];
-                std::array::from_fn(|j| about_origin[i][j] - mass * steiner(j))
-            });
-            inertia = is_regular(&about_centre).then(|| [about_centre, inverse(&about_centre)]);
+            arm = 0.5 * arm;
+            let about_origin: Matrix = Matrix::from_fn(|i, j| entry(shifts + i, shifts + j));
+            let square = arm.dot(&arm);
+            let steiner = |i: usize, j: usize| if i == j { square } else { 0.0 } - arm[i] * arm[j];
+            let about_centre = Matrix::from_fn(|i, j| about_origin[(i, j)] - mass * steiner(i, j));
+            let regular = Some(about_centre).filter(is_regular);
+            inertia = regular.and_then(|inertia| Some([inertia, inertia.try_inverse()?]));
         }
         arm.iter().all(|part| part.is_finite()).then(|| Lever {
             positions: (0..shifts)
@@ -101,6 +97,5 @@ impl Inertia<'_> {
 
 /// Whether no moment of inertia vanishes as that of a line does.
 fn is_regular(inertia: &Matrix) -> bool {
-    let trace = inertia[0][0] + inertia[1][1] + inertia[2][2];
-    determinant(inertia) > SLENDER * trace.powi(3)
+    inertia.determinant() > SLENDER * inertia.trace().powi(3)
 }

@@ -4,7 +4,7 @@ use crate::emitted::BodySpec;
 use crate::error::ModelError;
 use crate::scene::MeshScene;
 use crate::scene::numbering::shared::{Shared, VECTORS};
-use crate::vector::{Vector, cross, dot, norm, subtract};
+use crate::space::Vector;
 
 /// How far apart ends may start, as a part of the shorter body's length.
 const APART: f64 = 0.01;
@@ -36,14 +36,14 @@ impl MeshScene {
 
 /// How two ends that are one differ at the start, in words; vectors in the order of [`VECTORS`].
 fn misplaced([first, second]: [[Vector; 4]; 2], length: f64, smooth: bool) -> Option<String> {
-    let gap = norm(subtract(first[0], second[0]));
+    let gap = (first[0] - second[0]).norm();
     if gap > APART * length {
         return Some(format!("has ends that start {gap:.3e} m apart"));
     }
     let directions = (1..VECTORS.len()).filter(|_| smooth);
     directions.into_iter().find_map(|place| {
         let (a, b) = (first[place], second[place]);
-        let angle = norm(cross(a, b)).atan2(dot(a, b));
+        let angle = a.cross(&b).norm().atan2(a.dot(&b));
         (angle > TURNED).then(|| {
             let name = VECTORS[place].2;
             format!(

@@ -22,7 +22,7 @@ use crate::scene::pieces::fixture::Fixture;
 use crate::scene::pieces::marker::{Linked, MarkedLoad, Marker};
 use crate::scene::pieces::push::{Push, Spread};
 use crate::scene::pieces::rigid_section::RigidSection;
-use crate::vector::Vector;
+use crate::space::Vector;
 
 /// The scene of a model with emitted parts. They stand behind a pointer, so that the runtime is compiled once and
 /// not for every model.

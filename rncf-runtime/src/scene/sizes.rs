@@ -3,8 +3,8 @@
 use super::mesh_scene::MeshScene;
 use crate::scene::frames::free_frames::FreeFrame;
 use crate::scene::pieces::marker::Marker;
+use crate::space::Vector;
 use crate::system::{State, System};
-use crate::vector::{Vector, norm, scale, subtract};
 
 /// Round-off of a difference of two places, as a part of their coordinates: of a few operations on each.
 const ROUND_OFF: f64 = 1e3 * f64::EPSILON;
@@ -35,7 +35,7 @@ impl MeshScene {
         };
         let mut sizes: Vec<f64> = origins.iter().map(size).collect();
         let places = self.places();
-        let coordinates = places.iter().map(|place| norm(place.at)).fold(0.0, f64::max);
+        let coordinates = places.iter().map(|place| place.at.norm()).fold(0.0, f64::max);
         let round_off = ROUND_OFF * coordinates;
         let scene = self.scene_length(&places, round_off);
         for frame in &self.free {
@@ -109,7 +109,7 @@ impl MeshScene {
             .collect();
         let all: Vec<Vector> = places.iter().map(|place| place.at).collect();
         let by_inertia = self.free.iter().map(size_by_inertia).fold(0.0, f64::max);
-        let distance = moving.iter().map(|&at| norm(at)).fold(0.0, f64::max);
+        let distance = moving.iter().map(|&at| at.norm()).fold(0.0, f64::max);
         let moving = extent(&moving);
         let known = |length: &f64| *length > round_off.max(NOTHING * moving) && length.is_finite();
         let lengths = [carried, moving, by_inertia, extent(&all), distance];
@@ -128,7 +128,7 @@ impl MeshScene {
                 frame: other,
                 at,
                 is_point: true,
-            } if *other == frame.spec.frame => norm(*at),
+            } if *other == frame.spec.frame => at.norm(),
             _ => 0.0,
         });
         points.fold(0.0, f64::max)
@@ -148,7 +148,7 @@ impl MeshScene {
         for body in &self.bodies {
             let motion = &frames[body.spec.frame];
             for node in [0, body.spec.count] {
-                let mut at = [0.0; 3];
+                let mut at = Vector::zeros();
                 for (&axis, value) in body.spec.axes.iter().zip(body.spec.undeformed(node, 0)) {
                     at[axis] = value;
                 }
@@ -183,12 +183,9 @@ struct Spot {
 /// Diagonal of the box around places, m.
 fn extent(places: &[Vector]) -> f64 {
     let Some(first) = places.first() else { return 0.0 };
-    let least = |a: Vector, b: &Vector| std::array::from_fn(|i| f64::min(a[i], b[i]));
-    let most = |a: Vector, b: &Vector| std::array::from_fn(|i| f64::max(a[i], b[i]));
-    norm(subtract(
-        places.iter().fold(*first, most),
-        places.iter().fold(*first, least),
-    ))
+    let least = |a: Vector, b: &Vector| a.inf(b);
+    let most = |a: Vector, b: &Vector| a.sup(b);
+    (places.iter().fold(*first, most) - places.iter().fold(*first, least)).norm()
 }
 
 /// Distance of a rigid body's centre of mass from its origin, or radius of gyration; the larger one, m.
@@ -197,7 +194,7 @@ fn size_by_inertia(frame: &FreeFrame) -> f64 {
     if rigid.mass == 0.0 {
         return 0.0;
     }
-    let center = norm(scale(1.0 / rigid.mass, rigid.moment));
-    let inertia = (0..3).map(|axis| rigid.inertia[axis][axis]).fold(0.0, f64::max);
+    let center = (1.0 / rigid.mass * rigid.moment).norm();
+    let inertia = (0..3).map(|axis| rigid.inertia[(axis, axis)]).fold(0.0, f64::max);
     center.max((inertia / rigid.mass).sqrt())
 }

@@ -4,7 +4,6 @@ use std::f64::consts::FRAC_PI_2;
 
 use crate::emitted::{BodySpec, JointSpec, Line, LoadKind, MarkerSpec, ObservedSpec, Parts};
 use crate::error::ModelError;
-use crate::vector::dot;
 
 /// Elements of one body that are surely not meant: their vectors alone would fill the memory.
 const MOST_ELEMENTS: usize = 10_000_000;
@@ -75,7 +74,7 @@ pub(crate) fn check_body(spec: &BodySpec) -> Result<(), ModelError> {
         Line::Curve(_) => {
             let bent = |element: usize| {
                 let [start, end] = [element, element + 1].map(|node| spec.line.at(spec.fraction(node, 0)).1);
-                dot(start, end).clamp(-1.0, 1.0).acos()
+                start.dot(&end).clamp(-1.0, 1.0).acos()
             };
             (0..spec.count).map(bent).fold(0.0, f64::max) * spec.count as f64
         }

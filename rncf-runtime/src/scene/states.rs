@@ -4,6 +4,7 @@ use super::mesh_scene::MeshScene;
 use crate::emitted::{FrameMotion, PointQuantity};
 use crate::model::Pose;
 use crate::scene::bodies::mesh_body::MeshBody;
+use crate::space::{Vector, matrix};
 use crate::system::State;
 
 impl MeshScene {
@@ -71,7 +72,7 @@ impl MeshScene {
             frames[frame.spec.frame] = FrameMotion {
                 position: pose.position,
                 velocity: pose.velocity,
-                rotation: pose.rotation.matrix(),
+                rotation: matrix(&pose.rotation),
                 spin: pose.spin,
                 ..FrameMotion::INERTIAL
             };
@@ -113,7 +114,7 @@ impl MeshScene {
             let mut inertial = [frame.direction_to_inertial(value), frame.rate_to_inertial(value, rate)];
             if is_position {
                 inertial[0] = frame.point_to_inertial(value);
-                inertial[1] = std::array::from_fn(|i| inertial[1][i] + frame.velocity[i]);
+                inertial[1] = Vector::from_fn(|i, _| inertial[1][i] + frame.velocity[i]);
             }
             for (component, &axis) in body.spec.axes.iter().enumerate() {
                 full_q[place + component] = inertial[0][axis];

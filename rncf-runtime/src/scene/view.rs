@@ -8,7 +8,6 @@ use crate::model::{
     SectionState, Sign, Uniform, Warning,
 };
 use crate::system::{State, Tangent};
-use crate::vector::norm;
 
 impl Scene for MeshScene {
     fn output_columns(&self) -> usize {
@@ -182,9 +181,9 @@ impl Scene for MeshScene {
         let prescribed = self.bodies.iter().map(|body| body.spec.frame);
         let prescribed = prescribed.filter(|&frame| self.free_of[frame].is_none());
         let free = self.free.iter().map(|_| self.rotation(&Uniform::steady(t)));
-        let free = free.map(|spin| norm(spin.unwrap_or_default().velocity));
+        let free = free.map(|spin| spin.unwrap_or_default().velocity.norm());
         prescribed
-            .map(|frame| norm(frames[frame].spin))
+            .map(|frame| frames[frame].spin.norm())
             .chain(free.take(1))
             .fold(0.0, f64::max)
     }

@@ -16,7 +16,7 @@ use std::path::Path;
 use super::files;
 use crate::archive::{Archive, Keep};
 use crate::model::{Configuration, Curve, SectionState, Sign};
-use crate::vector::{Vector, add, apply, norm, subtract};
+use crate::space::Vector;
 use crate::{Scene, State};
 
 /// Most pictures of a run: what an eye follows.
@@ -173,13 +173,13 @@ impl Pictures {
     /// The frame whose origin a picture follows: the inertial one, or the first that flies far away.
     pub(super) fn followed(&self) -> usize {
         let extent = self.shots.iter().flat_map(|shot| &shot.points);
-        let size = extent.map(|&point| norm(point)).fold(0.0, f64::max);
+        let size = extent.map(|&point| point.norm()).fold(0.0, f64::max);
         let (Some(first), Some(last)) = (self.shots.first(), self.shots.last()) else {
             return 0;
         };
         let goes_far = |&frame: &usize| {
             let (start, end) = (first.poses[frame].0, last.poses[frame].0);
-            norm(start).max(norm(subtract(end, start))) > FAR * size
+            start.norm().max((end - start).norm()) > FAR * size
         };
         (1..self.frames.len()).find(goes_far).unwrap_or(0)
     }
@@ -193,7 +193,7 @@ impl Pictures {
             .flat_map(|curve| std::iter::repeat_n(curve.frame, curve.points));
         frames.zip(&shot.points).map(move |(frame, &point)| {
             let (place, rotation) = &shot.poses[frame];
-            add(subtract(*place, origin), apply(&rotation.matrix(), point))
+            *place - origin + rotation * point
         })
     }
 }

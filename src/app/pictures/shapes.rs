@@ -3,7 +3,7 @@
 use super::{FAR, MOST_BYTES};
 use crate::model::{Configuration, Curve, Sign, SignPlace};
 use crate::modes::Mode;
-use crate::vector::{Vector, add, apply, dot, norm, scale, subtract};
+use crate::space::Vector;
 use crate::{Scene, State};
 
 /// Part of the shape by which the unknowns are moved to see what the points do: far above round-off, and small enough to be linear.
@@ -46,7 +46,7 @@ impl Shapes {
             }
         }
         let origins = visible + extra.len();
-        extra.extend((0..frames.len()).map(|frame| (frame, [0.0; 3])));
+        extra.extend((0..frames.len()).map(|frame| (frame, Vector::zeros())));
         curves.extend(extra.iter().map(|&(frame, _)| Curve {
             name: String::new(),
             frame,
@@ -69,7 +69,7 @@ impl Shapes {
                 .flat_map(|curve| std::iter::repeat_n(curve.frame, curve.points));
             let place = |(frame, &point): (usize, &Vector)| {
                 let (origin, rotation) = &shot.poses[frame];
-                add(*origin, apply(&rotation.matrix(), point))
+                origin + rotation * point
             };
             frames.zip(&shot.points).map(place).collect()
         };
@@ -82,15 +82,15 @@ impl Shapes {
                 }
                 places(&moved)
             });
-            up.into_iter().zip(down).map(|(up, down)| subtract(up, down)).collect()
+            up.into_iter().zip(down).map(|(up, down)| up - down).collect()
         };
         let of_mode = |mode: &Mode| -> Vec<[Vector; 2]> {
             let [real, imaginary] = [0, 1].map(|part| of_part(mode, part));
-            let size = |(re, im): (&Vector, &Vector)| (dot(*re, *re) + dot(*im, *im)).sqrt();
+            let size = |(re, im): (&Vector, &Vector)| (re.norm_squared() + im.norm_squared()).sqrt();
             let largest = real.iter().zip(&imaginary).map(size).fold(0.0, f64::max);
             let factor = if largest > 0.0 { 1.0 / largest } else { 0.0 };
             let both = real.into_iter().zip(imaginary);
-            both.map(|(re, im)| [scale(factor, re), scale(factor, im)]).collect()
+            both.map(|(re, im)| [factor * re, factor * im]).collect()
         };
         let moved = modes.iter().take(most).map(of_mode).collect();
         Some(Self {
@@ -106,8 +106,8 @@ impl Shapes {
 
     /// The frame whose origin is in the middle: one that is far away from the inertial origin, beside the size of the scene, or none.
     pub(super) fn followed(&self) -> usize {
-        let size = self.at.points.iter().map(|&point| norm(point)).fold(0.0, f64::max);
-        let is_far = |&frame: &usize| norm(self.at.poses[frame].0) > FAR * size;
+        let size = self.at.points.iter().map(Vector::norm).fold(0.0, f64::max);
+        let is_far = |&frame: &usize| self.at.poses[frame].0.norm() > FAR * size;
         (1..self.frames.len()).find(is_far).unwrap_or(0)
     }
 }

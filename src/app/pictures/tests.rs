@@ -1,8 +1,8 @@
 use serde_json::Value;
 
 use super::*;
-use crate::Rotation;
 use crate::model::{SectionBody, SignKind, SignPlace};
+use crate::space::{Rotation, Vector};
 
 /// A beam of one element and two pieces in the second frame, and a rigid body in the first.
 fn pictures() -> Pictures {
@@ -36,7 +36,7 @@ fn pictures() -> Pictures {
         }],
         times: Vec::new(),
         shots: Vec::new(),
-        rest: vec![[0.0; 3], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [5.0; 3]],
+        rest: vec![Vector::zeros(), Vector::x(), 2.0 * Vector::x(), Vector::repeat(5.0)],
         is_referenced: true,
         values: Vec::new(),
         rows: 5,
@@ -48,8 +48,8 @@ fn pictures() -> Pictures {
 fn states(forces: [f64; 3]) -> Vec<SectionState> {
     let state = |(place, force): (usize, f64)| SectionState {
         x: place as f64,
-        forces: [force, 0.0, 0.0],
-        moments: [0.0, 0.0, -2.0 * force],
+        forces: Vector::new(force, 0.0, 0.0),
+        moments: Vector::new(0.0, 0.0, -2.0 * force),
         stress: None,
         is_planar: true,
     };
@@ -63,7 +63,7 @@ fn take(pictures: &mut Pictures, t: f64, deflection: f64, states: &[SectionState
     pictures.times.push(t);
     pictures.shots.push(Configuration {
         points,
-        poses: vec![([0.0; 3], Rotation::IDENTITY); 2],
+        poses: vec![(Vector::zeros(), Rotation::identity()); 2],
         acting: Vec::new(),
     });
     let values = pictures.colours.values(states);

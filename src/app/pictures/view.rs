@@ -6,7 +6,7 @@ use super::base64::encode;
 use super::{Pictures, Shapes};
 use crate::app::report::escape;
 use crate::model::{Configuration, Curve, Sign, SignKind, SignPlace};
-use crate::vector::Vector;
+use crate::space::{Vector, matrix, rows};
 
 /// What the part needs once in a page.
 pub const STYLE: &str = include_str!("view.css");
@@ -61,7 +61,7 @@ pub fn of_run(title: &str, pictures: &Pictures) -> Value {
             }
         }
     }
-    let finite = |bounds: &[Vector]| -> Vec<Vector> {
+    let finite = |bounds: &[[f64; 3]]| -> Vec<[f64; 3]> {
         let finite = |x: f64| if x.is_finite() { x } else { 0.0 };
         bounds.iter().map(|all| all.map(finite)).collect()
     };
@@ -166,7 +166,9 @@ fn scenery(title: &str, curves: &[Curve], frames: &[String], signs: &[Sign]) -> 
     let sign = |sign: &Sign| {
         let (name, kind) = (&sign.name, sign.kind.name());
         match sign.place {
-            Some(SignPlace::Frame { frame, at }) => json!({"name": name, "kind": kind, "frame": frame, "at": at}),
+            Some(SignPlace::Frame { frame, at }) => {
+                json!({"name": name, "kind": kind, "frame": frame, "at": at.as_slice()})
+            }
             Some(SignPlace::Curve { curve, point }) => {
                 json!({"name": name, "kind": kind, "curve": curve, "point": point})
             }
@@ -183,7 +185,7 @@ fn scenery(title: &str, curves: &[Curve], frames: &[String], signs: &[Sign]) -> 
 fn poses(shots: &[Configuration]) -> String {
     let mut bytes = Vec::new();
     for (place, rotation) in shots.iter().flat_map(|shot| &shot.poses) {
-        let rows = rotation.matrix();
+        let rows = rows(&matrix(rotation));
         for value in place.iter().chain(rows.iter().flatten()) {
             bytes.extend(value.to_le_bytes());
         }
@@ -211,5 +213,5 @@ fn displacements<'p>(pictures: &'p Pictures, shot: &'p Configuration) -> impl It
     let curves = pictures.curves.iter();
     let frames = curves.flat_map(|curve| std::iter::repeat_n(curve.frame, curve.points));
     let moved = shot.points.iter().zip(&pictures.rest);
-    frames.zip(moved.map(|(point, rest)| std::array::from_fn(|axis| point[axis] - rest[axis])))
+    frames.zip(moved.map(|(point, rest)| point - rest))
 }

@@ -1,6 +1,7 @@
 //! Modal and rigid bodies on free frames: against the whole bodies and closed forms, and what stays.
 
 use rncf::linalg::Pattern;
+use rncf::nalgebra::Vector3;
 use rncf::{Method, Model, Scene, State};
 
 use super::models::{
@@ -57,9 +58,8 @@ fn momenta(scene: &mut dyn Scene, state: &State) -> [f64; 6] {
 fn conserved(scene: &mut dyn Scene, state: &State) -> [f64; 7] {
     let [px, py, pz, lx, ly, lz] = momenta(scene, state);
     let n = state.x.len();
-    let spin = state.orientation(0, n - 3).matrix();
+    let inertial = state.orientation(0, n - 3) * Vector3::new(lx, ly, lz);
     let r = &state.x[n - 6..n - 3];
-    let inertial: Vec<f64> = spin.iter().map(|row| row[0] * lx + row[1] * ly + row[2] * lz).collect();
     let energy = scene.energy(state).expect("nothing acts on it");
     [
         px,

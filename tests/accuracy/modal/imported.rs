@@ -315,7 +315,7 @@ fn what_its_file_does_not_know_is_told() {
     let start = scene.rest(0.0);
     let masses = scene.masses(&start);
     assert!((masses[0].mass - MASS * LENGTH).abs() < 1e-9);
-    assert!((masses[0].inertia[1][1] / (MASS * LENGTH.powi(3) / 12.0) - 1.0).abs() < 1e-6);
+    assert!((masses[0].inertia[(1, 1)] / (MASS * LENGTH.powi(3) / 12.0) - 1.0).abs() < 1e-6);
 
     let in_absolute = Flying::default().build(Formulation::Ancf, Joints::Eliminated);
     assert!(in_absolute.is_err_and(|error| error.to_string().contains("use the referenced formulation")));

@@ -2,9 +2,8 @@
 //! steps, nothing put right.
 
 use rncf::linalg::Saddle;
-use rncf::rotation::inverse_tangent_map;
+use rncf::space::{inverse_tangent_map, three};
 use rncf::system::ConstraintLevel;
-use rncf::vector::apply;
 use rncf::{State, System};
 
 /// Largest increment of Newton's iteration that ends it, relative to the sizes of the unknowns.
@@ -150,9 +149,9 @@ impl<'s, S: System + ?Sized> Index3<'s, S> {
             value.iter_mut().for_each(|value| *value = -*value);
             saddle.solve(&mut d, &mut value);
             for &turn in system.turns() {
-                let map = inverse_tangent_map([next.x[turn], next.x[turn + 1], next.x[turn + 2]]);
-                let change = apply(&map, [d[turn], d[turn + 1], d[turn + 2]]);
-                d[turn..turn + 3].copy_from_slice(&change);
+                let map = inverse_tangent_map(three(&next.x, turn));
+                let change = map * three(&d, turn);
+                d[turn..turn + 3].copy_from_slice(change.as_slice());
             }
             let mut largest = 0.0_f64;
             for (i, (d, size)) in d.iter().zip(system.sizes()).enumerate() {

@@ -11,7 +11,7 @@ use crate::model::Density;
 
 /// Arguments of the functions of four elements.
 const FOUR: &str = "density: usize, elements: &[(usize, usize); 4], values: &[[f64; 4]], q: &[[f64; 4]]";
-const VECTORS: &str = "&[[f64; 3]]";
+const VECTORS: &str = "&[::rncf::emitted::Vector]";
 
 impl Equations {
     /// The functions of loads per length and fields in the order of the text, and whether each is written for four elements side by

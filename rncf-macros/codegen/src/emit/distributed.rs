@@ -7,7 +7,7 @@ use crate::lower::Kernel;
 use crate::lower::distributed::DistributedKernels;
 use crate::model::{Distributed, fold};
 
-const VECTORS: &str = "&[[f64; 3]]";
+const VECTORS: &str = "&[::rncf::emitted::Vector]";
 
 impl Parts<'_> {
     /// Such loads and their functions.
@@ -104,8 +104,8 @@ impl Parts<'_> {
                 .collect()
         };
         format!(
-            "fn around(&self, load: usize, t: f64, place: [f64; 3]) -> [f64; 3] {{\nlet mut gravity = [0.0; 3];\nmatch load {{\n{}_ => {{}}\n}}\ngravity\n}}\n\
-             fn around_gradient(&self, load: usize, t: f64, place: [f64; 3], gradient: &mut [f64; 9]) {{\ngradient.fill(0.0);\nmatch load {{\n{}_ => {{}}\n}}\n}}\n",
+            "fn around(&self, load: usize, t: f64, place: ::rncf::emitted::Vector) -> [f64; 3] {{\nlet mut gravity = [0.0; 3];\nmatch load {{\n{}_ => {{}}\n}}\ngravity\n}}\n\
+             fn around_gradient(&self, load: usize, t: f64, place: ::rncf::emitted::Vector, gradient: &mut [f64; 9]) {{\ngradient.fill(0.0);\nmatch load {{\n{}_ => {{}}\n}}\n}}\n",
             arms(0, "&mut gravity"),
             arms(1, "gradient")
         )

@@ -14,7 +14,7 @@ use crate::lower::joints::LEVELS;
 use crate::model::fold;
 use crate::model::{Expr, Marker, Model, Motions};
 
-const VECTORS: &str = "&[[f64; 3]]";
+const VECTORS: &str = "&[::rncf::emitted::Vector]";
 
 /// The last arm, and all of a function that need not be written.
 const NOTHING: &str = "_ => {}\n";
@@ -114,7 +114,7 @@ impl Parts<'_> {
         if self.equations.free.is_empty() {
             return self.list("free", "FreeSpec", &[]);
         }
-        let mut text = "fn free(&self) -> ::std::vec::Vec<::rncf::emitted::FreeSpec> {\nlet still = ::rncf::emitted::FreeSpec { frame: 0, parent: 0, is_body: false, motions: ::rncf::emitted::Motions::Spatial, position: [0.0; 3], axis: [0.0; 3], angle: 0.0, velocity: [0.0; 3], spin: [0.0; 3], rigid: ::rncf::emitted::RigidSpec::default() };\nlet mut specs = ::std::vec::Vec::from([\n".to_string();
+        let mut text = "fn free(&self) -> ::std::vec::Vec<::rncf::emitted::FreeSpec> {\nlet still = ::rncf::emitted::FreeSpec { frame: 0, parent: 0, is_body: false, motions: ::rncf::emitted::Motions::Spatial, position: ::rncf::emitted::Vector::zeros(), axis: ::rncf::emitted::Vector::zeros(), angle: 0.0, velocity: ::rncf::emitted::Vector::zeros(), spin: ::rncf::emitted::Vector::zeros(), rigid: ::rncf::emitted::RigidSpec::default() };\nlet mut specs = ::std::vec::Vec::from([\n".to_string();
         for &(index, _) in &self.equations.free {
             let frame = &self.model.frames[index];
             if let Some(free) = &frame.free {
@@ -257,7 +257,7 @@ impl Parts<'_> {
         });
         let _ = writeln!(
             text,
-            "fn marker_constraint(&self, constraint: usize, level: ::rncf::emitted::ConstraintLevel, t: f64, z: &[[[f64; 3]; 4]], rows: &mut [f64]) {{\nmatch constraint {{\n{}_ => {{}}\n}}\n}}",
+            "fn marker_constraint(&self, constraint: usize, level: ::rncf::emitted::ConstraintLevel, t: f64, z: &[[::rncf::emitted::Vector; 4]], rows: &mut [f64]) {{\nmatch constraint {{\n{}_ => {{}}\n}}\n}}",
             levels.collect::<String>()
         );
         let gradient = arms(
@@ -378,7 +378,8 @@ fn motions(motions: &Motions) -> String {
         Motions::Turning => "Turning".to_string(),
         Motions::Hinged { axis } => {
             let size = axis.iter().map(|x| x * x).sum::<f64>().sqrt();
-            format!("Hinged {{ axis: {:?} }}", axis.map(|x| x / size))
+            let [x, y, z] = axis.map(|x| x / size);
+            format!("Hinged {{ axis: ::rncf::emitted::Vector::new({x:?}, {y:?}, {z:?}) }}")
         }
         Motions::Shifting => "Shifting".to_string(),
         Motions::ShiftingPlanar { normal } => format!("ShiftingPlanar {{ normal: {normal} }}"),

@@ -109,7 +109,7 @@ impl Rows<'_> {
     fn branches(&self) -> Option<Kernel> {
         let mut marked = Marked::values_and_rates(self.model, self.count);
         let outputs = branches::outputs(&mut marked, &self.rows);
-        let arguments = ["z: &[[f64; 3]]", "out: &mut [f64]"];
+        let arguments = ["z: &[::rncf::emitted::Vector]", "out: &mut [f64]"];
         (!outputs.is_empty()).then(|| self.kernel(marked, "branches", branches::TITLE, outputs, &arguments))
     }
 
@@ -158,7 +158,7 @@ impl Rows<'_> {
             "their second time derivative.",
             "their third time derivative.",
         ];
-        let arguments = ["z: &[[[f64; 3]; 4]]", "rows: &mut [f64]"];
+        let arguments = ["z: &[[::rncf::emitted::Vector; 4]]", "rows: &mut [f64]"];
         let mut kernel = self.kernel(marked, LEVELS[level], what[level], values(&rows, "rows"), &arguments);
         if level == 0 {
             kernel.doc.push(self.markers.clone());
@@ -177,7 +177,7 @@ impl Rows<'_> {
             "gradient",
             title,
             outputs,
-            &["z: &[[f64; 3]]", "gradient: &mut [f64]"],
+            &["z: &[::rncf::emitted::Vector]", "gradient: &mut [f64]"],
         )
     }
 
@@ -193,7 +193,11 @@ impl Rows<'_> {
             .map(|&row| marked.time.graph.differentiate(row, &rates))
             .collect();
         let outputs = derivatives(&mut marked.time.graph, &rows, &z, "gradient");
-        let arguments = ["z: &[[f64; 3]]", "velocity: &[[f64; 3]]", "gradient: &mut [f64]"];
+        let arguments = [
+            "z: &[::rncf::emitted::Vector]",
+            "velocity: &[::rncf::emitted::Vector]",
+            "gradient: &mut [f64]",
+        ];
         let title = "writes d(dC/dt)/dz at constant z', rows first; entries that are always zero are left alone.";
         let mut kernel = self.kernel(marked, "rate_gradient", title, outputs, &arguments);
         kernel
@@ -229,7 +233,7 @@ impl Rows<'_> {
             }
         }
         let title = "writes sum_i lambda_i d^2 C_i/dz dz, rows first; entries that are always zero are left alone.";
-        let arguments = ["z: &[[f64; 3]]", "lambda: &[f64]", "hessian: &mut [f64]"];
+        let arguments = ["z: &[::rncf::emitted::Vector]", "lambda: &[f64]", "hessian: &mut [f64]"];
         let mut kernel = self.kernel(marked, "hessian", title, outputs, &arguments);
         kernel
             .bindings

@@ -82,7 +82,7 @@ fn kernels(model: &Model, load: &Distributed, name: &str) -> DistributedKernels 
         let title = format!("Load per length `{}`: {title}", load.name);
         let mut arguments = vec!["[x, length]: [f64; 2]"];
         arguments.extend(repeated.then_some("index: f64"));
-        arguments.extend(["z: &[[f64; 3]]", "velocity: &[[f64; 3]]"]);
+        arguments.extend(["z: &[::rncf::emitted::Vector]", "velocity: &[::rncf::emitted::Vector]"]);
         arguments.extend(results);
         let mut kernel = marked.kernel(format!("distributed_{what}_{name}"), title, outputs, &arguments);
         let words: Vec<String> = vectors.iter().map(|vector| format!("{vector:?}")).collect();
@@ -137,7 +137,7 @@ pub fn around_kernels(model: &Model) -> Vec<(usize, [Kernel; 2])> {
         let title = format!("Gravity `{}`: g(r, t), m/s^2, inertial axes.", load.name);
         let (marked, field) = in_graph();
         let outputs = values(&field, "gravity");
-        let arguments = ["place: [f64; 3]", "gravity: &mut [f64; 3]"];
+        let arguments = ["place: ::rncf::emitted::Vector", "gravity: &mut [f64; 3]"];
         let value = marked.kernel(format!("around_{name}"), title, outputs, &arguments);
         let (mut marked, field) = in_graph();
         let place = marked.symbols[0].clone();
@@ -146,7 +146,7 @@ pub fn around_kernels(model: &Model) -> Vec<(usize, [Kernel; 2])> {
             "Gravity `{}`: writes dg/dr, rows first; zeros are left alone.",
             load.name
         );
-        let arguments = ["place: [f64; 3]", "gradient: &mut [f64; 9]"];
+        let arguments = ["place: ::rncf::emitted::Vector", "gradient: &mut [f64; 9]"];
         let gradient = marked.kernel(format!("around_gradient_{name}"), title, outputs, &arguments);
         Some((index, [value, gradient]))
     });

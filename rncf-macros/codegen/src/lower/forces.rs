@@ -94,7 +94,7 @@ impl Law<'_> {
         let mut kernel = marked.kernel(format!("force_{what}_{}", self.name), title, outputs, arguments);
         for argument in arguments
             .iter()
-            .filter_map(|argument| argument.strip_suffix(": &[[f64; 3]]"))
+            .filter_map(|argument| argument.strip_suffix(": &[::rncf::emitted::Vector]"))
         {
             kernel
                 .bindings
@@ -117,7 +117,11 @@ impl Law<'_> {
         let outputs = force.iter().enumerate().filter(|&(_, &id)| !graph.is_zero(id));
         let outputs = outputs.map(|(place, &id)| (format!("out[{place}]"), id)).collect();
         let title = "writes f(z, z', t) on its markers, inertial axes; entries that are always zero are left alone.";
-        let arguments = ["z: &[[f64; 3]]", "velocity: &[[f64; 3]]", "out: &mut [f64]"];
+        let arguments = [
+            "z: &[::rncf::emitted::Vector]",
+            "velocity: &[::rncf::emitted::Vector]",
+            "out: &mut [f64]",
+        ];
         let mut kernel = self.kernel(marked, "value", title, outputs, &arguments);
         kernel.doc.push(self.markers.clone());
         kernel
@@ -131,8 +135,8 @@ impl Law<'_> {
         outputs.extend(derivatives(&mut marked.time.graph, &force, &velocity, "by_velocity"));
         let title = "writes df/dz and df/dz', rows first; entries that are always zero are left alone.";
         let arguments = [
-            "z: &[[f64; 3]]",
-            "velocity: &[[f64; 3]]",
+            "z: &[::rncf::emitted::Vector]",
+            "velocity: &[::rncf::emitted::Vector]",
             "by_value: &mut [f64]",
             "by_velocity: &mut [f64]",
         ];
@@ -142,7 +146,11 @@ impl Law<'_> {
     fn branches(&self) -> Option<Kernel> {
         let mut marked = Marked::values_and_rates(self.model, self.count);
         let outputs = branches::outputs(&mut marked, self.components);
-        let arguments = ["z: &[[f64; 3]]", "velocity: &[[f64; 3]]", "out: &mut [f64]"];
+        let arguments = [
+            "z: &[::rncf::emitted::Vector]",
+            "velocity: &[::rncf::emitted::Vector]",
+            "out: &mut [f64]",
+        ];
         (!outputs.is_empty()).then(|| self.kernel(marked, "branches", branches::TITLE, outputs, &arguments))
     }
 
@@ -155,7 +163,7 @@ impl Law<'_> {
             "energy",
             "its potential (J).",
             outputs,
-            &["z: &[[f64; 3]]", "energy: &mut f64"],
+            &["z: &[::rncf::emitted::Vector]", "energy: &mut f64"],
         )
     }
 }

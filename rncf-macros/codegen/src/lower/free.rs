@@ -108,7 +108,7 @@ fn rigid(time: &mut Time, parts: &[RigidPart]) -> Vec<(String, Id)> {
     for i in 0..3 {
         outputs.push((format!("spec.rigid.moment[{i}]"), first[i]));
         for j in 0..3 {
-            outputs.push((format!("spec.rigid.inertia[{i}][{j}]"), second[i][j]));
+            outputs.push((format!("spec.rigid.inertia[({i}, {j})]"), second[i][j]));
         }
     }
     outputs

@@ -48,7 +48,7 @@ pub fn frame_kernel(model: &Model, frame: FrameId) -> Kernel {
         let entries = row
             .iter()
             .enumerate()
-            .map(|(j, &id)| (format!("motion.rotation[{i}][{j}]"), id));
+            .map(|(j, &id)| (format!("motion.rotation[({i}, {j})]"), id));
         let unit = |i: usize, j: usize| f64::from(u8::from(i == j));
         let differs = |j: usize, id: Id| time.graph.value(id) != Some(unit(i, j));
         outputs.extend(

@@ -10,9 +10,8 @@
 //! chain rule, exactly: `dpi = T dxi`, and those of w and dw/dt below.
 
 use crate::linalg::Pattern;
-use crate::rotation::{Rotation, tangent_map};
+use crate::space::{Matrix, Vector, exp, tangent_map, three as at, turned};
 use crate::system::{State, Tangent};
-use crate::vector::{Matrix, Vector, add, apply, cross, dot, norm, scale, transpose};
 
 /// Angles (rad) below this use series.
 const SMALL: f64 = 1.0;
@@ -69,9 +68,9 @@ impl Chart {
         for &first in &self.turns {
             let (xi, nu, rate) = (at(&state.x, first), at(&state.v, first), at(&state.a, first));
             let point = Point::new(xi);
-            let acceleration = add(point.map(rate), point.turning(nu));
-            state.v[first..first + 3].copy_from_slice(&point.map(nu));
-            state.a[first..first + 3].copy_from_slice(&acceleration);
+            let acceleration = point.map(rate) + point.turning(nu);
+            state.v[first..first + 3].copy_from_slice(point.map(nu).as_slice());
+            state.a[first..first + 3].copy_from_slice(acceleration.as_slice());
         }
     }
 
@@ -79,15 +78,15 @@ impl Chart {
     /// `increment` since `start` instead.
     pub(super) fn transport(&self, increment: &[f64], increments: &mut [f64]) {
         for &first in &self.turns {
-            let turn = Rotation::exp(at(increment, first)).inverse();
-            let moved = turn.turned(at(increments, first)).log();
-            increments[first..first + 3].copy_from_slice(&moved);
+            let turn = exp(at(increment, first)).inverse();
+            let moved = turned(&turn, at(increments, first)).scaled_axis();
+            increments[first..first + 3].copy_from_slice(moved.as_slice());
         }
     }
 
     /// The first unknown of an orientation that left the chart by the given increments, if any.
     pub(super) fn left_by(&self, increments: &[f64]) -> Option<usize> {
-        let far = |&first: &usize| norm(at(increments, first)) > REACH;
+        let far = |&first: &usize| at(increments, first).norm() > REACH;
         self.turns.iter().copied().find(far)
     }
 
@@ -106,19 +105,19 @@ impl Chart {
         for &first in &self.turns {
             let (xi, nu, rate) = (at(&chart.x, first), at(&chart.v, first), at(&chart.a, first));
             let point = Point::new(xi);
-            let map = transpose(&tangent_map(xi));
+            let map = tangent_map(xi).transpose();
             let dv_dx = transposed(|d| point.map_change(nu, d));
             let da_dv = transposed(|d| point.turning_change_by_rate(nu, d));
-            let da_dx = transposed(|d| add(point.map_change(rate, d), point.turning_change(nu, d)));
+            let da_dx = transposed(|d| point.map_change(rate, d) + point.turning_change(nu, d));
             let starts = self.block.starts();
             let columns = [starts[first], starts[first + 1], starts[first + 2]];
             for row in 0..starts[first + 1] - starts[first] {
                 let places = columns.map(|start| start + row);
-                let of = |values: &[f64]| places.map(|place| values[place]);
+                let of = |values: &[f64]| Vector::from(places.map(|place| values[place]));
                 let (m, d, k) = (of(&out.mass), of(&out.damping), of(&out.stiffness));
-                let stiffness = add(apply(&map, k), add(apply(&dv_dx, d), apply(&da_dx, m)));
-                let damping = add(apply(&map, d), apply(&da_dv, m));
-                let mass = apply(&map, m);
+                let stiffness = map * k + (dv_dx * d + da_dx * m);
+                let damping = map * d + da_dv * m;
+                let mass = map * m;
                 for (i, place) in places.into_iter().enumerate() {
                     out.mass[place] = mass[i];
                     out.damping[place] = damping[i];
@@ -137,13 +136,13 @@ impl Chart {
     pub(super) fn jacobian(&self, x: &[f64], system: &[f64], out: &mut [f64]) {
         scatter(&self.constraint_places, system, out);
         for &first in &self.turns {
-            let map = transpose(&tangent_map(at(x, first)));
+            let map = tangent_map(at(x, first)).transpose();
             self.on_rows(first, |places| {
-                let mapped = apply(&map, places.map(|place| out[place]));
+                let mapped = map * Vector::from(places.map(|place| out[place]));
                 places
                     .into_iter()
-                    .zip(mapped)
-                    .for_each(|(place, value)| out[place] = value);
+                    .zip(&mapped)
+                    .for_each(|(place, value)| out[place] = *value);
             });
         }
     }
@@ -158,10 +157,10 @@ impl Chart {
             let (point, nu) = (Point::new(at(&chart.x, first)), at(&chart.v, first));
             let dv_dx = transposed(|d| point.map_change(nu, d));
             self.on_rows(first, |places| {
-                let part = apply(&dv_dx, places.map(|place| forces[place]));
+                let part = dv_dx * Vector::from(places.map(|place| forces[place]));
                 places
                     .into_iter()
-                    .zip(part)
+                    .zip(&part)
                     .for_each(|(place, value)| out[place] += value);
             });
         }
@@ -192,13 +191,9 @@ fn scatter(places: &[usize], values: &[f64], out: &mut [f64]) {
     }
 }
 
-fn at(values: &[f64], first: usize) -> Vector {
-    [values[first], values[first + 1], values[first + 2]]
-}
-
 /// The transpose of the matrix of a linear map.
 fn transposed(map: impl Fn(Vector) -> Vector) -> Matrix {
-    [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(map)
+    Matrix::from_columns(&[Vector::x(), Vector::y(), Vector::z()].map(map)).transpose()
 }
 
 /// `T = 1 - b [xi] + c [xi]^2` and what turns with it at one place of the chart; b and c with their
@@ -211,7 +206,7 @@ struct Point {
 
 impl Point {
     fn new(xi: Vector) -> Self {
-        let s = dot(xi, xi);
+        let s = xi.dot(&xi);
         let (b, c) = if s < SMALL * SMALL {
             (series(2, s), series(3, s))
         } else {
@@ -227,52 +222,46 @@ impl Point {
 
     /// `T u`
     fn map(&self, u: Vector) -> Vector {
-        let p = cross(self.xi, u);
-        add(u, self.mix(0, p))
+        let p = self.xi.cross(&u);
+        u + self.mix(0, p)
     }
 
     /// `-b p + c xi x p` with derivatives of b and c of the given order.
     fn mix(&self, order: usize, p: Vector) -> Vector {
-        add(scale(-self.b[order], p), scale(self.c[order], cross(self.xi, p)))
+        -self.b[order] * p + self.c[order] * self.xi.cross(&p)
     }
 
     /// Change of `T u` with a change d of xi.
     fn map_change(&self, u: Vector, d: Vector) -> Vector {
-        let (p, change) = (cross(self.xi, u), cross(d, u));
-        let direct = add(self.mix(0, change), scale(self.c[0], cross(d, p)));
-        add(scale(2.0 * dot(self.xi, d), self.mix(1, p)), direct)
+        let (p, change) = (self.xi.cross(&u), d.cross(&u));
+        let direct = self.mix(0, change) + self.c[0] * d.cross(&p);
+        2.0 * self.xi.dot(&d) * self.mix(1, p) + direct
     }
 
     /// `W = (dT/dxi . u) u`
     fn turning(&self, u: Vector) -> Vector {
-        let p = cross(self.xi, u);
-        add(
-            scale(2.0 * dot(self.xi, u), self.mix(1, p)),
-            scale(self.c[0], cross(u, p)),
-        )
+        let p = self.xi.cross(&u);
+        2.0 * self.xi.dot(&u) * self.mix(1, p) + self.c[0] * u.cross(&p)
     }
 
     /// Change of W with a change d of xi.
     fn turning_change(&self, u: Vector, d: Vector) -> Vector {
-        let (p, change) = (cross(self.xi, u), cross(d, u));
-        let along = 2.0 * dot(self.xi, d);
-        let mut mixed = add(scale(along, self.mix(2, p)), self.mix(1, change));
-        mixed = add(mixed, scale(self.c[1], cross(d, p)));
-        let mut out = scale(2.0 * dot(self.xi, u), mixed);
-        out = add(out, scale(2.0 * dot(d, u), self.mix(1, p)));
-        out = add(out, scale(along * self.c[1], cross(u, p)));
-        add(out, scale(self.c[0], cross(u, change)))
+        let (p, change) = (self.xi.cross(&u), d.cross(&u));
+        let along = 2.0 * self.xi.dot(&d);
+        let mut mixed = along * self.mix(2, p) + self.mix(1, change);
+        mixed += self.c[1] * d.cross(&p);
+        let mut out = 2.0 * self.xi.dot(&u) * mixed;
+        out += 2.0 * d.dot(&u) * self.mix(1, p);
+        out += along * self.c[1] * u.cross(&p);
+        out + self.c[0] * u.cross(&change)
     }
 
     /// Change of W with a change d of u.
     fn turning_change_by_rate(&self, u: Vector, d: Vector) -> Vector {
-        let (p, change) = (cross(self.xi, u), cross(self.xi, d));
-        let mixed = add(
-            scale(dot(self.xi, d), self.mix(1, p)),
-            scale(dot(self.xi, u), self.mix(1, change)),
-        );
-        let direct = add(cross(d, p), cross(u, change));
-        add(scale(2.0, mixed), scale(self.c[0], direct))
+        let (p, change) = (self.xi.cross(&u), self.xi.cross(&d));
+        let mixed = self.xi.dot(&d) * self.mix(1, p) + self.xi.dot(&u) * self.mix(1, change);
+        let direct = d.cross(&p) + u.cross(&change);
+        2.0 * mixed + self.c[0] * direct
     }
 }
 

@@ -1,17 +1,17 @@
 use super::*;
-use crate::vector::subtract;
+use crate::space::{Vector, exp, matrix};
 
-const NU: Vector = [0.7, -1.1, 0.4];
-const RATE: Vector = [-0.3, 0.2, 0.9];
+const NU: Vector = Vector::new(0.7, -1.1, 0.4);
+const RATE: Vector = Vector::new(-0.3, 0.2, 0.9);
 const STEP: f64 = 1e-5;
 
 fn moved(y: Vector, d: Vector, by: f64) -> Vector {
-    add(y, scale(by, d))
+    y + by * d
 }
 
 /// Central difference of a function of the step.
 fn difference(of: impl Fn(f64) -> Vector) -> Vector {
-    scale(0.5 / STEP, subtract(of(STEP), of(-STEP)))
+    0.5 / STEP * (of(STEP) - of(-STEP))
 }
 
 fn close(a: Vector, b: Vector, what: &str) {
@@ -22,14 +22,14 @@ fn close(a: Vector, b: Vector, what: &str) {
 fn velocities_and_accelerations_are_those_of_the_rotation() {
     // Both sides of the series, and a large angle.
     for size in [0.0, 1e-3, 0.3, 0.999, 1.001, 2.5] {
-        let xi = scale(size, [0.48, -0.6, 0.64]);
+        let xi = size * Vector::from([0.48, -0.6, 0.64]);
         let point = Point::new(xi);
-        close(point.map(NU), apply(&tangent_map(xi), NU), "velocity");
+        close(point.map(NU), tangent_map(xi) * NU, "velocity");
         let velocity = |t: f64| {
-            let xi = add(xi, add(scale(t, NU), scale(0.5 * t * t, RATE)));
+            let xi = xi + (t * NU + 0.5 * t * t * RATE);
             Point::new(xi).map(moved(NU, RATE, t))
         };
-        let acceleration = add(point.map(RATE), point.turning(NU));
+        let acceleration = point.map(RATE) + point.turning(NU);
         close(acceleration, difference(velocity), "acceleration");
     }
 }
@@ -37,9 +37,9 @@ fn velocities_and_accelerations_are_those_of_the_rotation() {
 #[test]
 fn changes_are_derivatives() {
     for size in [0.0, 1e-3, 0.3, 0.999, 1.001, 2.5] {
-        let xi = scale(size, [0.48, -0.6, 0.64]);
+        let xi = size * Vector::from([0.48, -0.6, 0.64]);
         let point = Point::new(xi);
-        for d in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.2, -0.3, 1.0]] {
+        for d in [Vector::x(), Vector::y(), Vector::new(0.2, -0.3, 1.0)] {
             let near = |t: f64| Point::new(moved(xi, d, t));
             close(point.map_change(NU, d), difference(|t| near(t).map(NU)), "T by xi");
             close(
@@ -59,26 +59,25 @@ const FIRST: usize = 1;
 /// A smooth function of number y, orientation A, their rates and the derivatives of these, without any
 /// symmetry.
 fn residual(state: &State) -> [f64; 4] {
-    let a = state.orientation(0, FIRST).matrix();
+    let a = matrix(&state.orientation(0, FIRST));
     let (v, d, y) = (&state.v, &state.a, state.x[0]);
     let (w, dw) = (at(v, FIRST), at(d, FIRST));
-    let f = apply(&a, [1.0 + y, v[0] - 0.3, 0.7 * y * d[0]]);
-    let g = cross(w, [w[0] * f[1], 2.0 * w[1], (3.0 + y) * w[2] + d[0]]);
-    let sum = add(
-        add(f, g),
-        [
+    let f = a * Vector::from([1.0 + y, v[0] - 0.3, 0.7 * y * d[0]]);
+    let g = w.cross(&Vector::from([w[0] * f[1], 2.0 * w[1], (3.0 + y) * w[2] + d[0]]));
+    let sum = f
+        + g
+        + Vector::from([
             dw[0] * (2.0 + f[2]),
             3.0 * dw[1] + 0.4 * dw[2] * y,
             dw[2] + w[1] * dw[0],
-        ],
-    );
-    [dot(f, dw) + y * v[0] + d[0], sum[0], sum[1], sum[2]]
+        ]);
+    [f.dot(&dw) + y * v[0] + d[0], sum[0], sum[1], sum[2]]
 }
 
 /// One constraint of the same unknowns.
 fn constraint(state: &State) -> f64 {
-    let a = state.orientation(0, FIRST).matrix();
-    a[0][1] + 0.4 * a[2][0] * state.x[0] - 0.3 * a[1][1] + state.x[0].powi(2)
+    let a = matrix(&state.orientation(0, FIRST));
+    a[(0, 1)] + 0.4 * a[(2, 0)] * state.x[0] - 0.3 * a[(1, 1)] + state.x[0].powi(2)
 }
 
 /// `state` with unknown `i` of its position moved by a right increment `h`.
@@ -131,7 +130,7 @@ fn derivatives_in_the_chart_are_those_of_the_residual_in_the_chart() {
     );
     let chart = Chart::new(&[FIRST], &block, &constraints);
     let mut place = State::zeros(0.0, 4, 0);
-    place.turns = vec![Rotation::exp([0.4, 1.0, -0.3])];
+    place.turns = vec![exp(Vector::new(0.4, 1.0, -0.3))];
     place.x.copy_from_slice(&[0.2, 0.5, -0.3, 0.6]);
     place.v.copy_from_slice(&[0.3, 0.7, -1.1, 0.4]);
     place.a.copy_from_slice(&[-0.2, -0.3, 0.2, 0.9]);

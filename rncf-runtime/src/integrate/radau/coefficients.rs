@@ -1,10 +1,11 @@
 //! Coefficients of Radau IIA with three stages (THEORY 7.5) and of its spectral decomposition.
 
 use crate::linalg::c64;
-use crate::vector::{Matrix, inverse};
+use crate::space::{from_rows, rows};
 
 /// A vector or a matrix over the stages.
 pub(super) type Row = [f64; 3];
+type Matrix = [Row; 3];
 
 /// Nodes, inverse of the Runge-Kutta matrix and its spectral decomposition
 /// `A^-1 = right diag(real, complex, conj complex) left`.
@@ -12,7 +13,7 @@ pub(super) type Row = [f64; 3];
 pub(super) struct Coefficients {
     /// Nodes c.
     pub(super) nodes: Row,
-    /// A^-1.
+    /// A^-1, rows first.
     pub(super) inverse: Matrix,
     /// Real eigenvalue of A^-1.
     pub(super) real: f64,
@@ -50,7 +51,10 @@ impl Coefficients {
         let (alpha, beta) = ((12.0 - r + q) / 60.0, (r + q) * 3_f64.sqrt() / 60.0);
         let square = alpha * alpha + beta * beta;
         let complex = c64::new(alpha / square, beta / square);
-        let inverse = inverse(&matrix);
+        // It is regular.
+        let inverse = from_rows(&matrix)
+            .try_inverse()
+            .map_or(matrix, |inverse| rows(&inverse));
         let (real_right, real_left) = eigenvectors(&inverse, c64::new(real, 0.0));
         let (complex_right, complex_left) = eigenvectors(&inverse, complex);
         Self {

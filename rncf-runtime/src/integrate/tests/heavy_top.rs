@@ -3,19 +3,16 @@
 //! depends on the orientation.
 
 use crate::linalg::Pattern;
-use crate::rotation::Rotation;
+use crate::space::{Matrix, Vector, exp, matrix, rows, three};
 use crate::system::{ConstraintLevel, State, System, Tangent};
-use crate::vector::{
-    Matrix, Vector, add, apply, apply_transposed, cross, dot, multiply, norm, scale, skew, subtract, transpose,
-};
 
 /// Gravity, m/s^2.
-const GRAVITY: Vector = [0.0, 0.0, -9.81];
+const GRAVITY: Vector = Vector::new(0.0, 0.0, -9.81);
 /// Fixed point to centre of mass, body axes, m.
-const ARM: Vector = [0.0, 1.0, 0.0];
+const ARM: Vector = Vector::new(0.0, 1.0, 0.0);
 
 /// An offset of the reference point in no special direction, m.
-pub(super) const OFFSET: Vector = [0.3, -0.2, 0.4];
+pub(super) const OFFSET: Vector = Vector::new(0.3, -0.2, 0.4);
 
 /// A rigid body whose point `r - A (ARM + offset)` is held at the origin, or one that flies freely.
 pub(super) struct Top {
@@ -36,7 +33,7 @@ impl Top {
     pub(super) fn heavy() -> Self {
         let arm_rows = (0..3).flat_map(|j| (0..3).map(move |i| (3 + i, j)));
         Self::new(
-            [0.234375, 0.46875, 0.234375],
+            Vector::new(0.234375, 0.46875, 0.234375),
             GRAVITY,
             3,
             (0..3).map(|j| (j, j)).chain(arm_rows),
@@ -53,7 +50,7 @@ impl Top {
 
     /// A free asymmetric top without loads.
     pub(super) fn free() -> Self {
-        Self::new([1.0, 2.0, 3.0], [0.0; 3], 0, [])
+        Self::new(Vector::new(1.0, 2.0, 3.0), Vector::zeros(), 0, [])
     }
 
     fn new(
@@ -65,7 +62,7 @@ impl Top {
         Self {
             mass: 15.0,
             inertia,
-            offset: [0.0; 3],
+            offset: Vector::zeros(),
             gravity,
             kinks: vec![],
             pattern: Pattern::new(6, 6, (0..36).map(|place| (place / 6, place % 6))),
@@ -76,23 +73,23 @@ impl Top {
     /// State of the heavy top at t = 0.
     pub(super) fn start(&self) -> State {
         let mut state = State::of(self, 0.0);
-        let w = [0.0, 150.0, -4.61538];
-        state.x[..3].copy_from_slice(&self.arm());
-        state.v[..3].copy_from_slice(&add([4.61538, 0.0, 0.0], cross(w, self.offset)));
-        state.v[3..].copy_from_slice(&w);
+        let w = Vector::new(0.0, 150.0, -4.61538);
+        state.x[..3].copy_from_slice(self.arm().as_slice());
+        state.v[..3].copy_from_slice((Vector::from([4.61538, 0.0, 0.0]) + w.cross(&self.offset)).as_slice());
+        state.v[3..].copy_from_slice(w.as_slice());
         state
     }
 
     /// Fixed point to reference point, body axes, m.
     fn arm(&self) -> Vector {
-        add(ARM, self.offset)
+        ARM + self.offset
     }
 
     /// The state with the centre of mass in place of the reference point.
     pub(super) fn centred(&self, state: &State) -> State {
         let mut centred = state.clone();
-        let offset = apply(&attitude(state), self.offset);
-        centred.x[..3].copy_from_slice(&subtract([state.x[0], state.x[1], state.x[2]], offset));
+        let offset = attitude(state) * self.offset;
+        centred.x[..3].copy_from_slice((three(&state.x, 0) - offset).as_slice());
         centred
     }
 
@@ -100,18 +97,18 @@ impl Top {
     /// the centre of mass, reversed.
     fn accelerations(&self, state: &State) -> (Vector, Vector) {
         let (w, dw) = (angular(&state.v), angular(&state.a));
-        let point = subtract([state.a[0], state.a[1], state.a[2]], self.gravity);
-        let turning = add(cross(dw, self.offset), cross(w, cross(w, self.offset)));
-        (apply_transposed(&attitude(state), point), turning)
+        let point = three(&state.a, 0) - self.gravity;
+        let turning = dw.cross(&self.offset) + w.cross(&w.cross(&self.offset));
+        (attitude(state).tr_mul(&point), turning)
     }
 
     /// Angular momentum about the centre of mass, inertial axes, N m s.
     pub(super) fn spin(&self, state: &State) -> Vector {
-        apply(&attitude(state), self.times_inertia(angular(&state.v)))
+        attitude(state) * self.times_inertia(angular(&state.v))
     }
 
     fn times_inertia(&self, w: Vector) -> Vector {
-        std::array::from_fn(|i| self.inertia[i] * w[i])
+        Vector::from_fn(|i, _| self.inertia[i] * w[i])
     }
 
     fn place(&self, i: usize, j: usize) -> usize {
@@ -120,7 +117,7 @@ impl Top {
 
     /// Adds `factor * block` from the given row and column on.
     fn add_block(&self, values: &mut [f64], (first, second): (usize, usize), factor: f64, block: &Matrix) {
-        for (i, row) in block.iter().enumerate() {
+        for (i, row) in rows(block).iter().enumerate() {
             for (j, &value) in row.iter().enumerate() {
                 values[self.place(first + i, second + j)] += factor * value;
             }
@@ -129,7 +126,7 @@ impl Top {
 
     /// Writes `(1, rotation)` as the rows of the constraints.
     fn write_border(&self, identity: f64, rotation: &Matrix, values: &mut [f64]) {
-        for (j, row) in rotation.iter().enumerate() {
+        for (j, row) in rows(rotation).iter().enumerate() {
             values[4 * j] = identity;
             values[4 * j + 1..4 * j + 4].copy_from_slice(row);
         }
@@ -138,27 +135,27 @@ impl Top {
 
 /// Orientation matrix of the top.
 pub(super) fn attitude(state: &State) -> Matrix {
-    state.orientation(0, 3).matrix()
+    matrix(&state.orientation(0, 3))
 }
 
 /// The angular part of a vector of unknowns.
 pub(super) fn angular(y: &[f64]) -> Vector {
-    [y[3], y[4], y[5]]
+    Vector::new(y[3], y[4], y[5])
 }
 
 /// Reference of the heavy top at 0.5 s and 1.0 s: time, centre of mass, angular velocity, multipliers.
 pub(super) const REFERENCE: [(f64, Vector, Vector, Vector); 2] = [
     (
         0.5,
-        [-0.70246829706, -0.02116518470, -0.71140025765],
-        [-0.4710531017, 150.0, 5.9010830483],
-        [-523.281244, -404.206178, -357.336176],
+        Vector::new(-0.70246829706, -0.02116518470, -0.71140025765),
+        Vector::new(-0.4710531017, 150.0, 5.9010830483),
+        Vector::new(-523.281244, -404.206178, -357.336176),
     ),
     (
         1.0,
-        [0.17334396410, 0.64008859207, -0.74849079113],
-        [-0.8220781017, 150.0, -5.9232913481],
-        [517.600739, 396.843101, -404.574925],
+        Vector::new(0.17334396410, 0.64008859207, -0.74849079113),
+        Vector::new(-0.8220781017, 150.0, -5.9232913481),
+        Vector::new(517.600739, 396.843101, -404.574925),
     ),
 ];
 
@@ -166,7 +163,7 @@ pub(super) const REFERENCE: [(f64, Vector, Vector, Vector); 2] = [
 pub(super) fn errors(state: &State, reference: &(f64, Vector, Vector, Vector)) -> [f64; 3] {
     let &(t, r, w, lambda) = reference;
     assert!((state.t - t).abs() < 1e-9, "{} {t}", state.t);
-    let far = |y: &[f64], exact: Vector| norm(subtract([y[0], y[1], y[2]], exact));
+    let far = |y: &[f64], exact: Vector| (Vector::from([y[0], y[1], y[2]]) - exact).norm();
     [far(&state.x, r), far(&state.v[3..], w), far(&state.lambda, lambda)]
 }
 
@@ -195,43 +192,43 @@ impl System for Top {
             values[self.place(i, i)] = self.mass;
             values[self.place(3 + i, 3 + i)] = self.inertia[i];
         }
-        let p = skew(self.offset);
-        let coupling = multiply(&attitude(state), &p);
+        let p = self.offset.cross_matrix();
+        let coupling = attitude(state) * p;
         self.add_block(values, (0, 3), self.mass, &coupling);
-        self.add_block(values, (3, 0), self.mass, &transpose(&coupling));
-        self.add_block(values, (3, 3), -self.mass, &multiply(&p, &p));
+        self.add_block(values, (3, 0), self.mass, &coupling.transpose());
+        self.add_block(values, (3, 3), -self.mass, &(p * p));
     }
     fn residual(&mut self, state: &State, out: &mut [f64]) {
         let w = angular(&state.v);
         let (point, turning) = self.accelerations(state);
-        let inertial = scale(self.mass, subtract(point, turning));
-        let force = apply(&attitude(state), inertial);
-        let gyroscopic = cross(w, self.times_inertia(w));
-        let moment = add(self.times_inertia(angular(&state.a)), gyroscopic);
-        let moment = subtract(moment, cross(self.offset, inertial));
-        out[..3].copy_from_slice(&force);
-        out[3..].copy_from_slice(&moment);
+        let inertial = self.mass * (point - turning);
+        let force = attitude(state) * inertial;
+        let gyroscopic = w.cross(&self.times_inertia(w));
+        let moment = self.times_inertia(angular(&state.a)) + gyroscopic;
+        let moment = moment - self.offset.cross(&inertial);
+        out[..3].copy_from_slice(force.as_slice());
+        out[3..].copy_from_slice(moment.as_slice());
     }
     fn tangent(&mut self, state: &State, out: &mut Tangent) {
         self.mass(state, &mut out.mass);
         out.stiffness.fill(0.0);
         out.damping.fill(0.0);
-        let (w, a, p) = (angular(&state.v), attitude(state), skew(self.offset));
-        self.add_block(&mut out.damping, (3, 3), -1.0, &skew(self.times_inertia(w)));
-        let turn = skew(w);
-        let gyroscopic: Matrix = std::array::from_fn(|i| std::array::from_fn(|j| turn[i][j] * self.inertia[j]));
+        let (w, a, p) = (angular(&state.v), attitude(state), self.offset.cross_matrix());
+        self.add_block(&mut out.damping, (3, 3), -1.0, &self.times_inertia(w).cross_matrix());
+        let turn = w.cross_matrix();
+        let gyroscopic: Matrix = Matrix::from_fn(|i, j| turn[(i, j)] * self.inertia[j]);
         self.add_block(&mut out.damping, (3, 3), 1.0, &gyroscopic);
         // d(w x (w x p)) = -([w x p] + [w][p]) dw
-        for centrifugal in [skew(cross(w, self.offset)), multiply(&turn, &p)] {
-            self.add_block(&mut out.damping, (0, 3), self.mass, &multiply(&a, &centrifugal));
-            self.add_block(&mut out.damping, (3, 3), -self.mass, &multiply(&p, &centrifugal));
+        for centrifugal in [w.cross(&self.offset).cross_matrix(), turn * p] {
+            self.add_block(&mut out.damping, (0, 3), self.mass, &(a * centrifugal));
+            self.add_block(&mut out.damping, (3, 3), -self.mass, &(p * centrifugal));
         }
         let (point, turning) = self.accelerations(state);
-        self.add_block(&mut out.stiffness, (0, 3), self.mass, &multiply(&a, &skew(turning)));
-        self.add_block(&mut out.stiffness, (3, 3), -self.mass, &multiply(&p, &skew(point)));
+        self.add_block(&mut out.stiffness, (0, 3), self.mass, &(a * turning.cross_matrix()));
+        self.add_block(&mut out.stiffness, (3, 3), -self.mass, &(p * point.cross_matrix()));
         if let &[x, y, z] = &state.lambda[..] {
-            let force = skew(apply_transposed(&a, [x, y, z]));
-            self.add_block(&mut out.stiffness, (3, 3), -1.0, &multiply(&skew(self.arm()), &force));
+            let force = a.tr_mul(&Vector::from([x, y, z])).cross_matrix();
+            self.add_block(&mut out.stiffness, (3, 3), -1.0, &(self.arm().cross_matrix() * force));
         }
     }
     fn constraint(&mut self, level: ConstraintLevel, state: &State, out: &mut [f64]) {
@@ -239,17 +236,14 @@ impl System for Top {
             return;
         }
         let (w, dw, held) = (angular(&state.v), angular(&state.a), self.arm());
-        let wx = cross(w, held);
+        let wx = w.cross(&held);
         let arm = match level {
             ConstraintLevel::Position => held,
-            ConstraintLevel::Velocity => [0.0; 3],
-            ConstraintLevel::Acceleration => cross(w, wx),
-            ConstraintLevel::Jerk => add(
-                add(scale(2.0, cross(w, cross(dw, held))), cross(dw, wx)),
-                cross(w, cross(w, wx)),
-            ),
+            ConstraintLevel::Velocity => Vector::zeros(),
+            ConstraintLevel::Acceleration => w.cross(&wx),
+            ConstraintLevel::Jerk => 2.0 * w.cross(&dw.cross(&held)) + dw.cross(&wx) + w.cross(&w.cross(&wx)),
         };
-        let arm = apply(&attitude(state), arm);
+        let arm = attitude(state) * arm;
         for i in 0..3 {
             let position = if level == ConstraintLevel::Position {
                 state.x[i]
@@ -262,14 +256,14 @@ impl System for Top {
     fn constraint_jacobian(&mut self, state: &State, values: &mut [f64]) {
         if !values.is_empty() {
             // d(A X) = A (dpi x X)
-            self.write_border(1.0, &multiply(&attitude(state), &skew(self.arm())), values);
+            self.write_border(1.0, &(attitude(state) * self.arm().cross_matrix()), values);
         }
     }
     fn constraint_rate_tangent(&mut self, state: &State, values: &mut [f64]) {
         if !values.is_empty() {
             // d(-A (w x X)) = -A (dpi x (w x X))
-            let velocity = cross(angular(&state.v), self.arm());
-            self.write_border(0.0, &multiply(&attitude(state), &skew(velocity)), values);
+            let velocity = angular(&state.v).cross(&self.arm());
+            self.write_border(0.0, &(attitude(state) * velocity.cross_matrix()), values);
         }
     }
     fn sizes(&self) -> &[f64] {
@@ -290,12 +284,12 @@ impl System for Top {
     }
     fn energy(&mut self, state: &State) -> Option<f64> {
         let (w, a) = (angular(&state.v), attitude(state));
-        let point = [state.v[0], state.v[1], state.v[2]];
-        let v = subtract(point, apply(&a, cross(w, self.offset)));
+        let point = three(&state.v, 0);
+        let v = point - a * w.cross(&self.offset);
         let centre = self.centred(state).x;
-        let r = [centre[0], centre[1], centre[2]];
-        let kinetic = 0.5 * (self.mass * dot(v, v) + dot(w, self.times_inertia(w)));
-        Some(kinetic - self.mass * dot(self.gravity, r))
+        let r = three(&centre, 0);
+        let kinetic = 0.5 * (self.mass * v.dot(&v) + w.dot(&self.times_inertia(w)));
+        Some(kinetic - self.mass * self.gravity.dot(&r))
     }
 }
 
@@ -304,7 +298,7 @@ fn hand_written_derivatives_are_those_of_the_functions() {
     use ConstraintLevel::{Acceleration, Jerk, Position, Velocity};
     let mut top = Top::heavy_from(OFFSET);
     let mut state = top.start();
-    state.turns[0] = Rotation::exp([0.3, -0.4, 0.9]);
+    state.turns[0] = exp(Vector::new(0.3, -0.4, 0.9));
     state.v.copy_from_slice(&[0.1, -0.7, 0.4, 1.3, -0.8, 0.6]);
     state.a.copy_from_slice(&[0.2, 0.9, -0.4, 0.3, 1.8, -0.6]);
     state.lambda.copy_from_slice(&[3.0, -2.0, 5.0]);

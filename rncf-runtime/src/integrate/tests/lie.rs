@@ -5,8 +5,8 @@ use super::swarm::{Swarm, TURN};
 use crate::integrate::alpha::{Alpha, Coefficients};
 use crate::integrate::scheme::{Outcome, Scheme};
 use crate::integrate::{Integrator, Method, Options, Statistics, StepSize, Stop};
+use crate::space::{Matrix, Vector, product, three};
 use crate::system::{ConstraintLevel, State, System};
-use crate::vector::{identity, multiply, norm, subtract, transpose};
 
 const METHODS: [Method; 3] = [
     Method::Hht { alpha: -0.3 },
@@ -23,9 +23,8 @@ fn fixed(h: f64, stabilised: bool) -> Options {
 }
 
 /// Position, angular velocity and multipliers of the heavy top.
-fn point(state: &State) -> (f64, [f64; 3], [f64; 3], [f64; 3]) {
-    let three = |y: &[f64]| [y[0], y[1], y[2]];
-    (state.t, three(&state.x), angular(&state.v), three(&state.lambda))
+fn point(state: &State) -> (f64, Vector, Vector, Vector) {
+    (state.t, three(&state.x, 0), angular(&state.v), three(&state.lambda, 0))
 }
 
 /// Largest violations of position and velocity constraints.
@@ -43,11 +42,11 @@ fn violations(top: &mut Top, state: &State) -> [f64; 2] {
 
 /// Largest errors of the heavy top at 0.5 s and 1.0 s.
 fn heavy_top(method: Method, options: Options) -> ([f64; 3], Statistics) {
-    heavy_top_from([0.0; 3], method, options)
+    heavy_top_from(Vector::zeros(), method, options)
 }
 
 /// The same with unknowns of another point than the centre of mass.
-fn heavy_top_from(offset: [f64; 3], method: Method, options: Options) -> ([f64; 3], Statistics) {
+fn heavy_top_from(offset: Vector, method: Method, options: Options) -> ([f64; 3], Statistics) {
     let (mut largest, mut counts) = ([0.0_f64; 3], Statistics::default());
     for reference in &REFERENCE {
         let mut top = Top::heavy_from(offset);
@@ -237,14 +236,16 @@ fn tumble(options: Options) -> ([f64; 2], f64) {
         let stop = integrator.step().unwrap();
         let state = integrator.state().clone();
         let a = attitude(&state);
-        let unit = multiply(&transpose(&a), &a);
-        for i in 0..3 {
-            assert!(norm(subtract(unit[i], identity()[i])) < 1e-14);
-        }
-        steepest = steepest.max(a[2][0].abs().min(1.0).asin());
+        let unit = a.transpose() * a;
+        let rows = (unit - Matrix::identity())
+            .row_iter()
+            .map(|row| row.norm())
+            .fold(0.0, f64::max);
+        assert!(rows < 1e-14);
+        steepest = steepest.max(a[(2, 0)].abs().min(1.0).asin());
         let top = integrator.system();
         errors[0] = errors[0].max((top.energy(&state).unwrap() / energy - 1.0).abs());
-        errors[1] = errors[1].max(norm(subtract(top.spin(&state), spin)) / norm(spin));
+        errors[1] = errors[1].max((top.spin(&state) - spin).norm() / spin.norm());
         if stop == Stop::End {
             return (errors, steepest.to_degrees());
         }
@@ -271,7 +272,10 @@ fn orientations_between_steps_are_as_accurate_as_at_them() {
     let mut reference = Integrator::new(&mut fine, start, 1.0, METHODS[2], fixed(5e-4, false)).unwrap();
     let far = |one: &State, other: &State| {
         let (a, b) = (one.orientation(0, 3), other.orientation(0, 3));
-        norm(a.inverse().times(&b).log()).max(norm(subtract(angular(&one.v), angular(&other.v))))
+        product(&a.inverse(), &b)
+            .scaled_axis()
+            .norm()
+            .max((angular(&one.v) - angular(&other.v)).norm())
     };
     let (mut at_steps, mut between, mut out) = (0.0_f64, 0.0_f64, State::default());
     loop {
@@ -321,7 +325,7 @@ fn numbers_in_front_of_a_border_are_second_order() {
         let far = |state: &State| {
             let largest = |y: &[f64], z: &[f64]| y.iter().zip(z).map(|(y, z)| (y - z).abs()).fold(0.0, f64::max);
             let (one, other) = (state.orientation(0, TURN), exact.orientation(0, TURN));
-            let turned = norm(one.inverse().times(&other).log());
+            let turned = product(&one.inverse(), &other).scaled_axis().norm();
             [
                 turned.max(largest(&state.x[..TURN], &exact.x[..TURN])),
                 largest(&state.v, &exact.v),

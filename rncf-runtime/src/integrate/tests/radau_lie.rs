@@ -5,9 +5,8 @@ use super::radau::{Single, orders};
 use super::systems::Pendulum;
 use crate::error::SolveErrorKind;
 use crate::integrate::{Integrator, Method, Options, Statistics, StepSize, Stop};
-use crate::rotation::Rotation;
+use crate::space::{Matrix, Rotation, Vector, matrix};
 use crate::system::{ConstraintLevel, State, System};
-use crate::vector::{Matrix, Vector, apply, cross, multiply, norm, skew, subtract};
 
 fn fixed(h: f64, stabilised: bool) -> Options {
     Options {
@@ -106,13 +105,13 @@ fn point_slip(stabilised: bool) -> (f64, f64) {
     let (mut slip, mut gap) = (0.0_f64, 0.0_f64);
     run(&mut top, start, 0.5, adaptive(1e-6, stabilised), |integrator| {
         let state = integrator.state().clone();
-        let arm = apply(&attitude(&state), cross(angular(&state.v), [0.0, 1.0, 0.0]));
-        slip = slip.max(norm(subtract([state.v[0], state.v[1], state.v[2]], arm)));
-        let mut gaps = [0.0; 3];
+        let arm = attitude(&state) * angular(&state.v).cross(&Vector::from([0.0, 1.0, 0.0]));
+        slip = slip.max((Vector::from([state.v[0], state.v[1], state.v[2]]) - arm).norm());
+        let mut gaps = Vector::zeros();
         integrator
             .system()
-            .constraint(ConstraintLevel::Position, &state, &mut gaps);
-        gap = gap.max(norm(gaps));
+            .constraint(ConstraintLevel::Position, &state, gaps.as_mut_slice());
+        gap = gap.max(gaps.norm());
     });
     (slip, gap)
 }
@@ -165,24 +164,24 @@ fn stabilised_pendulum_converges_with_orders_5_5_3() {
 }
 
 /// Inertia of [`Top::free`], kg m^2.
-const INERTIA: Vector = [1.0, 2.0, 3.0];
+const INERTIA: Vector = Vector::new(1.0, 2.0, 3.0);
 
 /// Angular velocity and orientation of the free top after `t` by fine steps of the classical
 /// Runge-Kutta method.
 fn tumbled(w: Vector, t: f64) -> (Vector, Matrix) {
     let rate = |(w, a): (Vector, Matrix)| {
-        let moment = cross(w, std::array::from_fn(|i| INERTIA[i] * w[i]));
-        let dw: Vector = std::array::from_fn(|i| -moment[i] / INERTIA[i]);
-        (dw, multiply(&a, &skew(w)))
+        let moment = w.cross(&Vector::from(INERTIA).component_mul(&w));
+        let dw: Vector = Vector::from_fn(|i, _| -moment[i] / INERTIA[i]);
+        (dw, a * w.cross_matrix())
     };
     let moved = |(w, a): (Vector, Matrix), h: f64, (dw, da): (Vector, Matrix)| {
-        let w: Vector = std::array::from_fn(|i| w[i] + h * dw[i]);
-        let a: Matrix = std::array::from_fn(|i| std::array::from_fn(|j| a[i][j] + h * da[i][j]));
+        let w: Vector = Vector::from_fn(|i, _| w[i] + h * dw[i]);
+        let a: Matrix = Matrix::from_fn(|i, j| a[(i, j)] + h * da[(i, j)]);
         (w, a)
     };
     let steps = (t / 1e-3).ceil();
     let h = t / steps;
-    let mut y = (w, Rotation::IDENTITY.matrix());
+    let mut y = (w, matrix(&Rotation::identity()));
     for _ in 0..steps as usize {
         let k1 = rate(y);
         let k2 = rate(moved(y, 0.5 * h, k1));
@@ -196,11 +195,11 @@ fn tumbled(w: Vector, t: f64) -> (Vector, Matrix) {
 }
 
 /// A tumble about the unstable axis, rad/s.
-const TUMBLE: Vector = [0.1, 3.0, 0.2];
+const TUMBLE: Vector = Vector::new(0.1, 3.0, 0.2);
 
 fn tumbling() -> State {
     let mut state = State::of(&Top::free(), 0.0);
-    state.v[3..].copy_from_slice(&TUMBLE);
+    state.v[3..].copy_from_slice(TUMBLE.as_slice());
     state
 }
 
@@ -208,8 +207,8 @@ fn tumbling() -> State {
 fn tumble_errors(state: &State) -> [f64; 2] {
     let (w, a) = tumbled(TUMBLE, state.t);
     let got = attitude(state);
-    let apart = (0..9).map(|i| (got[i / 3][i % 3] - a[i / 3][i % 3]).abs());
-    [norm(subtract(angular(&state.v), w)), apart.fold(0.0, f64::max)]
+    let apart = (0..9).map(|i| (got[(i / 3, i % 3)] - a[(i / 3, i % 3)]).abs());
+    [(angular(&state.v) - w).norm(), apart.fold(0.0, f64::max)]
 }
 
 #[test]
@@ -238,7 +237,7 @@ fn free_top_keeps_its_momentum_and_energy_to_the_tolerance() {
         let start = tumbling();
         let (momentum, energy) = (top.spin(&start), top.energy(&start).unwrap());
         let (state, statistics) = run(&mut top, start, 20.0, adaptive(rtol, false), |_| {});
-        let drift = norm(subtract(top.spin(&state), momentum)) / norm(momentum);
+        let drift = (top.spin(&state) - momentum).norm() / momentum.norm();
         let gain = (top.energy(&state).unwrap() / energy - 1.0).abs();
         println!(
             "{rtol:e}: momentum {drift:e}, energy {gain:e}, {} steps",

@@ -4,16 +4,21 @@
 use super::radau::orders;
 use crate::integrate::{Integrator, Method, Options, StepSize, Stop};
 use crate::linalg::Pattern;
+use crate::space::{Matrix, Vector, matrix, rows, three};
 use crate::system::{ConstraintLevel, State, System, Tangent};
-use crate::vector::{Matrix, Vector, add, apply, apply_transposed, cross, dot, multiply, norm, scale, skew, subtract};
 
 /// Core: mass, kg, and principal moments of inertia, kg m^2.
 const CORE: f64 = 3.0;
-const INERTIA: Vector = [0.4, 0.7, 0.9];
+const INERTIA: Vector = Vector::new(0.4, 0.7, 0.9);
 /// Point masses, kg; stiffness of their springs, N/m; places, m.
 const POINT: f64 = 0.8;
 const STIFFNESS: f64 = 300.0;
-const PLACES: [Vector; 4] = [[1.0, 0.0, 0.2], [-0.4, 0.9, 0.0], [0.0, -0.5, 0.8], [-0.3, -0.2, -0.9]];
+const PLACES: [Vector; 4] = [
+    Vector::new(1.0, 0.0, 0.2),
+    Vector::new(-0.4, 0.9, 0.0),
+    Vector::new(0.0, -0.5, 0.8),
+    Vector::new(-0.3, -0.2, -0.9),
+];
 /// First unknowns of position and orientation of the core, behind the displacements.
 const POSITION: usize = 12;
 pub(super) const TURN: usize = 15;
@@ -33,27 +38,23 @@ struct Point {
     acceleration: Vector,
 }
 
-fn at(y: &[f64], first: usize) -> Vector {
-    [y[first], y[first + 1], y[first + 2]]
-}
-
 fn attitude(state: &State) -> Matrix {
-    state.orientation(0, TURN).matrix()
+    matrix(&state.orientation(0, TURN))
 }
 
 fn point(state: &State, index: usize) -> Point {
     let (u, du, ddu) = (
-        at(&state.x, 3 * index),
-        at(&state.v, 3 * index),
-        at(&state.a, 3 * index),
+        three(&state.x, 3 * index),
+        three(&state.v, 3 * index),
+        three(&state.a, 3 * index),
     );
-    let (w, dw) = (at(&state.v, TURN), at(&state.a, TURN));
-    let place = add(PLACES[index], u);
-    let carried = add(cross(dw, place), cross(w, cross(w, place)));
+    let (w, dw) = (three(&state.v, TURN), three(&state.a, TURN));
+    let place = PLACES[index] + u;
+    let carried = dw.cross(&place) + w.cross(&w.cross(&place));
     Point {
         place,
-        velocity: add(du, cross(w, place)),
-        acceleration: add(ddu, add(scale(2.0, cross(w, du)), carried)),
+        velocity: du + w.cross(&place),
+        acceleration: ddu + (2.0 * w.cross(&du) + carried),
     }
 }
 
@@ -79,10 +80,10 @@ impl Swarm {
         state.v[TURN..].copy_from_slice(&[2.0, 5.0, -1.0]);
         state.v[3..6].copy_from_slice(&[0.3, 0.0, -0.2]);
         if self.constraints() > 0 {
-            let place = scale(-1.0, PLACES[0]);
-            state.x[POSITION..TURN].copy_from_slice(&place);
-            let velocity = cross(at(&state.v, TURN), place);
-            state.v[POSITION..TURN].copy_from_slice(&velocity);
+            let place = -PLACES[0];
+            state.x[POSITION..TURN].copy_from_slice(place.as_slice());
+            let velocity = three(&state.v, TURN).cross(&place);
+            state.v[POSITION..TURN].copy_from_slice(velocity.as_slice());
         }
         state
     }
@@ -90,16 +91,20 @@ impl Swarm {
     /// Angular momentum about the origin, N m s, and energy, J.
     fn invariants(&self, state: &State) -> (Vector, f64) {
         let a = attitude(state);
-        let (r, dr, w) = (at(&state.x, POSITION), at(&state.v, POSITION), at(&state.v, TURN));
-        let spin = std::array::from_fn(|i| INERTIA[i] * w[i]);
-        let mut momentum = add(scale(CORE, cross(r, dr)), apply(&a, spin));
-        let mut energy = 0.5 * (CORE * dot(dr, dr) + dot(w, spin));
+        let (r, dr, w) = (
+            three(&state.x, POSITION),
+            three(&state.v, POSITION),
+            three(&state.v, TURN),
+        );
+        let spin = Vector::from_fn(|i, _| INERTIA[i] * w[i]);
+        let mut momentum = CORE * r.cross(&dr) + a * spin;
+        let mut energy = 0.5 * (CORE * dr.dot(&dr) + w.dot(&spin));
         for index in 0..PLACES.len() {
             let point = point(state, index);
-            let (p, dp) = (add(r, apply(&a, point.place)), add(dr, apply(&a, point.velocity)));
-            momentum = add(momentum, scale(POINT, cross(p, dp)));
-            let u = at(&state.x, 3 * index);
-            energy += 0.5 * (POINT * dot(dp, dp) + STIFFNESS * dot(u, u));
+            let (p, dp) = (r + a * point.place, dr + a * point.velocity);
+            momentum += POINT * p.cross(&dp);
+            let u = three(&state.x, 3 * index);
+            energy += 0.5 * (POINT * dp.dot(&dp) + STIFFNESS * u.dot(&u));
         }
         (momentum, energy)
     }
@@ -184,20 +189,20 @@ impl System for Swarm {
     }
     fn residual(&mut self, state: &State, out: &mut [f64]) {
         let a = attitude(state);
-        let (ddr, w, dw) = (at(&state.a, POSITION), at(&state.v, TURN), at(&state.a, TURN));
-        let times = |u: Vector| -> Vector { std::array::from_fn(|i| INERTIA[i] * u[i]) };
-        let mut force = scale(CORE, ddr);
-        let mut moment = add(times(dw), cross(w, times(w)));
+        let (ddr, w, dw) = (three(&state.a, POSITION), three(&state.v, TURN), three(&state.a, TURN));
+        let times = |u: Vector| -> Vector { Vector::from_fn(|i, _| INERTIA[i] * u[i]) };
+        let mut force = CORE * ddr;
+        let mut moment = times(dw) + w.cross(&times(w));
         for index in 0..PLACES.len() {
             let point = point(state, index);
-            let inertia = scale(POINT, add(apply_transposed(&a, ddr), point.acceleration));
-            force = add(force, apply(&a, inertia));
-            moment = add(moment, cross(point.place, inertia));
-            let spring = scale(STIFFNESS, at(&state.x, 3 * index));
-            out[3 * index..3 * index + 3].copy_from_slice(&add(inertia, spring));
+            let inertia = POINT * (a.tr_mul(&ddr) + point.acceleration);
+            force += a * inertia;
+            moment += point.place.cross(&inertia);
+            let spring = STIFFNESS * three(&state.x, 3 * index);
+            out[3 * index..3 * index + 3].copy_from_slice((inertia + spring).as_slice());
         }
-        out[POSITION..TURN].copy_from_slice(&force);
-        out[TURN..].copy_from_slice(&moment);
+        out[POSITION..TURN].copy_from_slice(force.as_slice());
+        out[TURN..].copy_from_slice(moment.as_slice());
     }
     fn tangent(&mut self, state: &State, out: &mut Tangent) {
         self.mass(state, &mut out.mass);
@@ -215,46 +220,38 @@ impl System for Swarm {
             return;
         }
         let held = point(state, 0);
-        let (w, dw) = (at(&state.v, TURN), at(&state.a, TURN));
-        let (du, ddu) = (at(&state.v, 0), at(&state.a, 0));
+        let (w, dw) = (three(&state.v, TURN), three(&state.a, TURN));
+        let (du, ddu) = (three(&state.v, 0), three(&state.a, 0));
         let local = match level {
             ConstraintLevel::Position => held.place,
-            ConstraintLevel::Velocity => [0.0; 3],
-            ConstraintLevel::Acceleration => add(scale(2.0, cross(w, du)), cross(w, cross(w, held.place))),
+            ConstraintLevel::Velocity => Vector::zeros(),
+            ConstraintLevel::Acceleration => 2.0 * w.cross(&du) + w.cross(&w.cross(&held.place)),
             ConstraintLevel::Jerk => {
-                let turning = add(cross(dw, cross(w, held.place)), cross(w, cross(dw, held.place)));
-                let moving = add(
-                    scale(2.0, cross(w, ddu)),
-                    add(scale(3.0, cross(dw, du)), cross(w, cross(w, du))),
-                );
-                add(cross(w, held.acceleration), add(turning, moving))
+                let turning = dw.cross(&w.cross(&held.place)) + w.cross(&dw.cross(&held.place));
+                let moving = 2.0 * w.cross(&ddu) + (3.0 * dw.cross(&du) + w.cross(&w.cross(&du)));
+                w.cross(&held.acceleration) + (turning + moving)
             }
         };
         let r = if level == ConstraintLevel::Position {
-            at(&state.x, POSITION)
+            three(&state.x, POSITION)
         } else {
-            [0.0; 3]
+            Vector::zeros()
         };
-        out.copy_from_slice(&add(r, apply(&attitude(state), local)));
+        out.copy_from_slice((r + attitude(state) * local).as_slice());
     }
     fn constraint_jacobian(&mut self, state: &State, values: &mut [f64]) {
         let a = attitude(state);
-        let by_turn = multiply(&a, &skew(scale(-1.0, point(state, 0).place)));
+        let by_turn = a * (-point(state, 0).place).cross_matrix();
         for (column, values) in values.chunks_exact_mut(9).enumerate() {
-            values[..3].copy_from_slice(&a[column]);
+            values[..3].copy_from_slice(&rows(&a)[column]);
             values[3..6].fill(0.0);
             values[3 + column] = 1.0;
-            values[6..].copy_from_slice(&by_turn[column]);
+            values[6..].copy_from_slice(&rows(&by_turn)[column]);
         }
     }
     fn constraint_rate_tangent(&mut self, state: &State, values: &mut [f64]) {
         let pattern = self.constraint_pattern.clone();
-        let rate = |state: &State| {
-            add(
-                at(&state.v, POSITION),
-                apply(&attitude(state), point(state, 0).velocity),
-            )
-        };
+        let rate = |state: &State| three(&state.v, POSITION) + attitude(state) * point(state, 0).velocity;
         for column in 0..pattern.columns() {
             for entry in pattern.starts()[column]..pattern.starts()[column + 1] {
                 let at = |h: f64| rate(&turned(state, pattern.indices()[entry], h))[column];
@@ -288,7 +285,7 @@ fn errors(held: bool, options: Options) -> ([f64; 2], f64) {
     while integrator.step().unwrap() != Stop::End {}
     let (state, statistics) = (integrator.state().clone(), integrator.statistics().clone());
     let (end, left) = integrator.system().invariants(&state);
-    let drift = norm(subtract(end, momentum)) / norm(momentum);
+    let drift = (end - momentum).norm() / momentum.norm();
     let iterations = statistics.newton_iterations as f64 / statistics.steps as f64;
     ([drift, (left / energy - 1.0).abs()], iterations)
 }

@@ -1,7 +1,7 @@
 //! Bodies that are described by modes, as the scene with all nodal vectors sees them.
 
 use crate::emitted::Parts;
-use crate::vector::{Matrix, Vector};
+use crate::space::{Matrix, Vector};
 
 /// Elastic and damping forces of the elements of one body, without inertia.
 pub trait Elements: Sync {

@@ -6,7 +6,7 @@ use super::described::Described;
 use super::nodal_mass::NodalMass;
 use crate::emitted::BodySpec;
 use crate::scene::numbering::assembly::{Connectivity, Scatter};
-use crate::vector::Vector;
+use crate::space::Vector;
 
 /// A body with its numbering.
 pub(crate) struct MeshBody {
@@ -32,7 +32,7 @@ pub(crate) struct MeshBody {
 impl MeshBody {
     /// Components in the body's order to three frame axes.
     pub fn spread(&self, components: [f64; 3]) -> Vector {
-        let mut vector = [0.0; 3];
+        let mut vector = Vector::zeros();
         for (place, &axis) in self.spec.axes.iter().enumerate() {
             vector[axis] = components[place];
         }

@@ -1,19 +1,20 @@
 //! Mass matrices of nodal vectors, and accelerations in space that they are multiplied with.
 
 use crate::emitted::{BodySpec, FrameMotion, RigidSpec};
-use crate::vector::{Matrix, Vector, add, apply, cross, multiply, scale, skew};
+use crate::space::{Matrix, Vector};
 
 /// Three components, and one more for the width of the machine.
 pub(crate) type Padded = [f64; 4];
 
 /// A vector with a fourth component, zero.
-pub(crate) fn padded([x, y, z]: Vector) -> Padded {
+pub(crate) fn padded(vector: Vector) -> Padded {
+    let [x, y, z] = vector.into();
     [x, y, z, 0.0]
 }
 
 /// The vector without the fourth component.
 pub(crate) fn vector([x, y, z, _]: Padded) -> Vector {
-    [x, y, z]
+    Vector::new(x, y, z)
 }
 
 /// `sum += factor x`
@@ -31,9 +32,7 @@ pub(crate) struct Columns([Padded; 3]);
 impl Columns {
     /// The columns of a matrix with rows first.
     pub fn new(matrix: &Matrix) -> Self {
-        Self(std::array::from_fn(|j| {
-            padded([matrix[0][j], matrix[1][j], matrix[2][j]])
-        }))
+        Self(std::array::from_fn(|j| padded(matrix.column(j).into())))
     }
 
     /// `sum += A x`
@@ -74,26 +73,26 @@ impl Transport {
 
     /// `2 [w]`: acceleration by velocity in the frame.
     pub fn coriolis(&self) -> Matrix {
-        skew(scale(2.0, self.spin))
+        (2.0 * self.spin).cross_matrix()
     }
 
     /// `G = [w'] + [w][w]`: acceleration by place in the frame.
     pub fn turning(&self) -> Matrix {
-        let (rate, square) = (skew(self.spin_rate), multiply(&skew(self.spin), &skew(self.spin)));
-        std::array::from_fn(|i| std::array::from_fn(|j| rate[i][j] + square[i][j]))
+        let (rate, square) = (
+            self.spin_rate.cross_matrix(),
+            self.spin.cross_matrix() * self.spin.cross_matrix(),
+        );
+        Matrix::from_fn(|i, j| rate[(i, j)] + square[(i, j)])
     }
 
     /// Inertia force and moment of rigid parts on the frame, Eq. (14).
     pub fn of_rigid(&self, rigid: &RigidSpec) -> [Vector; 2] {
         let (w, rate) = (self.spin, self.spin_rate);
-        let turning = add(cross(rate, rigid.moment), cross(w, cross(w, rigid.moment)));
-        let gyroscopic = cross(w, apply(&rigid.inertia, w));
+        let turning = rate.cross(&rigid.moment) + w.cross(&w.cross(&rigid.moment));
+        let gyroscopic = w.cross(&(rigid.inertia * w));
         [
-            add(scale(rigid.mass, self.e), turning),
-            add(
-                cross(rigid.moment, self.e),
-                add(apply(&rigid.inertia, rate), gyroscopic),
-            ),
+            rigid.mass * self.e + turning,
+            rigid.moment.cross(&self.e) + (rigid.inertia * rate + gyroscopic),
         ]
     }
 }

@@ -2,8 +2,7 @@
 
 use crate::emitted::{BodySpec, Interpolant, Line, PARALLEL};
 use crate::error::ModelError;
-use crate::rotation::Rotation;
-use crate::vector::{Vector, add, apply, cross, dot, norm, perpendicular, scale, subtract};
+use crate::space::{Vector, exp, matrix, perpendicular};
 
 impl BodySpec {
     /// Unit vectors along the section's y and z axes (1, frame axes) at the fraction `u` in [0, 1] of the
@@ -13,26 +12,26 @@ impl BodySpec {
     /// normal x tangent and z the plane's normal.
     pub fn section(&self, u: f64) -> [Vector; 2] {
         if let Line::Nodes(_) = self.line {
-            return [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+            return [Vector::y(), Vector::z()];
         }
         let (_, tangent) = self.line.at(u);
         if let Some(normal) = self.plane_normal() {
-            return [cross(normal, tangent), normal];
+            return [normal.cross(&tangent), normal];
         }
         let turned = match self.line.turned(u) {
             Some(turned) => {
                 let start = self.line.at(0.0).1;
                 let across = self.across(start).unwrap_or_else(|| perpendicular(start));
-                apply(&Rotation::exp(turned).matrix(), across)
+                matrix(&exp(turned)) * across
             }
             None => self.across(tangent).unwrap_or_else(|| perpendicular(tangent)),
         };
         // Round-off of the turning must not tilt the axis.
-        let turned = unit(subtract(turned, scale(dot(turned, tangent), tangent)));
-        let side = cross(tangent, turned);
+        let turned = unit(turned - turned.dot(&tangent) * tangent);
+        let side = tangent.cross(&turned);
         let (sine, cosine) = self.twist.at(u).sin_cos();
-        let y = add(scale(cosine, turned), scale(sine, side));
-        [y, cross(tangent, y)]
+        let y = cosine * turned + sine * side;
+        [y, tangent.cross(&y)]
     }
 
     /// Unit normal of the plane of a planar body, frame axes.
@@ -40,7 +39,7 @@ impl BodySpec {
         let [first, second] = *self.axes else {
             return None;
         };
-        let mut normal = [0.0; 3];
+        let mut normal = Vector::zeros();
         normal[3 - first - second] = 1.0;
         Some(normal)
     }
@@ -48,12 +47,12 @@ impl BodySpec {
     /// The section's y axis at the start, normal to the tangent there; `None` where the declared direction
     /// has no part across it.
     fn across(&self, tangent: Vector) -> Option<Vector> {
-        let wanted = self.section_y.unwrap_or_else(|| {
-            let side = cross([0.0, 0.0, 1.0], tangent);
-            if norm(side) > PARALLEL { side } else { [0.0, 1.0, 0.0] }
+        let wanted = self.section_y.map(Vector::from).unwrap_or_else(|| {
+            let side = Vector::z().cross(&tangent);
+            if side.norm() > PARALLEL { side } else { Vector::y() }
         });
-        let part = subtract(wanted, scale(dot(wanted, tangent), tangent));
-        let is_across = norm(wanted).is_finite() && norm(part) > PARALLEL * norm(wanted);
+        let part = wanted - wanted.dot(&tangent) * tangent;
+        let is_across = wanted.norm().is_finite() && part.norm() > PARALLEL * wanted.norm();
         is_across.then(|| unit(part))
     }
 
@@ -112,5 +111,5 @@ impl BodySpec {
 }
 
 fn unit(vector: Vector) -> Vector {
-    scale(1.0 / norm(vector), vector)
+    1.0 / vector.norm() * vector
 }

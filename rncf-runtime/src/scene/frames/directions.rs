@@ -1,7 +1,7 @@
 //! What the unknowns of a free frame do to it.
 
 use crate::emitted::{FreeSpec, Motions};
-use crate::vector::Vector;
+use crate::space::Vector;
 
 /// What one unknown does to a frame: the map from rates of unknowns to velocities, one column.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -13,16 +13,19 @@ pub struct Direction {
 }
 
 pub(crate) fn unit(axis: usize) -> Vector {
-    std::array::from_fn(|i| if i == axis { 1.0 } else { 0.0 })
+    Vector::from_fn(|i, _| if i == axis { 1.0 } else { 0.0 })
 }
 
 /// Motions along axes, then about axes.
 pub(crate) fn directions(motions: Motions) -> Vec<Direction> {
     let shift = |axis: usize| Direction {
         shift: unit(axis),
-        turn: [0.0; 3],
+        turn: Vector::zeros(),
     };
-    let about = |turn: Vector| Direction { shift: [0.0; 3], turn };
+    let about = |turn: Vector| Direction {
+        shift: Vector::zeros(),
+        turn,
+    };
     let turn = |axis: usize| about(unit(axis));
     let plane = |normal: usize| [(normal + 1) % 3, (normal + 2) % 3];
     match motions {

@@ -5,9 +5,8 @@ use super::ties;
 use crate::emitted::{BodySpec, FrameMotion, FrameTie, FreeSpec, Motions, Parts, RigidSpec};
 use crate::error::ModelError;
 use crate::model::{Formulation, Pose};
-use crate::rotation::Rotation;
 use crate::scene::frames::directions::{Direction, directions, unit};
-use crate::vector::{Vector, add, apply_transposed, cross, dot, norm, scale, subtract};
+use crate::space::{Matrix, Rotation, Vector, exp, from_matrix, matrix, product, three, turned};
 
 /// Largest change of a rotation matrix, or part of a velocity out of a plane, that counts as round-off.
 /// Frame axes of spatial things.
@@ -46,32 +45,26 @@ impl FreeFrame {
     /// # Errors
     /// A start out of the plane that the frame keeps, by name.
     pub fn new(spec: FreeSpec, place: usize, name: &str, parent: &FrameMotion) -> Result<Self, ModelError> {
-        let carrier = Rotation::from_matrix(&parent.rotation);
-        let relative = Rotation::exp(scale(spec.angle, spec.axis));
-        let (mut base, mut rotation) = (carrier, carrier.times(&relative));
-        let mut spin = add(apply_transposed(&relative.matrix(), parent.spin), spec.spin);
+        let carrier = from_matrix(&parent.rotation);
+        let relative = exp(spec.angle * spec.axis);
+        let (mut base, mut rotation) = (carrier, product(&carrier, &relative));
+        let mut spin = matrix(&relative).tr_mul(&parent.spin) + spec.spin;
         if let Some(axis) = angle_axis(spec.motions) {
             base = carrier;
-            rotation = carrier.turned(scale(spec.angle, axis));
-            spin = add(
-                apply_transposed(&Rotation::exp(scale(spec.angle, axis)).matrix(), parent.spin),
-                spec.spin,
-            );
+            rotation = turned(&carrier, spec.angle * axis);
+            spin = matrix(&exp(spec.angle * axis)).tr_mul(&parent.spin) + spec.spin;
         }
         let start = Pose {
             position: parent.point_to_inertial(spec.position),
             rotation,
             angle: spec.angle,
-            velocity: add(
-                parent.velocity,
-                parent.direction_to_inertial(add(cross(parent.spin, spec.position), spec.velocity)),
-            ),
+            velocity: parent.velocity + parent.direction_to_inertial(parent.spin.cross(&spec.position) + spec.velocity),
             spin,
         };
         check_plane(&spec, name, parent, &start)?;
         let directions = directions(spec.motions);
-        if carrier == Rotation::IDENTITY {
-            base = Rotation::IDENTITY;
+        if carrier == Rotation::identity() {
+            base = Rotation::identity();
         }
         Ok(Self {
             spec,
@@ -81,7 +74,7 @@ impl FreeFrame {
             turn: None,
             start,
             base,
-            drift: [0.0; 3],
+            drift: Vector::zeros(),
         })
     }
 
@@ -94,7 +87,7 @@ impl FreeFrame {
     pub fn shifts(&self) -> usize {
         self.directions
             .iter()
-            .filter(|direction| direction.turn == [0.0; 3])
+            .filter(|direction| direction.turn == Vector::zeros())
             .count()
     }
 
@@ -113,7 +106,7 @@ impl FreeFrame {
     /// position would be felt, and the motion is an orbit. Nearby what starts fast may stay bounded,
     /// and would leave such a point behind.
     pub fn follow(&mut self, length: f64) {
-        if norm(self.start.position) > FAR * length {
+        if self.start.position.norm() > FAR * length {
             self.drift = self.start.velocity;
         }
     }
@@ -140,48 +133,45 @@ impl FreeFrame {
                 motion.spin_rate[axis] += direction.turn[axis] * a[place];
             }
         }
-        motion.rotation = self.rotation(turn, x).matrix();
+        motion.rotation = matrix(&self.rotation(turn, x));
         motion
     }
 
     /// Position and velocity of the origin at time `t` (s), inertial axes, from the point that the positions of `base` count
     /// from: starts are subtracted from each other before anything is added.
     pub fn relative(&self, base: &Self, t: f64, [x, v]: [&[f64]; 2]) -> [Vector; 2] {
-        let mut velocity = subtract(self.drift, base.drift);
-        let mut position = add(subtract(self.start.position, base.start.position), scale(t, velocity));
+        let mut velocity = self.drift - base.drift;
+        let mut position = self.start.position - base.start.position + t * velocity;
         for ((direction, x), v) in self.directions.iter().zip(x).zip(v) {
-            position = add(position, scale(*x, direction.shift));
-            velocity = add(velocity, scale(*v, direction.shift));
+            position += *x * direction.shift;
+            velocity += *v * direction.shift;
         }
         [position, velocity]
     }
 
     /// A position and velocity in space at time `t` (s) from the point that the positions of this frame count from.
     pub fn seen(&self, t: f64, position: Vector, velocity: Vector) -> [Vector; 2] {
-        let from = add(self.start.position, scale(t, self.drift));
-        [subtract(position, from), subtract(velocity, self.drift)]
+        let from = self.start.position + t * self.drift;
+        [position - from, velocity - self.drift]
     }
 
     /// Sum of the sizes of what the position of the origin at time `t` (s) is made of, m; from the point of `base`, if
     /// given.
     pub fn terms(&self, base: Option<&Self>, t: f64, x: &[f64]) -> f64 {
         let (start, drift) = match base {
-            Some(base) => (
-                subtract(self.start.position, base.start.position),
-                subtract(self.drift, base.drift),
-            ),
+            Some(base) => (self.start.position - base.start.position, self.drift - base.drift),
             None => (self.start.position, self.drift),
         };
         let moved: f64 = x.iter().take(self.shifts()).map(|x| x.abs()).sum();
-        norm(start) + t.abs() * norm(drift) + moved
+        start.norm() + t.abs() * drift.norm() + moved
     }
 
     fn rotation(&self, turn: Rotation, x: &[f64]) -> Rotation {
         if self.turn.is_some() {
             let first = self.shifts();
-            turn.turned([x[first], x[first + 1], x[first + 2]])
+            turned(&turn, three(x, first))
         } else if let (Some(axis), Some(place)) = (angle_axis(self.spec.motions), self.angle()) {
-            self.base.turned(scale(x[place], axis))
+            turned(&self.base, x[place] * axis)
         } else {
             self.start.rotation
         }
@@ -194,18 +184,18 @@ impl FreeFrame {
 
     /// Rates of the unknowns at a velocity of the origin (inertial axes) and an angular velocity (frame axes).
     pub fn rates(&self, velocity: Vector, spin: Vector, v: &mut [f64]) {
-        let shifting = subtract(velocity, self.drift);
+        let shifting = velocity - self.drift;
         for (rate, direction) in v.iter_mut().zip(&self.directions) {
-            *rate = dot(direction.shift, shifting) + dot(direction.turn, spin);
+            *rate = direction.shift.dot(&shifting) + direction.turn.dot(&spin);
         }
     }
 
     /// Unknowns and rates of a pose at time `t` (s); rotation vectors are zero, [`Pose::rotation`] goes to
     /// the state.
     pub fn unknowns(&self, t: f64, pose: &Pose, x: &mut [f64], v: &mut [f64]) {
-        let moved = subtract(subtract(pose.position, self.start.position), scale(t, self.drift));
+        let moved = pose.position - self.start.position - t * self.drift;
         for (value, direction) in x.iter_mut().zip(&self.directions) {
-            *value = dot(direction.shift, moved);
+            *value = direction.shift.dot(&moved);
         }
         self.rates(pose.velocity, pose.spin, v);
         if let Some(place) = self.angle() {
@@ -217,7 +207,7 @@ impl FreeFrame {
     pub fn pose(&self, motion: &FrameMotion, x: &[f64]) -> Pose {
         Pose {
             position: motion.position,
-            rotation: Rotation::from_matrix(&motion.rotation),
+            rotation: from_matrix(&motion.rotation),
             angle: self.angle().and_then(|place| x.get(place).copied()).unwrap_or_default(),
             velocity: motion.velocity,
             spin: motion.spin,
@@ -241,7 +231,7 @@ impl FreeFrame {
     /// Whether it has inertia of its own.
     pub fn has_rigid_parts(&self) -> bool {
         let rigid = &self.spec.rigid;
-        rigid.mass != 0.0 || rigid.inertia.iter().flatten().any(|&value| value != 0.0)
+        rigid.mass != 0.0 || rigid.inertia != Matrix::zeros()
     }
 
     /// Motion at its start.
@@ -257,7 +247,7 @@ impl FreeFrame {
     pub fn fixed(&self) -> FrameMotion {
         FrameMotion {
             position: self.start.position,
-            rotation: self.start.rotation.matrix(),
+            rotation: matrix(&self.start.rotation),
             ..FrameMotion::INERTIAL
         }
     }
@@ -354,7 +344,7 @@ fn check_plane_of(body: &BodySpec, name: &str, motions: Motions) -> Result<(), M
     let normal = 3 - first - second;
     let keeps = match motions {
         Motions::Planar { normal: other } | Motions::ShiftingPlanar { normal: other } => other == normal,
-        Motions::Hinged { axis } => norm(cross(axis, unit(normal))) <= ROUND_OFF,
+        Motions::Hinged { axis } => axis.cross(&unit(normal)).norm() <= ROUND_OFF,
         Motions::Shifting => true,
         Motions::Spatial | Motions::Turning => false,
     };
@@ -393,16 +383,16 @@ fn check_numbers(spec: &FreeSpec, name: &str) -> Result<(), ModelError> {
     };
     let RigidSpec { mass, moment, inertia } = spec.rigid;
     let start = [spec.position, spec.axis, spec.velocity, spec.spin, moment];
-    let all = start.iter().chain(&inertia).flatten().chain([&spec.angle, &mass]);
+    let all = start.iter().flatten().chain(&inertia).chain([&spec.angle, &mass]);
     if !all.into_iter().all(|value| value.is_finite()) {
         return refuse("a number of its start or of its rigid parts is not finite");
     }
-    if mass < 0.0 || (0..3).any(|axis| inertia[axis][axis] < 0.0) {
+    if mass < 0.0 || (0..3).any(|axis| inertia[(axis, axis)] < 0.0) {
         return refuse("its mass or moment of inertia is negative");
     }
     let axis = angle_axis(spec.motions).unwrap_or(spec.axis);
     let turned = spec.angle != 0.0 || angle_axis(spec.motions).is_some();
-    if turned && (norm(axis) - 1.0).abs() > ROUND_OFF {
+    if turned && (axis.norm() - 1.0).abs() > ROUND_OFF {
         return refuse("the axis that it turns about is no unit vector");
     }
     Ok(())
@@ -414,15 +404,15 @@ fn check_plane(spec: &FreeSpec, name: &str, parent: &FrameMotion, start: &Pose) 
         return Ok(());
     };
     let letter = ["x", "y", "z"][normal];
-    let tilt = norm(subtract(parent.direction_to_inertial(unit(normal)), unit(normal)));
+    let tilt = (parent.direction_to_inertial(unit(normal)) - unit(normal)).norm();
     if tilt > ROUND_OFF {
         return Err(ModelError::new(format!(
             "frame `{name}` moves in the plane normal to {letter}, but its parent's axis {letter} is not the inertial one at t = 0: turn the parent about {letter} only, or free the frame in space"
         )));
     }
-    let across = start.velocity[normal].abs() > ROUND_OFF * norm(start.velocity);
-    let tumbling = cross(unit(normal), start.spin);
-    if across || norm(tumbling) > ROUND_OFF * norm(start.spin) {
+    let across = start.velocity[normal].abs() > ROUND_OFF * start.velocity.norm();
+    let tumbling = unit(normal).cross(&start.spin);
+    if across || tumbling.norm() > ROUND_OFF * start.spin.norm() {
         return Err(ModelError::new(format!(
             "frame `{name}` moves in the plane normal to {letter}, but starts with a velocity out of it: leave that component away, or free the frame in space"
         )));
@@ -457,8 +447,8 @@ pub fn check_parent(parts: &dyn Parts, free: &[FreeSpec], spec: &FreeSpec) -> Re
         .flat_map(|t| [t, t + 1e-2]);
     for t in LOOKS.into_iter().chain(times) {
         let motion = at(t);
-        let turned = (0..3).any(|row| norm(subtract(motion.rotation[row], first[row])) > ROUND_OFF);
-        if turned || norm(motion.spin) > ROUND_OFF {
+        let turned = (0..3).any(|row| (motion.rotation.row(row) - first.row(row)).norm() > ROUND_OFF);
+        if turned || motion.spin.norm() > ROUND_OFF {
             return Err(ModelError::new(format!(
                 "frame `{name}` turns about the origin of frame `{parent}`, which turns itself: choose a parent that only shifts"
             )));

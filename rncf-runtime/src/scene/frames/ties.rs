@@ -8,7 +8,7 @@ use crate::error::ModelError;
 use crate::linalg::{solve_full, symmetric_eigen};
 use crate::scene::bodies::mesh_body::MeshBody;
 use crate::scene::numbering::layout::{Layout, VectorKind};
-use crate::vector::{Vector, add, cross, norm, perpendicular, scale, subtract};
+use crate::space::{Vector, perpendicular};
 
 /// Radius of gyration about an axis, in lengths of the body, below which nothing ties the turning about it.
 const SLENDER: f64 = 1e-7;
@@ -85,11 +85,11 @@ pub(crate) fn taken(tie: &Tie, body: &MeshBody, shape: &[f64], rates: &[f64]) ->
     if wanted.iter().all(|rate| *rate == 0.0) {
         return None;
     }
-    let shifts = spec.axes.iter().map(|&axis| [axis_vector(axis), [0.0; 3]]);
+    let shifts = spec.axes.iter().map(|&axis| [axis_vector(axis), Vector::zeros()]);
     let turns = (0..3)
         .map(axis_vector)
         .filter(|&turn| spec.dimension() == 3 || is_normal(spec, turn));
-    let motions: Vec<[Vector; 2]> = shifts.chain(turns.map(|turn| [[0.0; 3], turn])).collect();
+    let motions: Vec<[Vector; 2]> = shifts.chain(turns.map(|turn| [Vector::zeros(), turn])).collect();
     let size = motions.len();
     let (mut matrix, mut right) = (vec![0.0; size * size], vec![0.0; size * size]);
     for (column, &motion) in motions.iter().enumerate() {
@@ -106,8 +106,8 @@ pub(crate) fn taken(tie: &Tie, body: &MeshBody, shape: &[f64], rates: &[f64]) ->
     let [found, _] = solve_full(size, &matrix, [&right, &vec![0.0; size * size]])?;
     let sum = |part: usize| {
         let parts = motions.iter().enumerate();
-        parts.fold([0.0; 3], |sum, (row, motion)| {
-            add(sum, scale(found[row * size], motion[part]))
+        parts.fold(Vector::zeros(), |sum, (row, motion)| {
+            sum + found[row * size] * motion[part]
         })
     };
     Some([sum(0), sum(1)])
@@ -118,9 +118,9 @@ pub(crate) fn add_rigid(spec: &BodySpec, shape: &[f64], [shift, turn]: [Vector; 
     let dimension = spec.dimension();
     for vector in 0..spec.vectors() {
         let place = vector * dimension;
-        let mut rate = cross(turn, spread(spec, &shape[place..place + dimension]));
+        let mut rate = turn.cross(&spread(spec, &shape[place..place + dimension]));
         if spec.nodal[spec.locate(vector).1].is_position() {
-            rate = add(rate, shift);
+            rate += shift;
         }
         for (component, &axis) in spec.axes.iter().enumerate() {
             rates[place + component] += factor * rate[axis];
@@ -138,10 +138,14 @@ fn mean_axes(body: &MeshBody, first: usize, shape: &[f64], frame: &str) -> Resul
         .map(axis_vector)
         .filter(|&turn| dimension == 3 || is_normal(spec, turn))
         .collect();
-    let centre: Vector = spec.axes.iter().zip(&rows).fold([0.0; 3], |mut centre, (&axis, row)| {
-        centre[axis] = product(row, shape);
-        centre
-    });
+    let centre: Vector = spec
+        .axes
+        .iter()
+        .zip(&rows)
+        .fold(Vector::zeros(), |mut centre, (&axis, row)| {
+            centre[axis] = product(row, shape);
+            centre
+        });
     let about = moved(spec, shape, centre);
     let moments: Vec<Vec<f64>> = turns.iter().map(|&turn| moment(body, first, shape, turn)).collect();
     let central: Vec<Vec<f64>> = turns.iter().map(|&turn| moment(body, first, &about, turn)).collect();
@@ -218,10 +222,10 @@ fn check_turning(body: &MeshBody, inertia: f64, what: &str, line: &str, frame: &
 /// Directions across a chord: two, or the one in the plane.
 fn across(spec: &BodySpec, along: Vector) -> Vec<Vector> {
     match spec.plane_normal() {
-        Some(normal) => vec![cross(normal, along)],
+        Some(normal) => vec![normal.cross(&along)],
         None => {
             let first = perpendicular(along);
-            vec![first, cross(along, first)]
+            vec![first, along.cross(&first)]
         }
     }
 }
@@ -233,10 +237,10 @@ pub(crate) fn ends(spec: &BodySpec) -> [usize; 2] {
 
 /// Unit vector from the start to the end.
 fn direction(spec: &BodySpec, start: Vector, end: Vector) -> Result<Vector, ModelError> {
-    let way = subtract(end, start);
-    let distance = norm(way);
+    let way = end - start;
+    let distance = way.norm();
     if distance > CLOSED * spec.line.length() {
-        return Ok(scale(1.0 / distance, way));
+        return Ok(1.0 / distance * way);
     }
     Err(ModelError::new(format!(
         "the ends of body `{}` start {distance:.3e} m apart, which is no chord: let its frame follow its mean axes, `mean_axes;`",
@@ -259,7 +263,8 @@ impl ChordEnds {
     /// Ends at one place, by name.
     pub fn new(parts: &dyn Parts, index: usize, spec: &BodySpec, first: usize) -> Result<Self, ModelError> {
         let length = spec.line.length();
-        let at = |u: f64| parts.initial(index, u * length)[0].map_or_else(|| spec.line.at(u).0, |[place, _]| place);
+        let at =
+            |u: f64| parts.initial(index, u * length)[0].map_or_else(|| spec.line.at(u).0, |[place, _]| place.into());
         let (start, end) = (at(0.0), at(1.0));
         let along = direction(spec, start, end)?;
         let mut components = [0.0; 3];
@@ -270,7 +275,7 @@ impl ChordEnds {
         let kind = if components.into_iter().any(is_along) {
             Some(VectorKind::Held(components.map(|component| !is_along(component))))
         } else {
-            (start == [0.0; 3]).then_some(VectorKind::Directed(components))
+            (start == Vector::zeros()).then_some(VectorKind::Directed(components.into()))
         };
         Ok(Self {
             vectors: ends(spec).map(|vector| first + vector),
@@ -342,7 +347,7 @@ fn moment(body: &MeshBody, first: usize, shape: &[f64], turn: Vector) -> Vec<f64
     let dimension = spec.dimension();
     let mut row = vec![0.0; shape.len()];
     each_mass(body, first, |from, to, _, mass| {
-        let arm = cross(turn, spread(spec, &shape[from..from + dimension]));
+        let arm = turn.cross(&spread(spec, &shape[from..from + dimension]));
         for (component, &axis) in spec.axes.iter().enumerate() {
             row[to + component] += mass * arm[axis];
         }
@@ -352,7 +357,7 @@ fn moment(body: &MeshBody, first: usize, shape: &[f64], turn: Vector) -> Vec<f64
 
 /// Components of a vector to three axes.
 fn spread(spec: &BodySpec, components: &[f64]) -> Vector {
-    let mut vector = [0.0; 3];
+    let mut vector = Vector::zeros();
     for (value, &axis) in components.iter().zip(spec.axes) {
         vector[axis] = *value;
     }
@@ -365,7 +370,7 @@ fn moved(spec: &BodySpec, shape: &[f64], origin: Vector) -> Vec<f64> {
     let moved = vectors.flat_map(|(vector, components)| {
         let (_, local) = spec.locate(vector);
         let is_position = spec.nodal[local].is_position();
-        let from = if is_position { origin } else { [0.0; 3] };
+        let from = if is_position { origin } else { Vector::zeros() };
         components
             .iter()
             .zip(spec.axes)
@@ -378,14 +383,14 @@ fn moved(spec: &BodySpec, shape: &[f64], origin: Vector) -> Vec<f64> {
 fn turned(spec: &BodySpec, turn: Vector, shape: &[f64], row: &[f64]) -> f64 {
     let vectors = shape.chunks_exact(spec.dimension());
     let moved = vectors.flat_map(|vector| {
-        let moved = cross(turn, spread(spec, vector));
+        let moved = turn.cross(&spread(spec, vector));
         spec.axes.iter().map(move |&axis| moved[axis])
     });
     row.iter().zip(moved).map(|(row, moved)| row * moved).sum()
 }
 
 fn axis_vector(axis: usize) -> Vector {
-    std::array::from_fn(|i| if i == axis { 1.0 } else { 0.0 })
+    Vector::from_fn(|i, _| if i == axis { 1.0 } else { 0.0 })
 }
 
 fn is_normal(spec: &BodySpec, turn: Vector) -> bool {

@@ -3,7 +3,7 @@
 use super::layout::VectorKind;
 use crate::emitted::{BodySpec, FrameMotion, Interpolant, JointData, JointKind, JointSpec};
 use crate::model::Joints;
-use crate::vector::{Vector, cross, perpendicular};
+use crate::space::{Vector, perpendicular};
 
 /// A joint on its node.
 #[derive(Clone, Debug)]
@@ -97,16 +97,16 @@ pub fn joint_data(joint: &JointSpec, body: &BodySpec, frames: &[FrameMotion]) ->
     };
     let across = |direction: Vector| {
         let first = match normal {
-            Some(normal) => cross(normal, direction),
+            Some(normal) => normal.cross(&direction),
             None => perpendicular(direction),
         };
-        [first, cross(direction, first)]
+        [first, direction.cross(&first)]
     };
     JointData {
-        point: joint.point.unwrap_or(there),
-        tangent: along[0],
-        normals: across(along[0]),
-        second: along.get(1).copied().unwrap_or_default(),
+        point: joint.point.unwrap_or(there.into()),
+        tangent: along[0].into(),
+        normals: across(along[0]).map(Into::into),
+        second: along.get(1).copied().unwrap_or_default().into(),
     }
 }
 
@@ -144,7 +144,7 @@ pub fn condition(
         (Joints::Eliminated, JointKind::ClampFull) => (true, alike(VectorKind::Prescribed), Vec::new()),
         (Joints::Eliminated, JointKind::Clamp) if turns => (true, free(), (body.dimension()..all).collect()),
         (Joints::Eliminated, JointKind::Clamp) => {
-            let mut along = [[0.0; 3]; 2];
+            let mut along = [Vector::zeros(); 2];
             for (along, direction) in along.iter_mut().zip([data.tangent, data.second]) {
                 for (component, &axis) in body.axes.iter().enumerate() {
                     along[component] = direction[axis];

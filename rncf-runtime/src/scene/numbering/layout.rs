@@ -1,20 +1,22 @@
 //! Numbering: which components of the nodal vectors are unknowns. Conditions that are linear in
 //! vectors are eliminated, `q = qbar(t) + E x` (THEORY 6): a component depends on at most two unknowns.
 
+use crate::space::Vector;
+
 /// What is unknown of a nodal vector.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum VectorKind {
     /// All components.
     Free,
     /// The norm along a constant unit vector (components in the body's order).
-    Directed([f64; 3]),
+    Directed(Vector),
     /// An axis of a section that does not turn, `u e + s f` with constant unit vectors `[e, f]` (components in the
     /// body's order): its own norm u and the section's shear s, which is that of the vector `shear`: the section's y
     /// axis, which may be this one, or precedes it. With `u f + s e` for the other axis the section strains and shears in
     /// its plane as it likes and does not turn.
     InPlane {
         /// `[e, f]`.
-        axes: [[f64; 3]; 2],
+        axes: [Vector; 2],
         /// Vector that s belongs to.
         shear: usize,
     },

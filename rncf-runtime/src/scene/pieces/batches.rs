@@ -9,7 +9,7 @@ use crate::emitted::{Fidelity, LANES, Parts, elastic_force_one_by_one, elastic_t
 use crate::scene::bodies::mesh_body::MeshBody;
 use crate::scene::numbering::assembly::PARALLEL_FROM;
 use crate::scene::numbering::units::{Lanes, Units};
-use crate::vector::Matrix;
+use crate::space::Matrix;
 
 /// Units that are evaluated before their results are added.
 const BLOCK: usize = 64;
@@ -116,7 +116,7 @@ impl Group {
 
     /// Starts the matrices of a unit with `M^ab` times a block.
     fn begin(&self, unit: usize, axes: &[usize], block: &Matrix, matrix: &mut [Lanes]) {
-        if *block == [[0.0; 3]; 3] {
+        if *block == Matrix::zeros() {
             matrix.fill([0.0; LANES]);
             return;
         }
@@ -127,7 +127,7 @@ impl Group {
             let masses = &masses[a * count..(a + 1) * count];
             for (mass, values) in masses.iter().zip(values.chunks_exact_mut(d)) {
                 for (value, &j) in values.iter_mut().zip(axes) {
-                    *value = mass.map(|mass| mass * block[i][j]);
+                    *value = mass.map(|mass| mass * block[(i, j)]);
                 }
             }
         }

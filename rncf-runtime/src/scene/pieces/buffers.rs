@@ -4,7 +4,7 @@ use super::point_force::PointForce;
 use super::reach::Reaches;
 use crate::emitted::{FrameMotion, LANES};
 use crate::scene::bodies::nodal_mass::Padded;
-use crate::vector::Vector;
+use crate::space::Vector;
 
 /// Buffers of the full (not reduced) state.
 pub(crate) struct Buffers {
@@ -55,7 +55,7 @@ impl Buffers {
             lanes: Vec::new(),
             nodal: Vec::new(),
             nodal_rates: Vec::new(),
-            gravity: [0.0; 3],
+            gravity: Vector::zeros(),
             point_forces: Vec::new(),
             reaches: Vec::new(),
             held: Vec::new(),

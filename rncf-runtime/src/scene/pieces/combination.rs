@@ -1,9 +1,8 @@
 //! Combinations of mass, damping and stiffness.
 
-use crate::rotation::inverse_tangent_map;
 use crate::scene::bodies::nodal_mass::Transport;
+use crate::space::{Matrix, inverse_tangent_map, three};
 use crate::system::State;
-use crate::vector::Matrix;
 
 /// What of `factors[0] M + factors[1] C + factors[2] K` is wanted.
 #[derive(Clone, Debug)]
@@ -27,7 +26,7 @@ impl Combination {
 
     /// With the columns of M and C for changes of theta made those for right increments: T(theta)^-1.
     pub fn of_increments(factors: [f64; 3], turns: &[usize], state: &State) -> Self {
-        let theta = |&turn: &usize| [state.x[turn], state.x[turn + 1], state.x[turn + 2]];
+        let theta = |&turn: &usize| three(&state.x, turn);
         Self {
             factors,
             maps: turns.iter().map(|turn| inverse_tangent_map(theta(turn))).collect(),
@@ -38,6 +37,6 @@ impl Combination {
     pub fn block(&self, transport: &Transport) -> Matrix {
         let [_, g, k] = self.factors;
         let (coriolis, turning) = (transport.coriolis(), transport.turning());
-        std::array::from_fn(|i| std::array::from_fn(|j| g * coriolis[i][j] + k * turning[i][j]))
+        Matrix::from_fn(|i, j| g * coriolis[(i, j)] + k * turning[(i, j)])
     }
 }

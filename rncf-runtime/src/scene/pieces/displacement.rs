@@ -1,8 +1,7 @@
 //! Displacements of frames, under which a scene may be symmetric.
 
 use crate::emitted::FrameMotion;
-use crate::rotation::Rotation;
-use crate::vector::{Vector, add, apply, subtract};
+use crate::space::{Rotation, Vector, exp, from_matrix, matrix, product};
 
 /// A rigid displacement of some frames: `x -> c + R (x - c) + d`.
 #[derive(Clone, Debug)]
@@ -25,20 +24,20 @@ pub(crate) struct Displacement {
 
 impl Displacement {
     pub fn rotation(&self) -> Rotation {
-        Rotation::exp(self.turn)
+        exp(self.turn)
     }
 
     pub fn displaced(&self, frame: &FrameMotion, turns: bool) -> FrameMotion {
-        let matrix = self.rotation().matrix();
-        let turned = |vector: Vector| apply(&matrix, vector);
-        let moved = add(self.point, turned(subtract(frame.position, self.point)));
-        let rotation = Rotation::from_matrix(&frame.rotation);
+        let by = matrix(&self.rotation());
+        let turned = |vector: Vector| by * vector;
+        let moved = self.point + turned(frame.position - self.point);
+        let rotation = from_matrix(&frame.rotation);
         FrameMotion {
-            position: add(moved, self.shift),
+            position: moved + self.shift,
             velocity: turned(frame.velocity),
             acceleration: turned(frame.acceleration),
             rotation: if turns {
-                self.rotation().times(&rotation).matrix()
+                matrix(&product(&self.rotation(), &rotation))
             } else {
                 frame.rotation
             },

@@ -2,7 +2,7 @@
 
 use crate::emitted::ConstraintSpec;
 use crate::scene::bodies::place::{MeshPoint, PlaceVector};
-use crate::vector::Vector;
+use crate::space::Vector;
 
 /// A marker with what it needs at run time.
 #[derive(Clone, Debug)]

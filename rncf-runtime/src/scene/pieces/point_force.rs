@@ -1,6 +1,6 @@
 //! Forces inside elements.
 
-use crate::vector::Vector;
+use crate::space::Vector;
 
 /// A generalised force on a vector at a place inside an element.
 #[derive(Clone, Debug)]

@@ -1,7 +1,7 @@
 //! The section below rigid fixtures.
 
 use crate::scene::bodies::place::MeshPoint;
-use crate::vector::{Vector, dot};
+use crate::space::Vector;
 
 /// The axes r_y and r_z and the normal of a section, frame axes.
 pub(crate) type Axes = [Vector; 3];
@@ -20,7 +20,7 @@ impl Kept {
 
     /// Its gradient, linear in the axes: with another one in their place their bilinear form.
     pub fn gradient(self, at: &Axes) -> Axes {
-        let mut gradient = [[0.0; 3]; 3];
+        let mut gradient = [Vector::zeros(); 3];
         let Self([first, second]) = self;
         gradient[first] = at[second];
         gradient[second] = at[first];
@@ -33,7 +33,7 @@ impl Kept {
 }
 
 pub(crate) fn inner(a: &Axes, b: &Axes) -> f64 {
-    a.iter().zip(b).map(|(a, b)| dot(*a, *b)).sum()
+    a.iter().zip(b).map(|(a, b)| a.dot(b)).sum()
 }
 
 /// What a component of the full arrays does to the axes of a section.
@@ -85,7 +85,7 @@ impl RigidSection {
 
     /// The axes, or their rates, from the full arrays.
     pub fn axes(&self, full: &[f64]) -> Axes {
-        let mut axes = [[0.0; 3]; 3];
+        let mut axes = [Vector::zeros(); 3];
         for column in &self.columns {
             axes[column.vector][column.axis] += column.weight * full[column.component];
         }
@@ -101,7 +101,7 @@ impl RigidSection {
 
     /// Sum of the rows' gradients with multipliers.
     pub fn pull(&self, at: &Axes, lambda: &[f64]) -> Axes {
-        let mut sum = [[0.0; 3]; 3];
+        let mut sum = [Vector::zeros(); 3];
         for (kept, multiplier) in self.rows.iter().zip(lambda) {
             let gradient = kept.gradient(at);
             for (sum, value) in sum.iter_mut().flatten().zip(gradient.iter().flatten()) {

@@ -4,8 +4,8 @@
 use crate::emitted::{About, BalanceQuantity, Fidelity, MAX_SIZE, Owner};
 use crate::error::ModelError;
 use crate::scene::MeshScene;
-use crate::scene::bodies::nodal_mass::{Padded, spread};
-use crate::vector::{Vector, add, apply, cross, dot, scale, subtract};
+use crate::scene::bodies::nodal_mass::{Padded, padded, spread};
+use crate::space::Vector;
 
 /// Sums over what moves, in inertial axes; places and the angular momentum from a reference point at rest.
 #[derive(Clone, Copy, Default)]
@@ -26,9 +26,9 @@ impl Balance {
     fn plus(self, other: Self) -> Self {
         Self {
             mass: self.mass + other.mass,
-            moment: add(self.moment, other.moment),
-            momentum: add(self.momentum, other.momentum),
-            spin: add(self.spin, other.spin),
+            moment: self.moment + other.moment,
+            momentum: self.momentum + other.momentum,
+            spin: self.spin + other.spin,
             kinetic: self.kinetic + other.kinetic,
         }
     }
@@ -36,13 +36,13 @@ impl Balance {
     /// The same of what is seen from a point that is `arm` from the reference and moves with `velocity`, here given with
     /// places and velocities relative to that point.
     fn carried(self, arm: Vector, velocity: Vector) -> Self {
-        let momentum = add(self.momentum, scale(self.mass, velocity));
+        let momentum = self.momentum + self.mass * velocity;
         Self {
             mass: self.mass,
-            moment: add(self.moment, scale(self.mass, arm)),
+            moment: self.moment + self.mass * arm,
             momentum,
-            spin: add(self.spin, add(cross(arm, momentum), cross(self.moment, velocity))),
-            kinetic: self.kinetic + dot(velocity, self.momentum) + 0.5 * self.mass * dot(velocity, velocity),
+            spin: self.spin + (arm.cross(&momentum) + self.moment.cross(&velocity)),
+            kinetic: self.kinetic + velocity.dot(&self.momentum) + 0.5 * self.mass * velocity.dot(&velocity),
         }
     }
 }
@@ -79,7 +79,7 @@ impl MeshScene {
 
     /// Value at the loaded state.
     pub(crate) fn balance_of(&self, of: Owner, what: BalanceQuantity, t: f64, component: usize) -> f64 {
-        let origin = [0.0; 3];
+        let origin = Vector::zeros();
         match what {
             BalanceQuantity::Mass => self.balance(of, origin).mass,
             BalanceQuantity::Momentum => self.balance(of, origin).momentum[component],
@@ -94,13 +94,13 @@ impl MeshScene {
             }
             BalanceQuantity::KineticEnergy => self.balance(of, origin).kinetic,
             BalanceQuantity::StrainEnergy => self.strain_energy(of),
-            BalanceQuantity::GravityEnergy => -dot(self.gravity(t), self.balance(of, origin).moment),
+            BalanceQuantity::GravityEnergy => -self.gravity(t).dot(&self.balance(of, origin).moment),
         }
     }
 
     fn center_of(&self, of: Owner) -> Vector {
-        let Balance { mass, moment, .. } = self.balance(of, [0.0; 3]);
-        scale(1.0 / mass, moment)
+        let Balance { mass, moment, .. } = self.balance(of, Vector::zeros());
+        1.0 / mass * moment
     }
 
     fn balance(&self, of: Owner, reference: Vector) -> Balance {
@@ -113,15 +113,15 @@ impl MeshScene {
             let (rigid, motion) = (&frame.spec.rigid, &self.buffers.frames[frame.spec.frame]);
             let moment = motion.direction_to_inertial(rigid.moment);
             let spin = motion.direction_to_inertial(motion.spin);
-            let turning = apply(&rigid.inertia, motion.spin);
+            let turning = rigid.inertia * motion.spin;
             let own = Balance {
                 mass: rigid.mass,
                 moment,
-                momentum: cross(spin, moment),
+                momentum: spin.cross(&moment),
                 spin: motion.direction_to_inertial(turning),
-                kinetic: 0.5 * dot(motion.spin, turning),
+                kinetic: 0.5 * motion.spin.dot(&turning),
             };
-            sum = sum.plus(own.carried(subtract(motion.position, reference), motion.velocity));
+            sum = sum.plus(own.carried(motion.position - reference, motion.velocity));
         }
         sum
     }
@@ -132,29 +132,29 @@ impl MeshScene {
         let first = self.layout.offset(body.first_vector);
         let vector = |full: &[f64], place: usize| -> Vector {
             let [x, y, z, _]: Padded = spread(body.spec.axes, &full[first..], place);
-            [x, y, z]
+            Vector::new(x, y, z)
         };
         // Places and velocities relative to the frame's origin, inertial axes.
         let moved = (0..mass.vectors()).map(|place| {
             let (mut q, v) = (vector(&self.buffers.q, place), vector(&self.buffers.v, place));
             if mass.is_position(place) {
-                q = add(q, body.offset);
+                q += body.offset;
             }
             [frame.direction_to_inertial(q), frame.rate_to_inertial(q, v)]
         });
         let moved: Vec<[Vector; 2]> = moved.collect();
-        let rates: Vec<[Padded; 1]> = moved.iter().map(|[_, [x, y, z]]| [[*x, *y, *z, 0.0]]).collect();
+        let rates: Vec<[Padded; 1]> = moved.iter().map(|[_, rate]| [padded(*rate)]).collect();
         let mut own = Balance::default();
         for (place, [at, rate]) in moved.iter().enumerate() {
             let [[x, y, z, _]] = mass.product(place, &rates);
-            let momentum = [x, y, z];
+            let momentum = Vector::new(x, y, z);
             if mass.is_position(place) {
                 own.mass += mass.first(place);
             }
-            own.moment = add(own.moment, scale(mass.first(place), *at));
-            own.momentum = add(own.momentum, scale(mass.first(place), *rate));
-            own.spin = add(own.spin, cross(*at, momentum));
-            own.kinetic += 0.5 * dot(*rate, momentum);
+            own.moment += mass.first(place) * *at;
+            own.momentum += mass.first(place) * *rate;
+            own.spin += at.cross(&momentum);
+            own.kinetic += 0.5 * rate.dot(&momentum);
         }
         let components = first..first + body.spec.vectors() * body.spec.dimension();
         let at = [&self.buffers.q, &self.buffers.v].map(|full| &full[components.clone()]);
@@ -167,7 +167,7 @@ impl MeshScene {
                 kinetic: sums.kinetic,
             });
         }
-        own.carried(subtract(frame.position, reference), frame.velocity)
+        own.carried(frame.position - reference, frame.velocity)
     }
 
     /// Elastic energy of elements, J; none where a body does not deform.

@@ -8,7 +8,7 @@ use crate::emitted::{Fidelity, Interpolant, Line, MAX_SIZE};
 use crate::model::Warning;
 use crate::scene::MeshScene;
 use crate::scene::bodies::place::weighted;
-use crate::vector::norm;
+use crate::space::Vector;
 
 /// Points of integration in [0, 1], at which strains are most accurate.
 const THREE: [f64; 3] = [0.112_701_665_379_258_31, 0.5, 0.887_298_334_620_741_7];
@@ -75,7 +75,7 @@ impl MeshScene {
                         .shapes(body, element, Interpolant::Position, 1, xi, &mut slope);
                 }
                 let components = connectivity.element(element);
-                let stretch = norm(weighted(&self.buffers.q, components, spec.dimension(), &slope));
+                let stretch = Vector::from(weighted(&self.buffers.q, components, spec.dimension(), &slope)).norm();
                 let limit = worst.as_ref().map_or(LEAST_STRETCH, |worst| worst.stretch);
                 if stretch < limit && self.softens(body, element, xi) {
                     worst = Some(GivesWay {

@@ -1,11 +1,10 @@
 //! Pictures of a scene: the lines of its bodies in their frames, and where the frames are.
 
 use crate::model::{Configuration, Curve};
-use crate::rotation::Rotation;
 use crate::scene::bodies::place::{PlaceVector, point_of, weighted};
 use crate::scene::mesh_scene::MeshScene;
 use crate::scene::pieces::marker::Marker;
-use crate::vector::{Vector, add, norm};
+use crate::space::{Vector, from_matrix};
 
 /// Straight pieces that a body is drawn with at least, where it has fewer elements.
 const PIECES: usize = 16;
@@ -45,11 +44,14 @@ impl MeshScene {
                     frame: of,
                     at,
                     is_point: true,
-                } if of == frame && norm(at) > 0.0 && !places.contains(&at) => places.push(at),
+                } if of == frame && at.norm() > 0.0 && !places.contains(&at) => places.push(at),
                 _ => {}
             }
         }
-        places.iter().flat_map(|&place| [[0.0; 3], place, [0.0; 3]]).collect()
+        places
+            .iter()
+            .flat_map(|&place| [Vector::zeros(), place, Vector::zeros()])
+            .collect()
     }
 
     /// The picture at the loaded state.
@@ -67,7 +69,7 @@ impl MeshScene {
                     let components = body.connectivity.element(element);
                     let weights = place.weights(PlaceVector::Position);
                     let place = weighted(&self.buffers.q, components, body.spec.dimension(), weights);
-                    out.points.push(add(body.offset, body.spread(place)));
+                    out.points.push(body.offset + body.spread(place));
                 }
             }
         }
@@ -77,7 +79,7 @@ impl MeshScene {
         out.poses.clear();
         let poses = self.buffers.frames.iter();
         out.poses
-            .extend(poses.map(|frame| (frame.position, Rotation::from_matrix(&frame.rotation))));
+            .extend(poses.map(|frame| (frame.position, from_matrix(&frame.rotation))));
         self.acting(&mut out.acting);
     }
 }

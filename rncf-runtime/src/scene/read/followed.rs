@@ -3,10 +3,9 @@
 
 use crate::emitted::{FrameMotion, FrameTie};
 use crate::linalg::{solve_full, symmetric_eigen};
-use crate::rotation::Rotation;
 use crate::scene::MeshScene;
 use crate::scene::frames::ties::{self, Tie};
-use crate::vector::{Matrix, Vector, add, apply, cross, dot, norm, scale, subtract, transpose};
+use crate::space::{Matrix, Rotation, Vector, exp, from_rows, matrix, perpendicular, product};
 
 impl MeshScene {
     /// Sets the frames that follow bodies at the loaded state.
@@ -26,10 +25,10 @@ impl MeshScene {
         let spec = &body.spec;
         let normal = spec.plane_normal();
         let at = |full: &[f64], place: usize| self.vector_at(body, full, tie.first + place);
-        let moved = |place: usize| add(at(&self.buffers.q, place), body.offset);
+        let moved = |place: usize| at(&self.buffers.q, place) + body.offset;
         let own = &self.followed_shape[tie.first..];
         let declared = |place: usize| {
-            let mut vector = [0.0; 3];
+            let mut vector = Vector::zeros();
             for (value, &axis) in own[place..].iter().zip(spec.axes) {
                 vector[axis] = *value;
             }
@@ -37,45 +36,41 @@ impl MeshScene {
         };
         // Centres, or starts, of the declared shape and of the present one.
         let ends = ties::ends(spec).map(|vector| vector * spec.dimension());
-        let (mut from, mut to, mut mass) = ([0.0; 3], [0.0; 3], 0.0);
+        let (mut from, mut to, mut mass) = (Vector::zeros(), Vector::zeros(), 0.0);
         if spec.tie == FrameTie::Chord {
             (from, to) = (declared(ends[0]), moved(ends[0]));
         } else {
             ties::each_mass(body, tie.first, |_, second, [is_first, is_second], value| {
                 if is_first {
-                    from = add(from, scale(value, declared(second)));
-                    to = add(to, scale(value, at(&self.buffers.q, second)));
+                    from += value * declared(second);
+                    to += value * at(&self.buffers.q, second);
                     mass += if is_second { value } else { 0.0 };
                 }
             });
-            (from, to) = (scale(1.0 / mass, from), add(scale(1.0 / mass, to), body.offset));
+            (from, to) = (1.0 / mass * from, 1.0 / mass * to + body.offset);
         }
         // B = M^ab R_b q_a^T, both from these points.
-        let mut moments = [[0.0; 3]; 3];
+        let mut moments = Matrix::zeros();
         ties::each_mass(body, tie.first, |first, second, [is_first, is_second], value| {
             let mut q = declared(first);
             let mut r = at(&self.buffers.q, second);
             if is_first {
-                q = subtract(q, from);
+                q -= from;
             }
             if is_second {
-                r = subtract(add(r, body.offset), to);
+                r = r + body.offset - to;
             }
-            for (row, r) in moments.iter_mut().zip(r) {
-                for (sum, q) in row.iter_mut().zip(q) {
-                    *sum += value * r * q;
-                }
-            }
+            moments += value * r * q.transpose();
         });
         let rotation = if spec.tie == FrameTie::Chord {
-            let was = subtract(declared(ends[1]), from);
-            let along = subtract(moved(ends[1]), to);
-            along_chord(&moments, [was, along].map(|way| scale(1.0 / norm(way), way)), normal)
+            let was = declared(ends[1]) - from;
+            let along = moved(ends[1]) - to;
+            along_chord(&moments, [was, along].map(|way| 1.0 / way.norm() * way), normal)
         } else {
             nearest(&moments, normal)?
         };
         let motion = FrameMotion {
-            position: subtract(to, apply(&rotation, from)),
+            position: to - rotation * from,
             rotation,
             ..FrameMotion::INERTIAL
         };
@@ -93,8 +88,8 @@ impl MeshScene {
                 let [mut q, mut v] =
                     [&self.buffers.q, &self.buffers.v].map(|full| self.vector_at(body, full, tie.first + place));
                 if body.spec.nodal[body.spec.locate(vector).1].is_position() {
-                    q = subtract(add(q, body.offset), motion.position);
-                    v = subtract(v, motion.velocity);
+                    q = q + body.offset - motion.position;
+                    v -= motion.velocity;
                 }
                 let rate = motion.rate_to_frame(q, v);
                 for (component, &axis) in body.spec.axes.iter().enumerate() {
@@ -126,20 +121,24 @@ impl MeshScene {
         let [found, _] = solve_full(size, &matrix, [&right, &zero])?;
         let mut motion = pose;
         for (row, direction) in frame.directions.iter().enumerate() {
-            motion.velocity = subtract(motion.velocity, scale(found[row * size], direction.shift));
-            motion.spin = subtract(motion.spin, scale(found[row * size], direction.turn));
+            motion.velocity -= found[row * size] * direction.shift;
+            motion.spin -= found[row * size] * direction.turn;
         }
         motion.is_finite().then_some(motion)
     }
 }
 
+/// Half the axial vector of `B - B^T`.
+fn axial(b: &Matrix) -> Vector {
+    Vector::new(b[(2, 1)] - b[(1, 2)], b[(0, 2)] - b[(2, 0)], b[(1, 0)] - b[(0, 1)])
+}
+
 /// The rotation A for which `tr(A^T B)` is largest: about the normal, or in space by Horn's quaternion.
 fn nearest(b: &Matrix, normal: Option<Vector>) -> Option<Matrix> {
-    // Half the axial vector of B - B^T.
-    let axial = [b[2][1] - b[1][2], b[0][2] - b[2][0], b[1][0] - b[0][1]];
-    let trace = b[0][0] + b[1][1] + b[2][2];
+    let axial = axial(b);
+    let trace = b.trace();
     if let Some(normal) = normal {
-        return Some(Rotation::exp(scale(dot(axial, normal).atan2(trace), normal)).matrix());
+        return Some(matrix(&exp(axial.dot(&normal).atan2(trace) * normal)));
     }
     let mut k = vec![0.0; 16];
     k[0] = trace;
@@ -147,12 +146,12 @@ fn nearest(b: &Matrix, normal: Option<Vector>) -> Option<Matrix> {
         k[i + 1] = axial[i];
         k[4 * (i + 1)] = axial[i];
         for j in 0..3 {
-            k[4 * (i + 1) + j + 1] = b[i][j] + b[j][i] - if i == j { trace } else { 0.0 };
+            k[4 * (i + 1) + j + 1] = b[(i, j)] + b[(j, i)] - if i == j { trace } else { 0.0 };
         }
     }
     let (_, vectors) = symmetric_eigen(4, &k).ok()?;
     let [w, x, y, z]: [f64; 4] = vectors.last()?[..].try_into().ok()?;
-    Some([
+    Some(from_rows(&[
         [
             w * w + x * x - y * y - z * z,
             2.0 * (x * y - w * z),
@@ -168,28 +167,28 @@ fn nearest(b: &Matrix, normal: Option<Vector>) -> Option<Matrix> {
             2.0 * (y * z + w * x),
             w * w - x * x - y * y + z * z,
         ],
-    ])
+    ]))
 }
 
 /// The rotation that takes one direction to another and about it is the nearest.
 fn along_chord(b: &Matrix, [was, along]: [Vector; 2], normal: Option<Vector>) -> Matrix {
     if let Some(normal) = normal {
-        let angle = dot(normal, cross(was, along)).atan2(dot(was, along));
-        return Rotation::exp(scale(angle, normal)).matrix();
+        let angle = normal.dot(&was.cross(&along)).atan2(was.dot(&along));
+        return matrix(&exp(angle * normal));
     }
     // Any rotation that takes the direction there, then one about it.
-    let axis = cross(was, along);
-    let size = norm(axis);
+    let axis = was.cross(&along);
+    let size = axis.norm();
     let first = if size > 0.0 {
-        Rotation::exp(scale(size.atan2(dot(was, along)) / size, axis))
-    } else if dot(was, along) > 0.0 {
-        Rotation::IDENTITY
+        exp(size.atan2(was.dot(&along)) / size * axis)
+    } else if was.dot(&along) > 0.0 {
+        Rotation::identity()
     } else {
-        Rotation::exp(scale(std::f64::consts::PI, crate::vector::perpendicular(was)))
+        exp(std::f64::consts::PI * perpendicular(was))
     };
-    let b = crate::vector::multiply(b, &transpose(&first.matrix()));
-    let axial = [b[2][1] - b[1][2], b[0][2] - b[2][0], b[1][0] - b[0][1]];
-    let across = b[0][0] + b[1][1] + b[2][2] - dot(along, apply(&b, along));
-    let about = Rotation::exp(scale(dot(along, axial).atan2(across), along));
-    about.times(&first).matrix()
+    let b = b * matrix(&first).transpose();
+    let axial = axial(&b);
+    let across = b.trace() - along.dot(&(b * along));
+    let about = exp(along.dot(&axial).atan2(across) * along);
+    matrix(&product(&about, &first))
 }

@@ -3,8 +3,8 @@
 
 use crate::model::MassProperties;
 use crate::scene::MeshScene;
-use crate::scene::bodies::nodal_mass::{Padded, spread};
-use crate::vector::{Matrix, Vector, add, apply, identity, multiply, scale, subtract, transpose};
+use crate::scene::bodies::nodal_mass::{Padded, padded, spread};
+use crate::space::{Matrix, Vector};
 
 /// Sums over particles, places from a reference point, inertial axes.
 #[derive(Clone, Copy, Default)]
@@ -17,51 +17,37 @@ struct Moments {
     second: Matrix,
 }
 
-/// `a b^T`.
-fn outer(a: Vector, b: Vector) -> Matrix {
-    a.map(|a| scale(a, b))
-}
-
-fn sum(a: Matrix, b: Matrix) -> Matrix {
-    [0, 1, 2].map(|row| add(a[row], b[row]))
-}
-
 /// Of `integral rho r r^T` the inertia `integral rho (r.r 1 - r r^T)`, and the other way round with half the trace.
 fn turned(second: Matrix, share: f64) -> Matrix {
-    let trace = share * (second[0][0] + second[1][1] + second[2][2]);
-    let mut inertia = second.map(|row| scale(-1.0, row));
-    for (axis, row) in inertia.iter_mut().enumerate() {
-        row[axis] += trace;
-    }
-    inertia
+    Matrix::from_diagonal_element(share * second.trace()) - second
 }
 
 impl Moments {
     fn plus(self, other: Self) -> Self {
         Self {
             mass: self.mass + other.mass,
-            first: add(self.first, other.first),
-            second: sum(self.second, other.second),
+            first: self.first + other.first,
+            second: self.second + other.second,
         }
     }
 
     /// The same of what is seen from a point at `arm`, here given with places relative to that point.
     fn carried(self, arm: Vector) -> Self {
-        let mixed = sum(outer(arm, self.first), outer(self.first, arm));
+        let mixed = arm * self.first.transpose() + self.first * arm.transpose();
         Self {
             mass: self.mass,
-            first: add(self.first, scale(self.mass, arm)),
-            second: sum(sum(self.second, mixed), outer(scale(self.mass, arm), arm)),
+            first: self.first + self.mass * arm,
+            second: self.second + mixed + self.mass * arm * arm.transpose(),
         }
     }
 
     fn properties(self, name: String, reference: Vector) -> MassProperties {
-        let centre = scale(1.0 / self.mass, self.first);
-        let second = sum(self.second, outer(scale(-self.mass, centre), centre));
+        let centre = 1.0 / self.mass * self.first;
+        let second = self.second - self.mass * centre * centre.transpose();
         MassProperties {
             name,
             mass: self.mass,
-            centre: add(reference, centre),
+            centre: reference + centre,
             inertia: turned(second, 1.0),
         }
     }
@@ -89,20 +75,16 @@ impl MeshScene {
         }
         for frame in &self.free {
             let (rigid, motion) = (&frame.spec.rigid, &self.buffers.frames[frame.spec.frame]);
-            let axes: Matrix = transpose(&[0, 1, 2].map(|axis| {
-                let mut unit = [0.0; 3];
-                unit[axis] = 1.0;
-                motion.direction_to_inertial(unit)
-            }));
+            let axes = motion.rotation;
             let second = turned(rigid.inertia, 0.5);
             let own = Moments {
                 mass: rigid.mass,
-                first: apply(&axes, rigid.moment),
-                second: multiply(&multiply(&axes, &second), &transpose(&axes)),
+                first: axes * rigid.moment,
+                second: (axes * second) * axes.transpose(),
             };
             meet(
                 self.parts.frame_name(frame.spec.frame).to_owned(),
-                own.carried(subtract(motion.position, reference)),
+                own.carried(motion.position - reference),
             );
         }
         if told.len() > 1 {
@@ -118,34 +100,34 @@ impl MeshScene {
         let place = |vector: usize| -> Vector {
             let [x, y, z, _]: Padded = spread(body.spec.axes, &self.buffers.q[first..], vector);
             let q = if mass.is_position(vector) {
-                add([x, y, z], body.offset)
+                Vector::from([x, y, z]) + body.offset
             } else {
-                [x, y, z]
+                Vector::new(x, y, z)
             };
             frame.direction_to_inertial(q)
         };
         let places: Vec<Vector> = (0..mass.vectors()).map(place).collect();
-        let padded: Vec<[Padded; 1]> = places.iter().map(|[x, y, z]| [[*x, *y, *z, 0.0]]).collect();
+        let padded: Vec<[Padded; 1]> = places.iter().map(|&place| [padded(place)]).collect();
         let mut own = Moments::default();
         for (vector, at) in places.iter().enumerate() {
             let [[x, y, z, _]] = mass.product(vector, &padded);
             if mass.is_position(vector) {
                 own.mass += mass.first(vector);
             }
-            own.first = add(own.first, scale(mass.first(vector), *at));
-            own.second = sum(own.second, outer(*at, [x, y, z]));
+            own.first += mass.first(vector) * *at;
+            own.second += at * Vector::new(x, y, z).transpose();
         }
         let components = first..first + body.spec.vectors() * body.spec.dimension();
         let at = [&self.buffers.q, &self.buffers.v].map(|full| &full[components.clone()]);
         if let Some(sums) = body.modes.as_ref().and_then(|modes| modes.inertial(frame.spin, at)) {
-            let axes: Matrix = transpose(&identity().map(|unit| frame.direction_to_inertial(unit)));
+            let axes = frame.rotation;
             let second = turned(sums.inertia, 0.5);
             own = own.plus(Moments {
                 mass: sums.mass,
-                first: apply(&axes, sums.moment),
-                second: multiply(&multiply(&axes, &second), &transpose(&axes)),
+                first: axes * sums.moment,
+                second: (axes * second) * axes.transpose(),
             });
         }
-        own.carried(subtract(frame.position, reference))
+        own.carried(frame.position - reference)
     }
 }

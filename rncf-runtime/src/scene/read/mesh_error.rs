@@ -11,8 +11,8 @@ use crate::emitted::{FIVE, Fidelity, Line, MAX_SIZE, legendre};
 use crate::model::{MeshError, Uniform};
 use crate::scene::MeshScene;
 use crate::scene::pieces::buffers::Regime;
+use crate::space::Vector;
 use crate::system::State;
-use crate::vector::{Vector, add, dot, scale};
 
 /// Part of the energy below which an error is not looked at any closer.
 const LOOKED_AT: f64 = 1e-3;
@@ -70,7 +70,7 @@ impl Strained<'_> {
             let undeformed: Vec<f64> = local.flat_map(|local| spec.undeformed(element, local)).collect();
             let length = spec.element_length(element);
             let mut found: Vec<([Vector; 3], [Components; 2])> = Vec::with_capacity(places.len());
-            let mut slope = [0.0; 3];
+            let mut slope = Vector::zeros();
             if varies || shapes.is_empty() {
                 shapes = places.iter().map(|&(xi, _)| self.weights(element, xi)).collect();
             }
@@ -97,7 +97,7 @@ impl Strained<'_> {
             for (place, (triad, [mut balanced, strained])) in found.into_iter().enumerate() {
                 balanced[6..]
                     .iter_mut()
-                    .zip(slope)
+                    .zip(&slope)
                     .for_each(|(own, slope)| *own += slope);
                 call(Place {
                     element,
@@ -129,7 +129,7 @@ impl Strained<'_> {
         let mut sum = MeshError::default();
         // What a straight axis takes up by its tension, `1/2 N |t - t0|^2` with the direction t0 for which it is least.
         let is_straight = matches!(spec.line, Line::Straight { .. });
-        let (mut tension, mut pulled) = (0.0, [0.0; 3]);
+        let (mut tension, mut pulled) = (0.0, Vector::zeros());
         let mut noise = 0.0;
         self.each_place(places, reader, |place| {
             let Place {
@@ -145,11 +145,11 @@ impl Strained<'_> {
             sum.energy += error + part * flexibility.energy(strained, [1.0; 2]);
             let pull = part * balanced[0].max(0.0);
             tension += pull;
-            pulled = add(pulled, scale(pull, place.along));
+            pulled += pull * place.along;
             noise += part * NOISE * NOISE / flexibility.values[0][0];
         });
         if is_straight && tension > 0.0 {
-            sum.energy += (tension - dot(pulled, pulled) / tension).max(0.0);
+            sum.energy += (tension - pulled.dot(&pulled) / tension).max(0.0);
         }
         // The round-off of a body at rest is no deformation.
         if sum.energy > noise { sum } else { MeshError::default() }

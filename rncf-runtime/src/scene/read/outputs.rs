@@ -8,8 +8,8 @@ use crate::scene::bodies::place::PlaceVector;
 use crate::scene::mesh_scene::MeshScene;
 use crate::scene::pieces::marker::Linked;
 use crate::scene::pieces::reach::Reaches;
+use crate::space::Vector;
 use crate::system::{State, System};
-use crate::vector::{Vector, add, cross, dot, subtract};
 
 impl MeshScene {
     /// Energy of a conservative model: kinetic, strain, and potential of gravity and dead forces.
@@ -41,7 +41,7 @@ impl MeshScene {
                                 energy -= mass * q[a * dimension + c] * pull[body.spec.axes[c]];
                             }
                             if body.spec.nodal[a].is_position() {
-                                energy -= mass * dot(gravity, origin);
+                                energy -= mass * gravity.dot(&origin);
                             }
                         }
                     }
@@ -50,13 +50,13 @@ impl MeshScene {
         }
         for fixture in &self.fixtures {
             let origin = self.origin(self.bodies[fixture.point.body].frame);
-            energy += self.fixture_potential(fixture, gravity) - fixture.spec.constants[0] * dot(gravity, origin);
+            energy += self.fixture_potential(fixture, gravity) - fixture.spec.constants[0] * gravity.dot(&origin);
         }
         for frame in &self.free {
             let rigid = &frame.spec.rigid;
             let motion = &self.buffers.frames[frame.spec.frame];
             let moment = motion.direction_to_inertial(rigid.moment);
-            energy -= rigid.mass * dot(gravity, motion.position) + dot(gravity, moment);
+            energy -= rigid.mass * gravity.dot(&motion.position) + gravity.dot(&moment);
         }
         for (index, load) in self.loads.iter().enumerate() {
             if let (LoadKind::Force { .. }, Some(point)) = (load.kind, &self.load_points[index]) {
@@ -65,7 +65,7 @@ impl MeshScene {
                 let position = self.at_point(point, PlaceVector::Position, &self.buffers.q);
                 let frames = &self.buffers.frames;
                 let position = frames[body.frame].direction_to_inertial(position);
-                let position = frames[load.frame].direction_to_frame(add(self.origin(body.frame), position));
+                let position = frames[load.frame].direction_to_frame(self.origin(body.frame) + position);
                 energy -= force[0] * position[0] + force[1] * position[1] + force[2] * position[2];
             }
         }
@@ -85,12 +85,12 @@ impl MeshScene {
     fn origin(&self, frame: usize) -> Vector {
         match self.free_of[frame] {
             Some(_) => self.buffers.frames[frame].position,
-            None => [0.0; 3],
+            None => Vector::zeros(),
         }
     }
 
     /// The nodal vector at a place of the full arrays, in frame axes.
-    pub(crate) fn vector_at(&self, body: &MeshBody, full: &[f64], place: usize) -> [f64; 3] {
+    pub(crate) fn vector_at(&self, body: &MeshBody, full: &[f64], place: usize) -> Vector {
         let dimension = body.spec.dimension();
         let mut components = [0.0; 3];
         components[..dimension].copy_from_slice(&full[place..place + dimension]);
@@ -98,7 +98,7 @@ impl MeshScene {
     }
 
     /// A vector of a body in its own axes, in the declared frame.
-    pub(crate) fn in_declared(&self, body: &MeshBody, what: PointQuantity, [q, v]: [[f64; 3]; 2]) -> [f64; 3] {
+    pub(crate) fn in_declared(&self, body: &MeshBody, what: PointQuantity, [q, v]: [Vector; 2]) -> Vector {
         if body.frame == body.spec.frame {
             return if what == PointQuantity::Velocity { v } else { q };
         }
@@ -106,7 +106,7 @@ impl MeshScene {
         match what {
             PointQuantity::Position => frame.point_to_frame(q),
             PointQuantity::Slope | PointQuantity::SectionY | PointQuantity::SectionZ => frame.direction_to_frame(q),
-            PointQuantity::Velocity => frame.rate_to_frame(subtract(q, frame.position), subtract(v, frame.velocity)),
+            PointQuantity::Velocity => frame.rate_to_frame(q - frame.position, v - frame.velocity),
         }
     }
 
@@ -172,7 +172,7 @@ impl MeshScene {
         let of = |vector: usize, full: &[f64]| {
             let mut value = self.vector_at(body, full, self.layout.offset(vector));
             if let JointKind::Hold { axis, .. } = spec.kind {
-                value = std::array::from_fn(|i| if i == axis { value[i] } else { 0.0 });
+                value = Vector::from_fn(|i, _| if i == axis { value[i] } else { 0.0 });
             }
             value
         };
@@ -187,14 +187,14 @@ impl MeshScene {
                 .collect(),
         };
         // A held position makes a force, held directions make a moment.
-        let mut vector = [0.0; 3];
+        let mut vector = Vector::zeros();
         for node in held {
             let exerted = of(node, force);
             match (node == condition.vectors[0], moment) {
                 (true, false) => vector = exerted,
                 (false, true) => {
                     let direction = self.vector_at(body, q, self.layout.offset(node));
-                    vector = add(vector, cross(direction, exerted));
+                    vector += direction.cross(&exerted);
                 }
                 _ => {}
             }
@@ -214,7 +214,7 @@ impl MeshScene {
                 let reaction = self.constraint_reaction(linked, t, lambda)[usize::from(moment)];
                 self.buffers.frames[joint.frame].direction_to_frame(reaction)
             }
-            None => [0.0; 3],
+            None => Vector::zeros(),
         }
     }
 

@@ -5,7 +5,7 @@ use crate::emitted::{Fidelity, Interpolant, Line};
 use crate::model::Warning;
 use crate::scene::MeshScene;
 use crate::scene::bodies::place::weighted;
-use crate::vector::norm;
+use crate::space::Vector;
 
 /// Stretch that no material bears: natural rubber breaks at 8 or 9.
 const MOST: f64 = 10.0;
@@ -45,7 +45,7 @@ impl MeshScene {
                         .shapes(body, element, Interpolant::Position, 1, xi, &mut slope);
                 }
                 let components = connectivity.element(element);
-                let stretch = norm(weighted(&self.buffers.q, components, spec.dimension(), &slope));
+                let stretch = Vector::from(weighted(&self.buffers.q, components, spec.dimension(), &slope)).norm();
                 if stretch > most.0 {
                     most = (stretch, spec.arclength(element, xi));
                 }

@@ -8,7 +8,7 @@ use crate::scene::mesh_scene::MeshScene;
 use crate::scene::pieces::marker::Marker;
 use crate::scene::pieces::point_force::PointForce;
 use crate::scene::terms::moments::turned_by_moments;
-use crate::vector::{Vector, add, cross, scale};
+use crate::space::Vector;
 
 /// The vectors of a place, in the order of a fixture's constants.
 const VECTORS: [PlaceVector; 4] = [
@@ -26,7 +26,7 @@ impl MeshScene {
             if point.xi <= 0.0 || point.xi >= 1.0 {
                 return;
             }
-            let mut within = [0.0; 3];
+            let mut within = Vector::zeros();
             for &axis in self.bodies[point.body].spec.axes {
                 within[axis] = force[axis];
             }
@@ -46,7 +46,7 @@ impl MeshScene {
             let force = self.buffers.frames[self.bodies[point.body].frame].direction_to_frame(force);
             let moment = match marker {
                 Marker::Body { of, .. } => return act(point, *of, force),
-                Marker::Section { .. } => cross(self.within(marker)[0], force),
+                Marker::Section { .. } => self.within(marker)[0].cross(&force),
                 _ => force,
             };
             for (of, force) in self.on_section_axes(point, moment) {
@@ -97,7 +97,7 @@ impl MeshScene {
                 .collect();
             for (&of, row) in of_place.iter().zip(block) {
                 let parts = row.into_iter().zip(&accelerations);
-                let force = parts.fold([0.0; 3], |sum, (mass, &a)| add(sum, scale(-mass, a)));
+                let force = parts.fold(Vector::zeros(), |sum, (mass, &a)| sum + -mass * a);
                 if along_normal(of).is_none() {
                     act(point, of, force);
                 }

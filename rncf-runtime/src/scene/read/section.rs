@@ -11,18 +11,18 @@ use crate::scene::bodies::place::MeshPoint;
 use crate::scene::mesh_scene::MeshScene;
 use crate::scene::pieces::point_force::PointForce;
 use crate::scene::pieces::reach::{Body, Reach, Reaches};
-use crate::vector::{Vector, add, cross, dot, norm, scale, subtract};
+use crate::space::Vector;
 
 /// A unit vector; zero where there is no direction.
 fn unit(vector: Vector) -> Vector {
-    let size = norm(vector);
-    if size > 0.0 { scale(1.0 / size, vector) } else { vector }
+    let size = vector.norm();
+    if size > 0.0 { 1.0 / size * vector } else { vector }
 }
 
 /// Right-handed triad of a section: `r_y x r_z`, r_y, and what is normal to both.
 fn section_axes(y: Vector, z: Vector) -> [Vector; 3] {
-    let (along, y) = (unit(cross(y, z)), unit(y));
-    [along, y, cross(along, y)]
+    let (along, y) = (unit(y.cross(&z)), unit(y));
+    [along, y, along.cross(&y)]
 }
 
 /// What the section at the start of an element carries, and what acts between there and its end.
@@ -41,7 +41,7 @@ struct Element {
 /// `sum_a weight_a u_a`
 fn sum(weights: &[f64], vectors: &[Vector]) -> Vector {
     let parts = weights.iter().zip(vectors);
-    parts.fold([0.0; 3], |sum, (&weight, &vector)| add(sum, scale(weight, vector)))
+    parts.fold(Vector::zeros(), |sum, (&weight, &vector)| sum + weight * vector)
 }
 
 /// Reads off what the sections of one body carry at the loaded state: [`MeshScene::set_sections`] comes first.
@@ -104,8 +104,8 @@ impl<'a> Reader<'a> {
             own.map(|(_, mass)| mass / length).sum()
         };
         [1, 2].map(|row| {
-            let parts = (0..3).map(|column| scale(density(of[row], of[column]), accelerations[column]));
-            parts.fold([0.0; 3], add)
+            let parts = (0..3).map(|column| density(of[row], of[column]) * accelerations[column]);
+            parts.fold(Vector::zeros(), |sum, part| sum + part)
         })
     }
 
@@ -122,13 +122,13 @@ impl<'a> Reader<'a> {
         let reach = self.reaches.to(described(self.scene, self.body), xi);
         let triad = triad(self.is_line, self.normal, reach, &found.levers);
         let [force, moment] = carried(self.scene, (self.body, element), self.first, reach, found);
-        let mut forces = triad.map(|axis| dot(axis, force));
-        let mut moments = triad.map(|axis| dot(axis, moment));
+        let mut forces = triad.map(|axis| axis.dot(&force));
+        let mut moments = triad.map(|axis| axis.dot(&moment));
         let spec = &self.scene.bodies[self.body].spec;
         if self.is_line {
             // Across the slope: a centre line has no torsion.
-            let across = subtract(moment, scale(moments[0], triad[0]));
-            let size = self.normal.map_or_else(|| norm(across), |normal| dot(moment, normal));
+            let across = moment - moments[0] * triad[0];
+            let size = self.normal.map_or_else(|| across.norm(), |normal| moment.dot(&normal));
             moments = [0.0, 0.0, size];
             forces = [forces[0], 0.0, 0.0];
         }
@@ -144,8 +144,8 @@ impl<'a> Reader<'a> {
         };
         SectionState {
             x,
-            forces,
-            moments,
+            forces: forces.into(),
+            moments: moments.into(),
             stress: stress(moments).zip(stress(other)).map(|(a, b)| a.max(b)),
             is_planar,
         }
@@ -169,7 +169,7 @@ impl<'a> Reader<'a> {
         self.elastic(element, [q, v], [&mut levers[..size], &mut elastic[..size]]);
         let count = spec.nodal.len();
         let vector = |local: &[f64], vector: usize| -> Vector {
-            let mut value = [0.0; 3];
+            let mut value = Vector::zeros();
             for (&axis, &component) in spec.axes.iter().zip(&local[vector * spec.axes.len()..]) {
                 value[axis] = component;
             }
@@ -191,18 +191,16 @@ impl<'a> Reader<'a> {
         found.acting.clear();
         found
             .acting
-            .extend(inertia.map(|(place, masses)| subtract(sum(masses, &found.accelerations), vector(&loads, place))));
-        found.start = [[0.0; 3]; 2];
+            .extend(inertia.map(|(place, masses)| sum(masses, &found.accelerations) - vector(&loads, place)));
+        found.start = [Vector::zeros(); 2];
         for place in (0..count).filter(|&place| spec.nodal[place].xi == 0.0) {
             let points = acting_inside(self.scene, self.body, element);
-            let points = points.fold([0.0; 3], |sum, point| {
-                add(sum, scale(point.weights[place], point.force))
-            });
-            let force = subtract(points, add(vector(&elastic, place), found.acting[place]));
+            let points = points.fold(Vector::zeros(), |sum, point| sum + point.weights[place] * point.force);
+            let force = points - (vector(&elastic, place) + found.acting[place]);
             if spec.nodal[place].is_position() {
-                found.start[0] = add(found.start[0], force);
+                found.start[0] += force;
             } else {
-                found.start[1] = add(found.start[1], cross(found.levers[place], force));
+                found.start[1] += found.levers[place].cross(&force);
             }
         }
     }
@@ -267,20 +265,20 @@ fn carried(
 ) -> [Vector; 2] {
     let here = sum(&reach.position, &found.levers);
     let [mut force, mut moment] = found.start;
-    moment = add(moment, cross(subtract(found.levers[first], here), force));
+    moment += (found.levers[first] - here).cross(&force);
     let between = sum(&reach.forces, &found.acting);
-    force = add(force, between);
-    moment = subtract(moment, cross(here, between));
+    force += between;
+    moment -= here.cross(&between);
     for (row, &lever) in reach.levers.chunks_exact(reach.position.len()).zip(&found.levers) {
-        moment = add(moment, cross(lever, sum(row, &found.acting)));
+        moment += lever.cross(&sum(row, &found.acting));
     }
     for point in acting_inside(scene, body, element).filter(|point| point.xi <= reach.xi) {
         let lever = sum(&point.weights, &found.levers);
         if point.on_position {
-            force = subtract(force, point.force);
-            moment = subtract(moment, cross(subtract(lever, here), point.force));
+            force -= point.force;
+            moment -= (lever - here).cross(&point.force);
         } else {
-            moment = subtract(moment, cross(lever, point.force));
+            moment -= lever.cross(&point.force);
         }
     }
     [force, moment]
@@ -289,7 +287,7 @@ fn carried(
 /// Axes of the section at the end of a reach; of a centre line the first is along its slope.
 fn triad(is_line: bool, normal: Option<Vector>, reach: &Reach, levers: &[Vector]) -> [Vector; 3] {
     if is_line {
-        return [unit(sum(&reach.slope, levers)), [0.0; 3], [0.0; 3]];
+        return [unit(sum(&reach.slope, levers)), Vector::zeros(), Vector::zeros()];
     }
     let [y, z] = reach.axes.each_ref().map(|weights| sum(weights, levers));
     section_axes(y, normal.unwrap_or(z))

@@ -7,7 +7,7 @@ use crate::scene::MeshScene;
 use crate::scene::bodies::place::{MeshPoint, PlaceVector};
 use crate::scene::pieces::marker::{Linked, Marker};
 use crate::scene::pieces::push::Law;
-use crate::vector::Vector;
+use crate::space::{Vector, three};
 
 /// Something of the declaration that a picture has a sign for.
 enum Shown<'s> {
@@ -117,13 +117,13 @@ impl MeshScene {
                 Shown::Joint(_) | Shown::Linked(_) | Shown::Spread(_) => {}
                 Shown::Load(load) => {
                     let frame = &self.buffers.frames[self.loads[load].frame];
-                    out.push(frame.direction_to_inertial(self.parts.load(load, t)));
+                    out.push(frame.direction_to_inertial(self.parts.load(load, t).into()));
                 }
                 Shown::Push(index, at) => {
                     let (z, velocity) = self.force_arguments(index);
                     let mut forces = vec![0.0; 3 * z.len()];
                     self.push(index, t, &z, &velocity, &mut forces);
-                    out.push([forces[3 * at], forces[3 * at + 1], forces[3 * at + 2]]);
+                    out.push(three(&forces, 3 * at));
                 }
             }
         }
@@ -152,7 +152,7 @@ impl MeshScene {
             | Marker::SectionTurn { point } => Some(self.on_curve(point)),
             Marker::Turn { frame } => Some(SignPlace::Frame {
                 frame: *frame,
-                at: [0.0; 3],
+                at: Vector::zeros(),
             }),
             _ => None,
         }

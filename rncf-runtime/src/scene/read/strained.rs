@@ -3,7 +3,7 @@
 use crate::emitted::Interpolant;
 use crate::linalg::Cholesky;
 use crate::scene::MeshScene;
-use crate::vector::{Vector, add, cross, dot, norm, scale, subtract};
+use crate::space::Vector;
 
 /// A centre line has slope and curvature; a section its own axes and their derivatives as well.
 const LINE: [(Interpolant, usize); 2] = [(Interpolant::Position, 1), (Interpolant::Position, 2)];
@@ -91,7 +91,7 @@ impl<'a> Strained<'a> {
         let spec = &self.scene.bodies[self.body].spec;
         let (dimension, count) = (spec.dimension(), spec.nodal.len());
         let field = |weights: &[f64]| {
-            let mut value = [0.0; 3];
+            let mut value = Vector::zeros();
             for (a, weight) in weights.iter().enumerate() {
                 for (k, &axis) in spec.axes.iter().enumerate() {
                     value[axis] += weight * local[a * dimension + k];
@@ -127,7 +127,7 @@ impl<'a> Strained<'a> {
             .parts
             .field_forces(self.body, at, &flat(free), &flat(present), &flat(rates), &mut forces);
         let spread = |components: &[f64]| {
-            let mut value = [0.0; 3];
+            let mut value = Vector::zeros();
             for (&axis, component) in spec.axes.iter().zip(components) {
                 value[axis] = *component;
             }
@@ -139,7 +139,7 @@ impl<'a> Strained<'a> {
     /// One of some vectors of all fields; nothing where there is no such field.
     fn of(&self, vectors: &[Vector], field: (Interpolant, usize)) -> Vector {
         let place = self.fields.iter().position(|&own| own == field);
-        place.map_or([0.0; 3], |place| vectors[place])
+        place.map_or(Vector::zeros(), |place| vectors[place])
     }
 
     /// Axes of the section: along, r_y and across; of a line the first is along its slope and the second towards its curvature, or
@@ -147,20 +147,20 @@ impl<'a> Strained<'a> {
     pub fn triad(&self, fields: &[Vector]) -> [Vector; 3] {
         let normal = self.scene.bodies[self.body].spec.plane_normal();
         let unit = |vector: Vector| {
-            let size = norm(vector);
-            if size > 0.0 { scale(1.0 / size, vector) } else { vector }
+            let size = vector.norm();
+            if size > 0.0 { 1.0 / size * vector } else { vector }
         };
         match self.kind {
             Kind::Line => {
                 let along = unit(self.of(fields, LINE[0]));
-                let across = normal.unwrap_or_else(|| crate::vector::perpendicular(along));
-                [along, cross(across, along), across]
+                let across = normal.unwrap_or_else(|| crate::space::perpendicular(along));
+                [along, across.cross(&along), across]
             }
             Kind::PlanarSection | Kind::Section => {
                 let y = self.of(fields, (Interpolant::SectionY, 0));
                 let z = normal.unwrap_or_else(|| self.of(fields, (Interpolant::SectionZ, 0)));
-                let (along, y) = (unit(cross(y, z)), unit(y));
-                [along, y, cross(along, y)]
+                let (along, y) = (unit(y.cross(&z)), unit(y));
+                [along, y, along.cross(&y)]
             }
         }
     }
@@ -171,17 +171,17 @@ impl<'a> Strained<'a> {
         match self.kind {
             Kind::Line => {
                 let [bent, couple] = [fields, forces].map(|all| self.of(all, LINE[1]));
-                let stretch = norm(slope).max(f64::MIN_POSITIVE);
-                let along = scale(1.0 / stretch, slope);
+                let stretch = slope.norm().max(f64::MIN_POSITIVE);
+                let along = 1.0 / stretch * slope;
                 // A stretch leaves the curvature per length as it is: r_xx grows with it.
-                let across = subtract(bent, scale(dot(bent, along), along));
-                let axial = dot(along, pull) + dot(across, couple) / stretch;
-                [scale(axial, along), cross(slope, couple)]
+                let across = bent - bent.dot(&along) * along;
+                let axial = along.dot(&pull) + across.dot(&couple) / stretch;
+                [axial * along, slope.cross(&couple)]
             }
             Kind::PlanarSection | Kind::Section => {
                 let of = [Interpolant::SectionY, Interpolant::SectionZ];
-                let moments = of.map(|of| cross(self.of(fields, (of, 0)), self.of(forces, (of, 1))));
-                [pull, add(moments[0], moments[1])]
+                let moments = of.map(|of| self.of(fields, (of, 0)).cross(&self.of(forces, (of, 1))));
+                [pull, moments[0] + moments[1]]
             }
         }
     }
@@ -190,23 +190,23 @@ impl<'a> Strained<'a> {
     pub fn swelling(&self, fields: &[Vector], inertia: [Vector; 2]) -> [f64; 3] {
         let [y, z] = [Interpolant::SectionY, Interpolant::SectionZ].map(|of| self.of(fields, (of, 0)));
         [
-            -dot(inertia[0], y),
-            -dot(inertia[1], z),
-            -dot(inertia[0], z) - dot(inertia[1], y),
+            -inertia[0].dot(&y),
+            -inertia[1].dot(&z),
+            -inertia[0].dot(&z) - inertia[1].dot(&y),
         ]
     }
 
     /// Couples of what a section does in its own plane: their slopes along the axis balance it beside its inertia.
     pub fn couples(&self, fields: &[Vector], forces: &[Vector]) -> [f64; 3] {
         let (y, z) = (Interpolant::SectionY, Interpolant::SectionZ);
-        let work = |on: Interpolant, by: Interpolant| dot(self.of(forces, (on, 1)), self.of(fields, (by, 0)));
+        let work = |on: Interpolant, by: Interpolant| self.of(forces, (on, 1)).dot(&self.of(fields, (by, 0)));
         [work(y, y), work(z, z), work(y, z) + work(z, y)]
     }
 
     /// Components of a force and moment that its strains tell.
     pub fn components(&self, triad: &[Vector; 3], [force, moment]: [Vector; 2]) -> Components {
-        let f = triad.map(|axis| dot(axis, force));
-        let m = triad.map(|axis| dot(axis, moment));
+        let f = triad.map(|axis| axis.dot(&force));
+        let m = triad.map(|axis| axis.dot(&moment));
         let [mut f, mut m] = [f, m];
         match self.kind {
             Kind::Line => (f[1], f[2], m[0]) = (0.0, 0.0, 0.0),
@@ -222,7 +222,7 @@ impl<'a> Strained<'a> {
         // Of a section that widens alike along the axis, so that its derivatives grow as it does.
         let (y, z) = (Interpolant::SectionY, Interpolant::SectionZ);
         let work = |on: Interpolant, by: Interpolant| -> f64 {
-            let part = |order| dot(self.of(forces, (on, order)), self.of(fields, (by, order)));
+            let part = |order| self.of(forces, (on, order)).dot(&self.of(fields, (by, order)));
             part(0) + part(1)
         };
         all[6..].copy_from_slice(&[work(y, y), work(z, z), work(y, z) + work(z, y)]);
@@ -234,7 +234,7 @@ impl<'a> Strained<'a> {
     pub fn flexibility(&self, x: f64, free: &[Vector]) -> Flexibility {
         let triad = self.triad(free);
         let length = self.scene.bodies[self.body].spec.line.length();
-        let still = vec![[0.0; 3]; free.len()];
+        let still = vec![Vector::zeros(); free.len()];
         let of = |name: (Interpolant, usize)| self.fields.iter().position(|&own| own == name);
         let (y, z) = (Interpolant::SectionY, Interpolant::SectionZ);
         // What each strain moves.
@@ -242,17 +242,17 @@ impl<'a> Strained<'a> {
             let mut fields = free.to_vec();
             let mut shift = |name: (Interpolant, usize), vector: Vector| {
                 if let Some(place) = of(name) {
-                    fields[place] = add(fields[place], scale(by, vector));
+                    fields[place] += by * vector;
                 }
             };
             match strain {
                 0..=2 => shift(LINE[0], triad[strain]),
                 3..=5 if self.kind == Kind::Line => {
-                    shift(LINE[1], cross(triad[strain - 3], self.of(free, LINE[0])));
+                    shift(LINE[1], triad[strain - 3].cross(&self.of(free, LINE[0])));
                 }
                 3..=5 => {
                     for of in [y, z] {
-                        shift((of, 1), cross(triad[strain - 3], self.of(free, (of, 0))));
+                        shift((of, 1), triad[strain - 3].cross(&self.of(free, (of, 0))));
                     }
                 }
                 6 => shift((y, 0), triad[1]),

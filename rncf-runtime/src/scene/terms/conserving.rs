@@ -6,6 +6,7 @@
 use crate::emitted::MAX_SIZE;
 use crate::scene::mesh_scene::MeshScene;
 use crate::scene::pieces::buffers::Row;
+use crate::space::Matrix;
 use crate::system::{Conserving, State, System};
 
 impl MeshScene {
@@ -27,7 +28,7 @@ impl MeshScene {
         }
         for frame in &self.free {
             let rigid = &frame.spec.rigid;
-            if rigid.mass != 0.0 || rigid.inertia != [[0.0; 3]; 3] {
+            if rigid.mass != 0.0 || rigid.inertia != Matrix::zeros() {
                 return Some(format!(
                     "energy-momentum integration knows flexible bodies and point masses fixed to them, and `{}` is a \
                      rigid body of its own: fix it to a flexible body or take another integrator",

@@ -10,8 +10,8 @@ use crate::scene::mesh_scene::MeshScene;
 use crate::scene::numbering::units::Units;
 use crate::scene::pieces::batches::in_order;
 use crate::scene::pieces::density::{Batches, Density, ROWS};
+use crate::space::{Matrix, Vector};
 use crate::system::Sums;
-use crate::vector::{Vector, cross, dot, scale};
 
 /// Unknowns that are dealt with at a time; a frame has fewer.
 const TOGETHER: usize = 8;
@@ -214,7 +214,7 @@ impl MeshScene {
             for column in self.columns(&self.markers[marker]) {
                 for (unknown, factor) in self.layout.unknowns_at(column.component) {
                     if let Ok(at) = driving.binary_search(&unknown) {
-                        changes.push((place, at, scale(factor, column.value)));
+                        changes.push((place, at, factor * column.value));
                     }
                 }
             }
@@ -244,7 +244,7 @@ impl MeshScene {
         for &(place, at, change) in &shared.changes {
             for value in 0..spec.values {
                 let row = &gradient[(value * z.len() + place) * 3..][..3];
-                shared.by_unknowns[value * width + at] += dot([row[0], row[1], row[2]], change);
+                shared.by_unknowns[value * width + at] += Vector::from([row[0], row[1], row[2]]).dot(&change);
             }
         }
     }
@@ -272,12 +272,12 @@ impl MeshScene {
     pub(crate) fn axes_of(&self, body: &MeshBody) -> Option<Axes> {
         let (axes, frame) = (body.spec.axes, &self.buffers.frames[body.spec.frame]);
         let entry = |i: usize, j: usize| match (axes.get(i), axes.get(j)) {
-            (Some(&i), Some(&j)) => frame.rotation[i][j],
+            (Some(&i), Some(&j)) => frame.rotation[(i, j)],
             _ => 0.0,
         };
         (body.frame != body.spec.frame).then(|| Axes {
             d: axes.len(),
-            rotation: std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j))),
+            rotation: Matrix::from_fn(entry),
         })
     }
 
@@ -304,7 +304,7 @@ impl MeshScene {
             return;
         }
         let values = self.all_values(t);
-        let mut on_frames = vec![[[0.0; 3]; 2]; self.free.len()];
+        let mut on_frames = vec![[Vector::zeros(); 2]; self.free.len()];
         let mut results = std::mem::take(&mut self.buffers.lanes);
         let mut forces = std::mem::take(&mut self.buffers.force);
         let scene = &*self;
@@ -317,7 +317,7 @@ impl MeshScene {
                     let components = body.connectivity.element(element);
                     if let Some(free) = scene.free_of[body.frame] {
                         for (i, rows) in on_frames[free].iter_mut().enumerate() {
-                            *rows = std::array::from_fn(|j| rows[j] + load_scale * result.rows[3 * i + j][lane]);
+                            *rows = Vector::from_fn(|j, _| rows[j] + load_scale * result.rows[3 * i + j][lane]);
                         }
                     }
                     if let Some(axes) = scene.axes_of(body) {
@@ -339,7 +339,7 @@ impl MeshScene {
         }
         (self.buffers.lanes, self.buffers.force) = (results, forces);
         for (free, rows) in on_frames.into_iter().enumerate() {
-            self.add_to_unknowns(free, rows.map(|row| scale(-1.0, row)));
+            self.add_to_unknowns(free, rows.map(|row| -row));
         }
     }
 
@@ -477,7 +477,7 @@ impl MeshScene {
             .map(|direction| [motion.direction_to_frame(direction.shift), direction.turn])
             .collect();
         let along = |[shift, turn]: &[Vector; 2], [fx, fy, fz, mx, my, mz]: [f64; 6]| {
-            dot(*shift, [fx, fy, fz]) + dot(*turn, [mx, my, mz])
+            shift.dot(&Vector::from([fx, fy, fz])) + turn.dot(&Vector::from([mx, my, mz]))
         };
         let mut by_rows = [[0.0; TOGETHER]; ROWS];
         for (i, seen) in seen.iter().enumerate() {
@@ -505,7 +505,7 @@ impl MeshScene {
                 let mut value = if column < width { driven(column) } else { 0.0 };
                 if let Some(other) = unknown.checked_sub(first).and_then(|place| directions.get(place)) {
                     // The force turns with the frame: d(A F) = A (dpi x F).
-                    value += dot(seen_i[0], cross(other.turn, total.rows[0]));
+                    value += seen_i[0].dot(&other.turn.cross(&total.rows[0]));
                 }
                 if let Some(entry) = density.square[i * density.outer.len() + column] {
                     out.stiffness(entry, -value);

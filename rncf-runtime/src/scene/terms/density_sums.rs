@@ -1,7 +1,7 @@
 //! What loads per length do to a body and its frame, summed over elements; their axes, and lanes of numbers.
 
 use crate::scene::pieces::density::{Evaluated, ROWS};
-use crate::vector::Vector;
+use crate::space::{Matrix, Vector};
 
 /// What one density does to its body and frame, summed over the elements; frame axes.
 #[derive(Default)]
@@ -19,7 +19,7 @@ pub(crate) struct Total {
 impl Total {
     /// Nothing yet, of so many components and values.
     pub fn clear(&mut self, count: usize, k: usize) {
-        self.rows = [[0.0; 3]; 2];
+        self.rows = [Vector::zeros(); 2];
         self.by_values.clear();
         self.by_values.resize(count * k, 0.0);
         self.frame_by_q.clear();
@@ -31,7 +31,7 @@ impl Total {
     /// Adds force and moment of one of four elements and their derivatives.
     pub fn add_frame(&mut self, places: &[usize], of: &Evaluated, factor: f64, lane: usize) {
         for (i, rows) in self.rows.iter_mut().enumerate() {
-            *rows = std::array::from_fn(|j| rows[j] + factor * of.rows[3 * i + j][lane]);
+            *rows = Vector::from_fn(|j, _| rows[j] + factor * of.rows[3 * i + j][lane]);
         }
         let n = places.len();
         for (c, &place) in places.iter().enumerate() {
@@ -61,7 +61,7 @@ impl Total {
 /// Axes of a frame among the components of nodal vectors in inertial axes.
 pub(crate) struct Axes {
     pub d: usize,
-    pub rotation: [[f64; 3]; 3],
+    pub rotation: Matrix,
 }
 
 impl Axes {
@@ -69,7 +69,13 @@ impl Axes {
     pub fn vector(&self, vector: &mut [f64], back: bool) {
         let old: [f64; 3] = std::array::from_fn(|i| vector.get(i).copied().unwrap_or(0.0));
         for (i, value) in vector.iter_mut().enumerate() {
-            let entry = |j: usize| if back { self.rotation[j][i] } else { self.rotation[i][j] };
+            let entry = |j: usize| {
+                if back {
+                    self.rotation[(j, i)]
+                } else {
+                    self.rotation[(i, j)]
+                }
+            };
             *value = (0..self.d).map(|j| entry(j) * old[j]).sum();
         }
     }

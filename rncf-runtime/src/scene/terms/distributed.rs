@@ -10,7 +10,7 @@ use crate::scene::bodies::place::{MeshPoint, PlaceVector, point_of};
 use crate::scene::mesh_scene::MeshScene;
 use crate::scene::pieces::marker::Marker;
 use crate::scene::pieces::push::{Law, Push, Spread};
-use crate::vector::Matrix;
+use crate::space::{Matrix, rows};
 
 /// The vectors of a place, as a load counts them.
 const VECTORS: [PlaceVector; 4] = [
@@ -136,7 +136,7 @@ impl MeshScene {
         }
         for fixture in &self.fixtures {
             let [[mass, x, y, z], second @ ..] = fixture.block();
-            let second: Matrix = second.map(|[_, rest @ ..]| rest);
+            let second: [[f64; 3]; 3] = second.map(|[_, rest @ ..]| rest);
             for (mass, [x, y, z]) in particles(mass, [x, y, z], second) {
                 masses.push((mass, at(fixture.point.combined([1.0, x, y, z])), None));
             }
@@ -144,26 +144,27 @@ impl MeshScene {
         for free in &self.free {
             let (spec, rigid) = (&free.spec, &free.spec.rigid);
             let (mass, first) = (rigid.mass, rigid.moment);
-            let trace: f64 = (0..3).map(|i| rigid.inertia[i][i]).sum();
+            let trace: f64 = (0..3).map(|i| rigid.inertia[(i, i)]).sum();
             let unit = |i: usize, j: usize| f64::from(u8::from(i == j));
             let second: Matrix = match spec.motions {
-                Motions::Shifting | Motions::ShiftingPlanar { .. } => [[0.0; 3]; 3],
+                Motions::Shifting | Motions::ShiftingPlanar { .. } => Matrix::zeros(),
                 // Of a planar body one moment of inertia is known: as much along both axes.
                 Motions::Planar { normal } => {
                     let squares: f64 = first.iter().map(|value| value * value).sum();
                     let central = if mass > 0.0 {
-                        rigid.inertia[normal][normal] - squares / mass
+                        rigid.inertia[(normal, normal)] - squares / mass
                     } else {
                         0.0
                     };
                     let in_plane = |i: usize, j: usize| if i == normal { 0.0 } else { 0.5 * central * unit(i, j) };
                     let moved = |i: usize, j: usize| if mass > 0.0 { first[i] * first[j] / mass } else { 0.0 };
-                    std::array::from_fn(|i| std::array::from_fn(|j| in_plane(i, j) + moved(i, j)))
+                    Matrix::from_fn(|i, j| in_plane(i, j) + moved(i, j))
                 }
-                _ => std::array::from_fn(|i| std::array::from_fn(|j| 0.5 * trace * unit(i, j) - rigid.inertia[i][j])),
+                _ => Matrix::from_fn(|i, j| 0.5 * trace * unit(i, j) - rigid.inertia[(i, j)]),
             };
-            for (mass, at) in particles(mass, first, second) {
+            for (mass, at) in particles(mass, first.into(), rows(&second)) {
                 let (frame, is_point) = (spec.frame, true);
+                let at = at.into();
                 masses.push((mass, Marker::Fixed { frame, at, is_point }, None));
             }
         }
@@ -321,21 +322,20 @@ fn solved(mut rows: Vec<Vec<f64>>, mut right: Vec<f64>) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::vector::Vector;
 
     #[test]
     fn particles_have_mass_first_and_second_moments() {
         let (mass, first) = (3.0, [0.6, -0.9, 1.5]);
         let about: [[f64; 3]; 3] = [[2.0, 0.3, -0.4], [0.3, 1.0, 0.2], [-0.4, 0.2, 0.7]];
-        let second: Matrix = std::array::from_fn(|i| std::array::from_fn(|j| about[i][j] + first[i] * first[j] / mass));
-        let all = particles(mass, first, second);
+        let second: Matrix = Matrix::from_fn(|i, j| about[i][j] + first[i] * first[j] / mass);
+        let all = particles(mass, first, rows(&second));
         assert_eq!(all.len(), 6);
-        let sum = |of: &dyn Fn(&Vector) -> f64| all.iter().map(|(mass, at)| mass * of(at)).sum::<f64>();
+        let sum = |of: &dyn Fn(&[f64; 3]) -> f64| all.iter().map(|(mass, at)| mass * of(at)).sum::<f64>();
         assert!((sum(&|_| 1.0) - mass).abs() < 1e-14);
         for i in 0..3 {
             assert!((sum(&|at| at[i]) - first[i]).abs() < 1e-14);
             for j in 0..3 {
-                assert!((sum(&|at| at[i] * at[j]) - second[i][j]).abs() < 1e-14);
+                assert!((sum(&|at| at[i] * at[j]) - second[(i, j)]).abs() < 1e-14);
             }
         }
         assert_eq!(particles(2.0, [0.0; 3], [[0.0; 3]; 3]), vec![(2.0, [0.0; 3])]);

@@ -6,7 +6,7 @@ use crate::error::ModelError;
 use crate::scene::bodies::mesh_body::MeshBody;
 use crate::scene::mesh_scene::MeshScene;
 use crate::scene::pieces::displacement::Displacement;
-use crate::vector::{Vector, add, dot, scale};
+use crate::space::Vector;
 
 /// Relative change that counts as round-off.
 const ROUND_OFF: f64 = 1e-8;
@@ -47,18 +47,18 @@ impl MeshScene {
         let LoadKind::Field { markers } = self.loads[load].kind else {
             return None;
         };
-        Some(self.parts.field(load, t, &self.field_arguments(markers)))
+        Some(self.parts.field(load, t, &self.field_arguments(markers)).into())
     }
 
     /// Sets the fields of all frames at the loaded state.
     pub(crate) fn set_fields(&mut self, t: f64, load_scale: f64) {
         for frame in &mut self.buffers.frames {
-            frame.field = [0.0; 3];
+            frame.field = Vector::zeros();
         }
         for load in 0..self.loads.len() {
             if let Some(field) = self.field(load, t) {
                 let frame = &mut self.buffers.frames[self.loads[load].frame];
-                frame.field = add(frame.field, scale(load_scale, field));
+                frame.field += load_scale * field;
             }
         }
         let changes = (0..self.free.len()).map(|free| self.field_changes(free, t, load_scale));
@@ -68,7 +68,7 @@ impl MeshScene {
     /// How the field on a free frame changes with each of the frame's unknowns at the loaded state, inertial axes.
     fn field_changes(&self, free: usize, t: f64, load_scale: f64) -> Vec<Vector> {
         let frame = &self.free[free];
-        let mut changes = vec![[0.0; 3]; frame.count()];
+        let mut changes = vec![Vector::zeros(); frame.count()];
         let first = self.layout.vector_components() + frame.first;
         for (index, load) in self.loads.iter().enumerate() {
             let LoadKind::Field { markers } = load.kind else {
@@ -88,7 +88,7 @@ impl MeshScene {
                     };
                     for (i, value) in change.iter_mut().enumerate() {
                         let row = &gradient[i * width + 3 * place..][..3];
-                        *value += load_scale * dot([row[0], row[1], row[2]], column.value);
+                        *value += load_scale * Vector::from_column_slice(row).dot(&column.value);
                     }
                 }
             }
@@ -104,7 +104,7 @@ impl MeshScene {
         let fields = (0..self.loads.len()).filter_map(|load| {
             let frame = &self.buffers.frames[self.loads[load].frame];
             let field = frame.direction_to_frame(self.field(load, t)?);
-            Some((self.loads[load].name, field.to_vec()))
+            Some((self.loads[load].name, field.as_slice().to_vec()))
         });
         densities.chain(fields).collect()
     }

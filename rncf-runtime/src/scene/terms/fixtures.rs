@@ -7,7 +7,7 @@ use crate::scene::bodies::place::weighted;
 use crate::scene::mesh_scene::MeshScene;
 use crate::scene::pieces::combination::Combination;
 use crate::scene::pieces::fixture::{Fixture, MOST};
-use crate::vector::Vector;
+use crate::space::{Matrix, Vector};
 
 /// Largest strain of the section below a rigid fixture of which nothing is said: its moments of inertia are then off
 /// by two times as much.
@@ -51,28 +51,28 @@ impl MeshScene {
         for fixture in &self.fixtures {
             let body = &self.bodies[fixture.point.body];
             let axes = body.spec.axes;
-            let transport = Transport::new(&self.buffers.frames[body.frame], axes, [0.0; 3]);
+            let transport = Transport::new(&self.buffers.frames[body.frame], axes, Vector::zeros());
             let block = combination.block(&transport);
-            if block == [[0.0; 3]; 3] {
+            if block == Matrix::zeros() {
                 continue;
             }
             let (d, size, count) = (axes.len(), body.spec.element_size(), fixture.count());
             let mass = fixture.mass();
             let entry = |place: usize| {
                 let (row, column) = (place / size, place % size);
-                mass[row / d * count + column / d] * block[axes[row % d]][axes[column % d]]
+                mass[row / d * count + column / d] * block[(axes[row % d], axes[column % d])]
             };
             body.scatter.add_by(fixture.point.element, entry, values);
         }
         for (body, [row, column], mass) in self.masses_of_normals() {
             let body = &self.bodies[body];
             let axes = body.spec.axes;
-            let transport = Transport::new(&self.buffers.frames[body.frame], axes, [0.0; 3]);
+            let transport = Transport::new(&self.buffers.frames[body.frame], axes, Vector::zeros());
             let block = combination.block(&transport);
             for (i, &a) in axes.iter().enumerate() {
                 for (j, &b) in axes.iter().enumerate() {
                     for (entry, factor) in self.entries_of(row + i, column + j) {
-                        values[entry] += factor * mass * block[a][b];
+                        values[entry] += factor * mass * block[(a, b)];
                     }
                 }
             }

@@ -18,7 +18,7 @@ use crate::linalg::{Vectorised, dispatch};
 use crate::scene::frames::free_frames::SPATIAL;
 use crate::scene::mesh_scene::MeshScene;
 use crate::scene::pieces::buffers::Buffers;
-use crate::vector::{Matrix, Vector, add, cross, dot};
+use crate::space::{Matrix, Vector};
 
 impl MeshScene {
     /// Masses of the nodal vectors of a body: with its elements, and of fixtures alone.
@@ -96,7 +96,7 @@ impl MeshScene {
             };
             if let Some(free) = self.free_of[body.frame] {
                 for (sum, value) in on_frames[free].iter_mut().zip(sums) {
-                    *sum = add(*sum, value);
+                    *sum += value;
                 }
             }
         }
@@ -111,7 +111,7 @@ impl MeshScene {
         let force = self.buffers.frames[frame.spec.frame].direction_to_inertial(force);
         let first = self.layout.vector_components() + frame.first;
         for (place, direction) in frame.directions.iter().enumerate() {
-            self.buffers.force[first + place] += dot(direction.shift, force) + dot(direction.turn, moment);
+            self.buffers.force[first + place] += direction.shift.dot(&force) + direction.turn.dot(&moment);
         }
     }
 }
@@ -157,7 +157,7 @@ fn forces<const D: usize, const W: usize>(of: Forces<'_>, places: [usize; D], ax
         all
     };
     let along = |vector: Vector| axes.map(|axis| vector.get(axis).copied().unwrap_or(0.0));
-    let columns = |matrix: &Matrix| places.map(|j| along(matrix.map(|row| row[axes[j]])));
+    let columns = |matrix: &Matrix| places.map(|j| along(matrix.column(axes[j]).into()));
     let (turning, coriolis) = (columns(&transport.turning()), columns(&transport.coriolis()));
     let e = along(transport.e);
     let [(q, _), (v, _), (a, _)] = of.at.map(|values| values.as_chunks::<D>());
@@ -177,7 +177,7 @@ fn forces<const D: usize, const W: usize>(of: Forces<'_>, places: [usize; D], ax
             add_scaled(u, 1.0, &e);
         }
     }
-    let (mut force, mut moment) = ([0.0; W], [0.0; 3]);
+    let (mut force, mut moment) = ([0.0; W], Vector::zeros());
     let (out, _) = of.out.as_chunks_mut::<D>();
     for (place, out) in out[..count].iter_mut().enumerate() {
         let g = mass.row_times(place, accelerations);
@@ -188,7 +188,7 @@ fn forces<const D: usize, const W: usize>(of: Forces<'_>, places: [usize; D], ax
             if is_position[place] {
                 add_scaled(&mut force, 1.0, &g);
             }
-            moment = add(moment, cross(first(&spread(&q[place])), first(&g)));
+            moment += first(&spread(&q[place])).cross(&first(&g));
         }
     }
     [first(&force), moment]
@@ -197,5 +197,5 @@ fn forces<const D: usize, const W: usize>(of: Forces<'_>, places: [usize; D], ax
 /// The first three of some components, zeros beyond their end.
 #[inline(always)]
 fn first<const W: usize>(values: &[f64; W]) -> Vector {
-    std::array::from_fn(|axis| values.get(axis).copied().unwrap_or(0.0))
+    Vector::from_fn(|axis, _| values.get(axis).copied().unwrap_or(0.0))
 }

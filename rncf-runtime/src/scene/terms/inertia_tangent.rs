@@ -19,7 +19,7 @@ use crate::scene::bodies::nodal_mass::{Columns, NodalMass, Padded, Total, Transp
 use crate::scene::frames::free_frames::SPATIAL;
 use crate::scene::mesh_scene::MeshScene;
 use crate::scene::pieces::buffers::Buffers;
-use crate::vector::{Matrix, Vector, add, apply, cross, dot, multiply, scale, skew, subtract};
+use crate::space::{Matrix, Vector};
 
 /// Most unknowns of a frame.
 const MOST_UNKNOWNS: usize = 6;
@@ -56,10 +56,10 @@ struct Sums {
 /// `sum -= factor [a][b]`, where `[a][b] = b a^T - (a.b) I`.
 #[inline(always)]
 fn subtract_product(sum: &mut Matrix, factor: f64, a: Vector, b: Vector) {
-    let inner = dot(a, b);
-    for (i, row) in sum.iter_mut().enumerate() {
-        for (j, entry) in row.iter_mut().enumerate() {
-            *entry -= factor * (b[i] * a[j] - if i == j { inner } else { 0.0 });
+    let inner = a.dot(&b);
+    for i in 0..3 {
+        for j in 0..3 {
+            sum[(i, j)] -= factor * (b[i] * a[j] - if i == j { inner } else { 0.0 });
         }
     }
 }
@@ -77,24 +77,24 @@ struct Arms {
 }
 
 fn sum(terms: &[(f64, &Matrix)]) -> Matrix {
-    std::array::from_fn(|i| std::array::from_fn(|j| terms.iter().map(|(factor, matrix)| factor * matrix[i][j]).sum()))
+    Matrix::from_fn(|i, j| terms.iter().map(|(factor, matrix)| factor * matrix[(i, j)]).sum())
 }
 
 impl Arms {
     fn new(unknown: &Seen, [b, g, k]: [f64; 3], transport: &Transport) -> Self {
-        let (w, unit) = (skew(transport.spin), crate::vector::identity());
+        let (w, unit) = (transport.spin.cross_matrix(), Matrix::identity());
         let (coriolis, turning) = (transport.coriolis(), transport.turning());
         // Transposes: 2 u x w = (2 [w])^T u.
         let by_u = sum(&[(b, &unit), (g, &coriolis), (k, &turning)]);
-        let by_u: Matrix = std::array::from_fn(|i| std::array::from_fn(|j| by_u[j][i]));
-        let (turn, rate) = (skew(unknown.turn), skew(unknown.rate[1]));
-        let swing = sum(&[(1.0, &multiply(&rate, &w)), (1.0, &multiply(&w, &rate))]);
+        let by_u: Matrix = Matrix::from_fn(|i, j| by_u[(j, i)]);
+        let (turn, rate) = (unknown.turn.cross_matrix(), unknown.rate[1].cross_matrix());
+        let swing = sum(&[(1.0, &(rate * w)), (1.0, &(w * rate))]);
         Self {
-            turns: unknown.turn != [0.0; 3],
-            lower_by_first: padded(apply(&by_u, unknown.shift)),
-            lower_by_mass: Columns::new(&multiply(&by_u, &turn)),
+            turns: unknown.turn != Vector::zeros(),
+            lower_by_first: padded(by_u * unknown.shift),
+            lower_by_mass: Columns::new(&(by_u * turn)),
             lower_by_force: Columns::new(&sum(&[(-k, &turn)])),
-            upper_by_first: padded(add(scale(b, unknown.rate[0]), scale(k, unknown.change))),
+            upper_by_first: padded(b * unknown.rate[0] + k * unknown.change),
             upper_by_mass: Columns::new(&sum(&[(b, &rate), (g, &swing)])),
             upper_by_rate: Columns::new(&sum(&[(2.0 * g, &rate)])),
         }
@@ -203,7 +203,7 @@ impl MeshScene {
         let e = motion.felt(gravity);
         let field = |place: usize| {
             let changes = self.buffers.field_changes.get(free);
-            changes.map_or([0.0; 3], |changes| motion.direction_to_frame(changes[place]))
+            changes.map_or(Vector::zeros(), |changes| motion.direction_to_frame(changes[place]))
         };
         let mut seen: Vec<Seen> = frame
             .directions
@@ -215,7 +215,7 @@ impl MeshScene {
                     shift,
                     turn: direction.turn,
                     rate: [shift, direction.turn],
-                    change: subtract(cross(e, direction.turn), field(place)),
+                    change: e.cross(&direction.turn) - field(place),
                 }
             })
             .collect();
@@ -223,7 +223,7 @@ impl MeshScene {
             // The three turns are about the axes.
             let first = frame.shifts();
             for (j, unknown) in seen[first..].iter_mut().enumerate() {
-                unknown.rate[1] = std::array::from_fn(|l| map[l][j]);
+                unknown.rate[1] = Vector::from_fn(|l, _| map[(l, j)]);
             }
         }
         seen
@@ -308,13 +308,13 @@ impl MeshScene {
             };
             let by_rate = sums.by_acceleration(column.rate);
             let by_spin = sums.by_spin(transport, column.rate[1]);
-            let by_pose = sums.by_acceleration([column.change, [0.0; 3]]);
+            let by_pose = sums.by_acceleration([column.change, Vector::zeros()]);
             // The row of the force turns with the frame: d(A F) = A (dF + dpi x F).
-            let turned = cross(column.turn, sums.force);
+            let turned = column.turn.cross(&sums.force);
             for (i, row) in seen.iter().enumerate() {
-                let along = |[force, moment]: [Vector; 2]| dot(row.shift, force) + dot(row.turn, moment);
+                let along = |[force, moment]: [Vector; 2]| row.shift.dot(&force) + row.turn.dot(&moment);
                 values[start + i] +=
-                    b * along(by_rate) + g * along(by_spin) + k * (along(by_pose) + dot(row.shift, turned));
+                    b * along(by_rate) + g * along(by_spin) + k * (along(by_pose) + row.shift.dot(&turned));
             }
         }
     }
@@ -326,33 +326,33 @@ impl Sums {
     fn add(&mut self, first: f64, is_position: bool, [q, v, _]: &[Padded; 3], [mq, mv, force]: &[Padded; 3]) {
         let q = vector(*q);
         if first != 0.0 {
-            self.moment = add(self.moment, scale(first, q));
-            self.moment_rate = add(self.moment_rate, scale(first, vector(*v)));
+            self.moment += first * q;
+            self.moment_rate += first * vector(*v);
         }
         subtract_product(&mut self.inertia, 1.0, q, vector(*mq));
         subtract_product(&mut self.inertia_rate, 2.0, q, vector(*mv));
         if is_position {
             self.mass += first;
-            self.force = add(self.force, vector(*force));
+            self.force += vector(*force);
         }
     }
 
     /// Force and moment by an acceleration of the origin and an angular acceleration.
     fn by_acceleration(&self, [e, rate]: [Vector; 2]) -> [Vector; 2] {
         [
-            subtract(scale(self.mass, e), cross(self.moment, rate)),
-            add(cross(self.moment, e), apply(&self.inertia, rate)),
+            self.mass * e - self.moment.cross(&rate),
+            self.moment.cross(&e) + self.inertia * rate,
         ]
     }
 
     /// Force and moment by a change y of the angular velocity w.
     fn by_spin(&self, transport: &Transport, y: Vector) -> [Vector; 2] {
         let w = transport.spin;
-        let turned = add(cross(y, cross(w, self.moment)), cross(w, cross(y, self.moment)));
-        let gyroscopic = subtract(cross(w, apply(&self.inertia, y)), cross(apply(&self.inertia, w), y));
+        let turned = y.cross(&w.cross(&self.moment)) + w.cross(&y.cross(&self.moment));
+        let gyroscopic = w.cross(&(self.inertia * y)) - (self.inertia * w).cross(&y);
         [
-            subtract(turned, scale(2.0, cross(self.moment_rate, y))),
-            add(apply(&self.inertia_rate, y), gyroscopic),
+            turned - 2.0 * self.moment_rate.cross(&y),
+            self.inertia_rate * y + gyroscopic,
         ]
     }
 }

@@ -14,8 +14,8 @@ use crate::scene::mesh_scene::MeshScene;
 use crate::scene::pieces::fixture::Fixture;
 use crate::scene::pieces::marker::Marker;
 use crate::scene::pieces::rigid_section::{Axes, Column, Kept, RigidSection, inner};
+use crate::space::Vector;
 use crate::system::{ConstraintLevel, Sums, Tangent};
-use crate::vector::{Vector, cross};
 
 impl MeshScene {
     /// Sets the normals of sections, and their rates, to those of the axes there.
@@ -34,12 +34,12 @@ impl MeshScene {
                         full[first + component] = value[axis];
                     }
                 };
-                set(q, cross(y, z));
+                set(q, y.cross(&z));
                 if !v.is_empty() {
                     let [dy, dz] =
                         [PlaceVector::SectionY, PlaceVector::SectionZ].map(|of| self.at_point(&point, of, v));
-                    let [first, second] = [cross(dy, z), cross(y, dz)];
-                    set(v, std::array::from_fn(|i| first[i] + second[i]));
+                    let [first, second] = [dy.cross(&z), y.cross(&dz)];
+                    set(v, Vector::from_fn(|i, _| first[i] + second[i]));
                 }
             }
         }
@@ -301,7 +301,7 @@ impl MeshScene {
             let lambda = &lambda[first..first + section.rows()];
             first += section.rows();
             for by in &section.columns {
-                let mut change = [[0.0; 3]; 3];
+                let mut change = [Vector::zeros(); 3];
                 change[by.vector][by.axis] = by.weight;
                 section.each(&section.pull(&change, lambda), |component, value| {
                     if value != 0.0 {

@@ -7,8 +7,8 @@ use super::scenery::{body, everything, free};
 use crate::emitted::{DensitySpec, LANES, LoadKind, LoadSpec, MarkerSpec};
 use crate::model::{Formulation, Joints, Scene};
 use crate::scene::MeshScene;
+use crate::space::{Matrix, Vector, three};
 use crate::system::{State, System};
-use crate::vector::{Vector, add, apply, cross, dot, norm, scale, subtract};
 
 /// Points and weights that integrate polynomials of degree 11 on [0, 1].
 const RULE: [(f64, f64); 6] = [
@@ -22,8 +22,8 @@ const RULE: [(f64, f64); 6] = [
 
 /// `c = 0.4 + 0.2 z_0 . z_1 + sin t`, and `b = z_1` with the components in the body's order.
 pub fn values(t: f64, z: &[Vector]) -> [f64; 4] {
-    let [x, y, w] = z[1];
-    [0.4 + 0.2 * dot(z[0], z[1]) + t.sin(), x, y, w]
+    let [x, y, w]: [f64; 3] = z[1].into();
+    [0.4 + 0.2 * z[0].dot(&z[1]) + t.sin(), x, y, w]
 }
 
 pub fn gradient(z: &[Vector], gradient: &mut [f64]) {
@@ -38,23 +38,20 @@ pub fn gradient(z: &[Vector], gradient: &mut [f64]) {
 /// `f = c [(s.s) b - s (s.b)] + (s.s) p / 5`.
 fn density(s: Vector, p: Vector, values: [f64; 4]) -> Vector {
     let [c, x, y, z] = values;
-    let b = [x, y, z];
-    add(
-        scale(c, subtract(scale(dot(s, s), b), scale(dot(s, b), s))),
-        scale(0.2 * dot(s, s), p),
-    )
+    let b = Vector::new(x, y, z);
+    c * (s.dot(&s) * b - s.dot(&b) * s) + 0.2 * s.dot(&s) * p
 }
 
 /// Directional derivative of [`density`].
 fn change(at: [Vector; 2], values: [f64; 4], by: [Vector; 2], by_values: [f64; 4]) -> Vector {
     let ([s, p], [ds, dp]) = (at, by);
     let ([c, x, y, z], [dc, dx, dy, dz]) = (values, by_values);
-    let (b, db) = ([x, y, z], [dx, dy, dz]);
-    let thrust = |s: Vector, r: Vector, b: Vector| subtract(scale(dot(s, r), b), scale(dot(s, b), r));
-    let turned = add(thrust(s, ds, b), subtract(scale(dot(s, ds), b), scale(dot(ds, b), s)));
-    let mut sum = add(scale(dc, thrust(s, s, b)), scale(c, add(turned, thrust(s, s, db))));
-    sum = add(sum, scale(0.4 * dot(s, ds), p));
-    add(sum, scale(0.2 * dot(s, s), dp))
+    let (b, db) = (Vector::new(x, y, z), Vector::new(dx, dy, dz));
+    let thrust = |s: Vector, r: Vector, b: Vector| s.dot(&r) * b - s.dot(&b) * r;
+    let turned = thrust(s, ds, b) + (s.dot(&ds) * b - ds.dot(&b) * s);
+    let mut sum = dc * thrust(s, s, b) + c * (turned + thrust(s, s, db));
+    sum += 0.4 * s.dot(&ds) * p;
+    sum + 0.2 * s.dot(&s) * dp
 }
 
 fn fixed<const N: usize>(values: &[[f64; LANES]], lane: usize) -> [f64; N] {
@@ -63,7 +60,7 @@ fn fixed<const N: usize>(values: &[[f64; LANES]], lane: usize) -> [f64; N] {
 
 /// The interpolated vector.
 fn at(weights: [f64; 4], q: &[f64], d: usize) -> Vector {
-    std::array::from_fn(|c| {
+    Vector::from_fn(|c, _| {
         let sum = (0..4).map(|a| weights[a] * q[a * d + c]).sum();
         if c < d { sum } else { 0.0 }
     })
@@ -104,7 +101,7 @@ pub fn tangent(
             };
             for column in 0..n {
                 let unit = |weights: [f64; 4]| -> Vector {
-                    std::array::from_fn(|c| if c == column % d { weights[column / d] } else { 0.0 })
+                    Vector::from_fn(|c, _| if c == column % d { weights[column / d] } else { 0.0 })
                 };
                 let by = [unit(slopes), unit(shapes)];
                 add(by_q, n, column, change(place, values, by, [0.0; 4]));
@@ -112,7 +109,7 @@ pub fn tangent(
             for column in 0..4 {
                 let mut by = [0.0; 4];
                 by[column] = 1.0;
-                add(by_values, 4, column, change(place, values, [[0.0; 3]; 2], by));
+                add(by_values, 4, column, change(place, values, [Vector::zeros(); 2], by));
             }
         }
     }
@@ -120,13 +117,13 @@ pub fn tangent(
 
 /// `-c_0 d / |d|^3` with `d = z_0 - z_1`.
 pub fn field(constants: Vector, z: &[Vector]) -> Vector {
-    let d = subtract(z[0], z[1]);
-    scale(-constants[0] / norm(d).powi(3), d)
+    let d = z[0] - z[1];
+    -constants[0] / d.norm().powi(3) * d
 }
 
 pub fn field_gradient(constants: Vector, z: &[Vector], gradient: &mut [f64]) {
-    let d = subtract(z[0], z[1]);
-    let (r, width) = (norm(d), 3 * z.len());
+    let d = z[0] - z[1];
+    let (r, width) = (d.norm(), 3 * z.len());
     for i in 0..3 {
         for j in 0..3 {
             let unit = if i == j { 1.0 } else { 0.0 };
@@ -149,7 +146,7 @@ fn spec(name: &'static str, kind: usize, body: usize, markers: &'static [usize])
 
 fn pulled(name: &'static str, frame: usize, markers: &'static [usize]) -> (LoadSpec, Vector) {
     let kind = LoadKind::Field { markers };
-    (LoadSpec { name, kind, frame }, [1.7, 0.0, 0.0])
+    (LoadSpec { name, kind, frame }, Vector::new(1.7, 0.0, 0.0))
 }
 
 /// Everything with densities that depend on their own frame, on other free and prescribed frames and on places of
@@ -210,12 +207,12 @@ fn densities_in_prescribed_frames_are_the_same_in_absolute_coordinates() {
             .iter()
             .map(|&place| scene.buffers.force[place]);
         let force: Vec<f64> = force.collect();
-        let axes = |vector: &[f64]| -> Vector {
-            let vector = [vector[0], vector[1], vector[2]];
+        let axes = |vector: &[f64]| -> [f64; 3] {
+            let vector = three(vector, 0);
             if formulation == Formulation::Rncf {
-                apply(&turn, vector)
+                (turn * vector).into()
             } else {
-                vector
+                vector.into()
             }
         };
         force.chunks_exact(3).flat_map(axes).collect::<Vec<f64>>()
@@ -265,13 +262,13 @@ fn power_of_a_density_is_that_on_its_particles() {
         let components = scene.bodies[0].connectivity.element(element);
         let [q, v] = [&scene.buffers.q, &scene.buffers.v]
             .map(|full| -> Vec<f64> { components.iter().map(|&place| full[place]).collect() });
-        let l = norm([0.9, 0.3, 0.0]) / 2.0;
+        let l = Vector::from([0.9, 0.3, 0.0]).norm() / 2.0;
         for (xi, weight) in RULE {
             let shapes = hermite(l, 0, xi);
             let (p, rate) = (at(shapes, &q, 3), at(shapes, &v, 3));
             let f = density(at(hermite(l, 1, xi), &q, 3), p, values);
-            let moves = add(add(velocity, rate), cross(frame.spin, p));
-            expected += l * weight * dot(f, moves);
+            let moves = velocity + rate + frame.spin.cross(&p);
+            expected += l * weight * f.dot(&moves);
         }
     }
     assert!(
@@ -292,10 +289,10 @@ fn a_field_is_the_closed_form() {
     hand.fixtures.clear();
     let mut stone = free(1, 0, crate::emitted::Motions::Spatial);
     stone.rigid.mass = 2.5;
-    let start: Vector = [1.2, -0.5, 0.8];
+    let start: Vector = Vector::new(1.2, -0.5, 0.8);
     stone.position = start;
     let unit = |i: usize, j: usize| if i == j { 1.0 } else { 0.0 };
-    stone.rigid.inertia = std::array::from_fn(|i| std::array::from_fn(|j| unit(i, j)));
+    stone.rigid.inertia = Matrix::from_fn(unit);
     hand.frames = vec!["inertial", "stone"];
     hand.moving = false;
     hand.free = vec![stone];
@@ -308,9 +305,9 @@ fn a_field_is_the_closed_form() {
     let mut out = vec![0.0; 6];
     scene.residual(&state, &mut out);
     // Unknowns are displacements from the start.
-    let r = add(start, [state.x[0], state.x[1], state.x[2]]);
+    let r = start + Vector::from([state.x[0], state.x[1], state.x[2]]);
     for i in 0..3 {
-        let expected = 2.5 * (state.a[i] + 1.7 * r[i] / norm(r).powi(3));
+        let expected = 2.5 * (state.a[i] + 1.7 * r[i] / r.norm().powi(3));
         assert!((out[i] - expected).abs() < 1e-14, "{} {expected}", out[i]);
         assert!(out[3 + i].abs() < 1e-14);
     }
@@ -345,7 +342,9 @@ fn refusals_name_the_load() {
 fn batches_reach_over_bodies() {
     let scene = |bodies: &[usize]| {
         let mut hand = everything();
-        hand.bodies = (0..3).map(|_| body("mast", 3, &[0, 1, 2], [0.9, 0.3, 0.0])).collect();
+        hand.bodies = (0..3)
+            .map(|_| body("mast", 3, &[0, 1, 2], Vector::new(0.9, 0.3, 0.0)))
+            .collect();
         hand.bodies.iter_mut().for_each(|body| body.count = 5);
         hand.joints = (0..3)
             .map(|index| super::scenery::joint("step", crate::emitted::JointKind::Clamp, index, false, 3))

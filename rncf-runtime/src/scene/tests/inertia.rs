@@ -2,7 +2,7 @@
 
 use crate::emitted::RigidSpec;
 use crate::modal::action::FrameAction;
-use crate::vector::{Vector, add, apply, cross, scale};
+use crate::space::Vector;
 
 /// Vectors with masses: `mass` between vectors, `counts[a]` one for positions and zero for slopes.
 pub struct Inertia<'a> {
@@ -14,9 +14,9 @@ pub struct Inertia<'a> {
 /// e, w, w' in space: planar ones turn about the third axis.
 fn spatial(dimension: usize, frame: &FrameAction) -> [Vector; 3] {
     if dimension == 2 {
-        let about = |w: Vector| [0.0, 0.0, w[0]];
-        let [x, y, _] = frame.acceleration;
-        return [[x, y, 0.0], about(frame.spin), about(frame.spin_rate)];
+        let about = |w: Vector| Vector::new(0.0, 0.0, w[0]);
+        let e = frame.acceleration;
+        return [Vector::new(e[0], e[1], 0.0), about(frame.spin), about(frame.spin_rate)];
     }
     [frame.acceleration, frame.spin, frame.spin_rate]
 }
@@ -25,7 +25,7 @@ impl Inertia<'_> {
     fn vector(&self, q: &[f64], a: usize) -> Vector {
         let mut vector = [0.0; 3];
         vector[..self.dimension].copy_from_slice(&q[a * self.dimension..(a + 1) * self.dimension]);
-        vector
+        vector.into()
     }
 
     fn number(&self) -> usize {
@@ -43,7 +43,7 @@ impl Inertia<'_> {
 
     /// M^ab u_b
     fn product(&self, q: &[f64], a: usize) -> Vector {
-        (0..self.number()).fold([0.0; 3], |sum, b| add(sum, scale(self.m(a, b), self.vector(q, b))))
+        (0..self.number()).fold(Vector::zeros(), |sum, b| sum + self.m(a, b) * self.vector(q, b))
     }
 
     /// Inertia parts of R_a, in space.
@@ -51,8 +51,8 @@ impl Inertia<'_> {
         let [e, w, rate] = spatial(self.dimension, frame);
         let row = |of: usize| {
             let (mq, mv, ma) = (self.product(q, of), self.product(v, of), self.product(a, of));
-            let turning = add(scale(2.0, cross(w, mv)), add(cross(rate, mq), cross(w, cross(w, mq))));
-            add(scale(self.first(of), e), add(ma, turning))
+            let turning = 2.0 * w.cross(&mv) + (rate.cross(&mq) + w.cross(&w.cross(&mq)));
+            self.first(of) * e + (ma + turning)
         };
         (0..self.number()).map(row).collect()
     }
@@ -68,10 +68,10 @@ impl Inertia<'_> {
 
     /// Adds force and moment on the frame.
     pub fn carried(&self, frame: &FrameAction, q: &[f64], v: &[f64], a: &[f64], out: &mut [f64]) {
-        let [mut force, mut moment] = [[0.0; 3]; 2];
+        let [mut force, mut moment] = [Vector::zeros(); 2];
         for (of, row) in self.rows(frame, q, v, a).into_iter().enumerate() {
-            force = add(force, scale(self.counts[of], row));
-            moment = add(moment, cross(self.vector(q, of), row));
+            force += self.counts[of] * row;
+            moment += self.vector(q, of).cross(&row);
         }
         for (place, row) in self.kept().into_iter().enumerate() {
             out[place] += if row < 3 { force[row] } else { moment[row - 3] };
@@ -91,14 +91,8 @@ impl Inertia<'_> {
 /// Adds force and moment of a rigid body, THEORY 3.1.
 pub fn rigid(spec: &RigidSpec, frame: &FrameAction, out: &mut [f64]) {
     let (e, w, rate) = (frame.acceleration, frame.spin, frame.spin_rate);
-    let force = add(
-        scale(spec.mass, e),
-        add(cross(rate, spec.moment), cross(w, cross(w, spec.moment))),
-    );
-    let moment = add(
-        cross(spec.moment, e),
-        add(apply(&spec.inertia, rate), cross(w, apply(&spec.inertia, w))),
-    );
+    let force = spec.mass * e + (rate.cross(&spec.moment) + w.cross(&w.cross(&spec.moment)));
+    let moment = spec.moment.cross(&e) + (spec.inertia * rate + w.cross(&(spec.inertia * w)));
     for i in 0..3 {
         out[i] += force[i];
         out[3 + i] += moment[i];

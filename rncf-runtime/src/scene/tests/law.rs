@@ -1,6 +1,6 @@
 //! Forces on markers, by hand.
 
-use crate::vector::{Vector, add, dot, scale, subtract};
+use crate::space::Vector;
 
 /// What a force on markers is.
 #[derive(Clone, Copy, Debug)]
@@ -18,15 +18,15 @@ impl Law {
     pub fn force(self, z: &[Vector], velocity: &[Vector], out: &mut [f64]) {
         match self {
             Law::Spring(k, length, c) => {
-                let (d, rate) = (subtract(z[1], z[0]), subtract(velocity[1], velocity[0]));
-                let pull = add(scale(k * (dot(d, d) - length * length), d), scale(c, rate));
+                let (d, rate) = (z[1] - z[0], velocity[1] - velocity[0]);
+                let pull = k * (d.dot(&d) - length * length) * d + c * rate;
                 for i in 0..3 {
                     out[i] += pull[i];
                     out[3 + i] -= pull[i];
                 }
             }
-            Law::Along(size) => out.iter_mut().zip(z[1]).for_each(|(out, z)| *out += size * z),
-            Law::Drag(c) => out.iter_mut().zip(velocity[0]).for_each(|(out, v)| *out -= c * v),
+            Law::Along(size) => out.iter_mut().zip(&z[1]).for_each(|(out, z)| *out += size * z),
+            Law::Drag(c) => out.iter_mut().zip(&velocity[0]).for_each(|(out, v)| *out -= c * v),
         }
     }
 
@@ -35,8 +35,8 @@ impl Law {
         let width = 3 * z.len();
         match self {
             Law::Spring(k, length, c) => {
-                let d = subtract(z[1], z[0]);
-                let size = dot(d, d) - length * length;
+                let d = z[1] - z[0];
+                let size = d.dot(&d) - length * length;
                 for (m, n, sign) in [(0, 0, -1.0), (0, 1, 1.0), (1, 0, 1.0), (1, 1, -1.0)] {
                     for i in 0..3 {
                         for j in 0..3 {
@@ -57,8 +57,8 @@ impl Law {
     pub fn energy(self, z: &[Vector]) -> f64 {
         match self {
             Law::Spring(k, length, _) => {
-                let d = subtract(z[1], z[0]);
-                0.25 * k * (dot(d, d) - length * length).powi(2)
+                let d = z[1] - z[0];
+                0.25 * k * (d.dot(&d) - length * length).powi(2)
             }
             Law::Along(_) | Law::Drag(_) => 0.0,
         }

@@ -3,10 +3,9 @@
 use super::random::Random;
 use super::sections::everything_with_sections;
 use crate::model::{Formulation, Scene};
-use crate::rotation::Rotation;
 use crate::scene::MeshScene;
+use crate::space::{Vector, exp, matrix, product, turned};
 use crate::system::{ConstraintLevel, State, System};
-use crate::vector::{add, apply_transposed, cross, scale};
 
 const STEP: f64 = 1e-4;
 
@@ -14,7 +13,7 @@ const STEP: f64 = 1e-4;
 struct Motion {
     start: State,
     rates: [Vec<f64>; 3],
-    axes: Vec<[[f64; 3]; 2]>,
+    axes: Vec<[Vector; 2]>,
 }
 
 /// Angle, rate and acceleration of the two turnings.
@@ -32,7 +31,7 @@ impl Motion {
         random.shake(scene, &mut start, 0.2);
         let mut numbers = || (0..start.x.len()).map(|_| random.number()).collect();
         let rates = [numbers(), numbers(), numbers()];
-        let mut vector = || [random.number(), random.number(), random.number()];
+        let mut vector = || Vector::new(random.number(), random.number(), random.number());
         let axes = start.turns.iter().map(|_| [vector(), vector()]).collect();
         Self { start, rates, axes }
     }
@@ -50,15 +49,15 @@ impl Motion {
         for (turn, &unknown) in scene.turns().iter().enumerate() {
             let [a, b] = self.axes[turn];
             let [alpha, beta] = angles(s);
-            let second = Rotation::exp(scale(beta[0], b));
-            state.turns[turn] = self.start.turns[turn].turned(scale(alpha[0], a)).times(&second);
-            let seen = apply_transposed(&second.matrix(), a);
-            let spin = add(scale(alpha[1], seen), scale(beta[1], b));
-            let turning = scale(-beta[1] * alpha[1], cross(b, seen));
-            let rate = add(turning, add(scale(alpha[2], seen), scale(beta[2], b)));
+            let second = exp(beta[0] * b);
+            state.turns[turn] = product(&turned(&self.start.turns[turn], alpha[0] * a), &second);
+            let seen = matrix(&second).tr_mul(&a);
+            let spin = alpha[1] * seen + beta[1] * b;
+            let turning = -beta[1] * alpha[1] * b.cross(&seen);
+            let rate = turning + (alpha[2] * seen + beta[2] * b);
             state.x[unknown..unknown + 3].fill(0.0);
-            state.v[unknown..unknown + 3].copy_from_slice(&spin);
-            state.a[unknown..unknown + 3].copy_from_slice(&rate);
+            state.v[unknown..unknown + 3].copy_from_slice(spin.as_slice());
+            state.a[unknown..unknown + 3].copy_from_slice(rate.as_slice());
         }
         state
     }

@@ -11,10 +11,9 @@ use crate::emitted::{
 };
 use crate::error::ModelError;
 use crate::model::{Formulation, Joints};
-use crate::rotation::Rotation;
 use crate::scene::MeshScene;
+use crate::space::{Vector, exp, matrix};
 use crate::system::ConstraintLevel;
-use crate::vector::{Vector, add, apply_transposed, cross, dot, scale, subtract};
 
 /// Every pair of up to six markers, those of fewer markers first, and how many pairs so many markers have.
 pub const EVERY: &[[usize; 2]] = &[
@@ -99,21 +98,25 @@ impl Hand {
     fn conditions(&self, joint: usize, data: &JointData, q: &[f64]) -> Vec<f64> {
         let spec = &self.bodies[self.joints[joint].body];
         let d = spec.dimension();
-        let targets = [data.point, data.tangent, data.second];
+        let [point, tangent, second] = [data.point, data.tangent, data.second].map(Vector::from);
+        let targets = [point, tangent, second];
         let count = if spec.has_section() { d } else { 2 };
-        let vector = |place: usize| -> Vector { std::array::from_fn(|i| if i < d { q[place * d + i] } else { 0.0 }) };
-        let whole = |place: usize| -> Vec<f64> { subtract(vector(place), targets[place])[..d].to_vec() };
+        let vector = |place: usize| -> Vector { Vector::from_fn(|i, _| if i < d { q[place * d + i] } else { 0.0 }) };
+        let whole = |place: usize| -> Vec<f64> { (vector(place) - targets[place]).as_slice()[..d].to_vec() };
         let across = |_: usize| -> Vec<f64> {
             let normals = &data.normals[..d - 1];
-            normals.iter().map(|&normal| dot(normal, vector(1))).collect()
+            normals
+                .iter()
+                .map(|&normal| Vector::from(normal).dot(&vector(1)))
+                .collect()
         };
         let directions = |rows: &dyn Fn(usize) -> Vec<f64>| [whole(0), (1..count).flat_map(rows).collect()].concat();
         match self.joints[joint].kind {
             JointKind::ClampFull => directions(&whole),
             JointKind::Clamp if count > 2 => {
-                let normal = cross(data.tangent, data.second);
-                let twist = 0.5 * (dot(data.second, vector(1)) - dot(data.tangent, vector(2)));
-                [whole(0), vec![dot(normal, vector(1)), dot(normal, vector(2)), twist]].concat()
+                let normal = tangent.cross(&second);
+                let twist = 0.5 * (second.dot(&vector(1)) - tangent.dot(&vector(2)));
+                [whole(0), vec![normal.dot(&vector(1)), normal.dot(&vector(2)), twist]].concat()
             }
             JointKind::Clamp => directions(&across),
             _ => whole(0),
@@ -198,14 +201,18 @@ fn sine(t: f64, order: usize) -> f64 {
 
 /// A slope's force from a moment: `m x s / |s|^2`, planar: about the normal.
 fn on_slope(slope: Vector, moment: Vector) -> Vector {
-    scale(1.0 / dot(slope, slope), cross(moment, slope))
+    1.0 / slope.dot(&slope) * moment.cross(&slope)
 }
 
 fn spread(dimension: usize, slope: &[f64], moment: Vector) -> [Vector; 2] {
     let mut full = [0.0; 3];
     full[..dimension].copy_from_slice(slope);
-    let moment = if dimension == 2 { [0.0, 0.0, moment[0]] } else { moment };
-    [full, moment]
+    let moment = if dimension == 2 {
+        [0.0, 0.0, moment[0]]
+    } else {
+        moment.into()
+    };
+    [full.into(), moment.into()]
 }
 
 impl Parts for Hand {
@@ -232,19 +239,19 @@ impl Parts for Hand {
     fn frames(&self, t: f64, motions: &mut [FrameMotion]) {
         motions.fill(FrameMotion::INERTIAL);
         if self.moving {
-            let along: Vector = [0.3, -0.2, 0.5];
+            let along: Vector = Vector::new(0.3, -0.2, 0.5);
             for motion in &mut motions[1..3] {
                 motion.position = along.map(|a| a * sine(t, 0));
                 motion.velocity = along.map(|a| a * sine(t, 1));
                 motion.acceleration = along.map(|a| a * sine(t, 2));
                 motion.jerk = along.map(|a| a * sine(t, 3));
             }
-            let axis: Vector = [0.0, 0.6, 0.8];
+            let axis: Vector = Vector::new(0.0, 0.6, 0.8);
             let turning = &mut motions[2];
-            turning.rotation = Rotation::exp(scale(sine(t, 0), axis)).matrix();
-            turning.spin = scale(sine(t, 1), axis);
-            turning.spin_rate = scale(sine(t, 2), axis);
-            turning.spin_jerk = scale(sine(t, 3), axis);
+            turning.rotation = matrix(&exp(sine(t, 0) * axis));
+            turning.spin = sine(t, 1) * axis;
+            turning.spin_rate = sine(t, 2) * axis;
+            turning.spin_jerk = sine(t, 3) * axis;
         }
     }
     fn conserving_obstacle(&self) -> Option<&'static str> {
@@ -273,7 +280,7 @@ impl Bodies for Hand {
         self.lengths[body] = nodes[1] - nodes[0];
         Ok(())
     }
-    fn initial(&self, _body: usize, _x: f64) -> [Option<[Vector; 2]>; 2] {
+    fn initial(&self, _body: usize, _x: f64) -> [Option<[[f64; 3]; 2]>; 2] {
         [None, None]
     }
     fn shares(&self) -> Vec<ShareSpec> {
@@ -439,23 +446,18 @@ impl JointConditions for Hand {
             self.frames(t, &mut motions);
             let hub = &motions[2];
             // p = A^T (x - r): p' = -A^T r' - w x p, and so on.
-            let back = |u: Vector| scale(-1.0, apply_transposed(&hub.rotation, u));
+            let back = |u: Vector| -hub.rotation.tr_mul(&u);
             let w = [hub.spin, hub.spin_rate, hub.spin_jerk];
-            let p = hub.point_to_frame(data.point);
+            let p = hub.point_to_frame(data.point.into());
             let u = |r: Vector| back(r);
-            let p1 = subtract(u(hub.velocity), cross(w[0], p));
-            let turned = |r: Vector, next: Vector| subtract(u(next), cross(w[0], u(r)));
-            let p2 = subtract(
-                turned(hub.velocity, hub.acceleration),
-                add(cross(w[1], p), cross(w[0], p1)),
-            );
+            let p1 = u(hub.velocity) - w[0].cross(&p);
+            let turned = |r: Vector, next: Vector| u(next) - w[0].cross(&u(r));
+            let p2 = turned(hub.velocity, hub.acceleration) - (w[1].cross(&p) + w[0].cross(&p1));
             // Second derivative of A^T r' with its sign.
-            let second = add(
-                subtract(u(hub.jerk), scale(2.0, cross(w[0], u(hub.acceleration)))),
-                subtract(cross(w[0], cross(w[0], u(hub.velocity))), cross(w[1], u(hub.velocity))),
-            );
-            let swing = add(cross(w[2], p), add(scale(2.0, cross(w[1], p1)), cross(w[0], p2)));
-            prescribed.position = [p, p1, p2, subtract(second, swing)];
+            let second = u(hub.jerk) - 2.0 * w[0].cross(&u(hub.acceleration))
+                + (w[0].cross(&w[0].cross(&u(hub.velocity))) - w[1].cross(&u(hub.velocity)));
+            let swing = w[2].cross(&p) + (2.0 * w[1].cross(&p1) + w[0].cross(&p2));
+            prescribed.position = [p.into(), p1.into(), p2.into(), (second - swing).into()];
         }
         if self.bodies[joint.body].dimension() == 2 {
             assert_eq!(self.bodies[joint.body].axes, [0, 1]);
@@ -471,24 +473,24 @@ impl Loads for Hand {
         false
     }
     fn load(&self, load: usize, _t: f64) -> [f64; 3] {
-        self.loads[load].1
+        self.loads[load].1.into()
     }
 }
 
 impl SlopeMoments for Hand {
     fn moment(&self, dimension: usize, slope: &[f64], moment: [f64; 3], force: &mut [f64]) {
-        let [slope, moment] = spread(dimension, slope, moment);
+        let [slope, moment] = spread(dimension, slope, moment.into());
         let value = on_slope(slope, moment);
-        force.iter_mut().zip(value).for_each(|(force, value)| *force += value);
+        force.iter_mut().zip(&value).for_each(|(force, value)| *force += value);
     }
     fn moment_tangent(&self, dimension: usize, slope: &[f64], moment: [f64; 3], tangent: &mut [f64]) {
-        let [slope, moment] = spread(dimension, slope, moment);
-        let size = dot(slope, slope);
+        let [slope, moment] = spread(dimension, slope, moment.into());
+        let size = slope.dot(&slope);
         let value = on_slope(slope, moment);
-        let turn = crate::vector::skew(moment);
+        let turn = moment.cross_matrix();
         for i in 0..dimension {
             for j in 0..dimension {
-                tangent[i * dimension + j] += turn[i][j] / size - 2.0 * value[i] * slope[j] / size;
+                tangent[i * dimension + j] += turn[(i, j)] / size - 2.0 * value[i] * slope[j] / size;
             }
         }
     }
@@ -496,15 +498,15 @@ impl SlopeMoments for Hand {
 
 impl SectionMoments for Hand {
     fn section_moment(&self, axes: &[f64; 6], moment: [f64; 3], force: &mut [f64; 6]) {
-        let value = sections::moment(axes, moment);
-        force.iter_mut().zip(value).for_each(|(force, value)| *force += value);
+        let value = sections::moment(axes, moment.into());
+        force.iter_mut().zip(&value).for_each(|(force, value)| *force += value);
     }
     fn section_moment_tangent(&self, axes: &[f64; 6], moment: [f64; 3], tangent: &mut [f64; 36]) {
         for column in 0..6 {
             let at = |step: f64| {
                 let mut moved = *axes;
                 moved[column] += step;
-                sections::moment(&moved, moment)
+                sections::moment(&moved, moment.into())
             };
             let [high, low] = [at(1e-5), at(-1e-5)];
             (0..6).for_each(|row| tangent[row * 6 + column] += (high[row] - low[row]) / 2e-5);
@@ -535,11 +537,11 @@ impl MarkerConstraints for Hand {
             *row = form.sine * sine(t, order) + if order == 0 { form.constant } else { 0.0 };
             for &(m, n, factor) in &form.products {
                 for k in 0..=order {
-                    *row += factor * BINOMIAL[order][k] * dot(z[m][k], z[n][order - k]);
+                    *row += factor * BINOMIAL[order][k] * z[m][k].dot(&z[n][order - k]);
                 }
             }
             for &(m, b) in &form.linear {
-                *row += dot(b, z[m][order]);
+                *row += b.dot(&z[m][order]);
             }
         }
     }
@@ -664,8 +666,8 @@ impl Densities for Hand {
 }
 
 impl GravityFields for Hand {
-    fn field(&self, load: usize, _t: f64, z: &[Vector]) -> Vector {
-        density::field(self.loads[load].1, z)
+    fn field(&self, load: usize, _t: f64, z: &[Vector]) -> [f64; 3] {
+        density::field(self.loads[load].1, z).into()
     }
     fn field_gradient(&self, load: usize, _t: f64, z: &[Vector], gradient: &mut [f64]) {
         density::field_gradient(self.loads[load].1, z, gradient);

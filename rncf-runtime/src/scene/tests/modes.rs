@@ -5,19 +5,19 @@ use super::scenery::{body, free, joint};
 use crate::emitted::{FreeSpec, JointKind, Motions, RigidSpec};
 use crate::model::{Formulation, Scene, Spin, Uniform};
 use crate::modes::{Wanted, Whirl, modes, stability_margin, unstable_directions};
+use crate::space::{Vector, from_rows, matrix};
 use crate::system::System;
-use crate::vector::apply_transposed;
 
 /// A free body that spins about its axis of symmetry: A = 2, C = 3 kg m^2, W = 3 rad/s.
 #[test]
 fn a_free_body_drifts_tilts_and_precesses() {
     let mut disc: FreeSpec = free(1, 0, Motions::Spatial);
     disc.is_body = true;
-    disc.spin = [0.0, 0.0, 3.0];
+    disc.spin = Vector::new(0.0, 0.0, 3.0);
     disc.rigid = RigidSpec {
         mass: 5.0,
-        moment: [0.0; 3],
-        inertia: [[2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 3.0]],
+        moment: Vector::zeros(),
+        inertia: from_rows(&[[2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 3.0]]),
     };
     let hand = Hand {
         frames: vec!["inertial", "disc"],
@@ -57,12 +57,12 @@ fn a_free_body_drifts_tilts_and_precesses() {
 #[test]
 fn circles_of_nodes_are_seen_in_turned_frames() {
     let mut carrier: FreeSpec = free(1, 0, Motions::Spatial);
-    (carrier.axis, carrier.angle) = ([0.6, 0.0, 0.8], 1.1);
+    (carrier.axis, carrier.angle) = (Vector::new(0.6, 0.0, 0.8), 1.1);
     carrier.rigid.mass = 1.0;
-    carrier.rigid.inertia = [[0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, 0.1]];
+    carrier.rigid.inertia = from_rows(&[[0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, 0.1]]);
     let hand = Hand {
         frames: vec!["inertial", "carrier"],
-        bodies: vec![body("mast", 1, &[0, 1, 2], [0.9, 0.3, 0.0])],
+        bodies: vec![body("mast", 1, &[0, 1, 2], Vector::new(0.9, 0.3, 0.0))],
         joints: vec![joint("step", JointKind::Clamp, 0, false, 1)],
         free: vec![carrier],
         lengths: vec![0.45],
@@ -71,20 +71,20 @@ fn circles_of_nodes_are_seen_in_turned_frames() {
     let mut scene = hand.scene(Formulation::Rncf);
     let spin = |axis: [f64; 3]| Uniform {
         spin: Some(Spin {
-            velocity: axis,
-            point: [0.0; 3],
+            velocity: axis.into(),
+            point: Vector::zeros(),
         }),
         ..Uniform::steady(0.0)
     };
     let state = scene.rest(0.0);
-    let rotation = state.turns[0].matrix();
+    let rotation = matrix(&state.turns[0]);
     let shape = |scene: &crate::scene::MeshScene, second: f64| -> Vec<[f64; 2]> {
         // (1, second i, 0) in space, in the nodes' positions.
-        let [real, imaginary] = [[1.0, 0.0, 0.0], [0.0, second, 0.0]].map(|direction| {
-            let within = apply_transposed(&rotation, direction);
+        let [real, imaginary] = [Vector::x(), Vector::new(0.0, second, 0.0)].map(|direction| {
+            let within = rotation.tr_mul(&direction);
             let mut full = vec![0.0; scene.layout.components()];
             for vector in [2, 4] {
-                full[scene.layout.offset(vector)..][..3].copy_from_slice(&within);
+                full[scene.layout.offset(vector)..][..3].copy_from_slice(within.as_slice());
             }
             let mut x = vec![0.0; scene.unknowns()];
             scene.layout.project(&full, &mut x);

@@ -15,8 +15,8 @@ use crate::scene::MeshScene;
 use crate::scene::bodies::nodal_mass::Transport;
 use crate::scene::pieces::batches::Blocks;
 use crate::scene::pieces::combination::Combination;
+use crate::space::Vector;
 use crate::system::{ConstraintLevel, System};
-use crate::vector::Vector;
 
 /// Line density, kg/m.
 const DENSITY: f64 = 0.3;
@@ -55,7 +55,7 @@ impl Net {
                     kind,
                     instance: Some(instance),
                     count,
-                    ..body("spoke", 1, &[0, 1, 2], to)
+                    ..body("spoke", 1, &[0, 1, 2], to.into())
                 });
             }
         }
@@ -134,7 +134,7 @@ impl Parts for Net {
     fn free(&self) -> Vec<FreeSpec> {
         vec![FreeSpec {
             rigid: stone(),
-            spin: [0.1, 0.2, 0.9],
+            spin: Vector::new(0.1, 0.2, 0.9),
             ..free(1, 0, Motions::Spatial)
         }]
     }
@@ -151,7 +151,7 @@ impl Bodies for Net {
         self.lengths[body] = nodes[1] - nodes[0];
         Ok(())
     }
-    fn initial(&self, _body: usize, _x: f64) -> [Option<[Vector; 2]>; 2] {
+    fn initial(&self, _body: usize, _x: f64) -> [Option<[[f64; 3]; 2]>; 2] {
         [None, None]
     }
     fn shares(&self) -> Vec<ShareSpec> {
@@ -350,9 +350,9 @@ fn time_of_many_cables() {
                 let mut values = vec![0.0; scene.pattern().entries()];
                 let matrix = microseconds(|| scene.iteration_matrix(&state, [0.9, 1e-2, 1e-4], &mut values));
                 let load = microseconds(|| scene.load_state(&state));
-                let inertia = microseconds(|| scene.add_inertia_forces([0.0; 3]));
+                let inertia = microseconds(|| scene.add_inertia_forces(Vector::zeros()));
                 let borders = microseconds(|| {
-                    scene.add_inertia_borders([0.0; 3], &Combination::only(0), &mut values);
+                    scene.add_inertia_borders(Vector::zeros(), &Combination::only(0), &mut values);
                 });
                 let blocks = |_: &Transport| Blocks::default();
                 let elements = microseconds(|| scene.each_element_tangent(blocks, |_, _, _, _, _| {}));

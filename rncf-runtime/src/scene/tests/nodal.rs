@@ -11,12 +11,11 @@ use super::sections::everything_with_sections;
 use crate::emitted::{FixtureSpec, LoadKind, Motions, RigidSpec};
 use crate::modal::action::FrameAction;
 use crate::model::{Formulation, Joints, Scene};
-use crate::rotation::inverse_tangent_map;
 use crate::scene::MeshScene;
 use crate::scene::bodies::nodal_mass::Transport;
 use crate::scene::bodies::place::{MeshPoint, PlaceVector};
+use crate::space::{Vector, inverse_tangent_map, three};
 use crate::system::{State, System, Tangent};
-use crate::vector::{Vector, add, dot, scale};
 
 fn shaken(scene: &mut MeshScene, seed: u64) -> State {
     let mut state = scene.rest(0.3);
@@ -39,7 +38,7 @@ fn add_local(scene: &mut MeshScene, index: usize, element: usize, mass: &[f64], 
         counts: &counts,
         dimension,
     };
-    let action = scene.buffers.frames[body.frame].action(body.spec.axes, gravity);
+    let action = scene.buffers.frames[body.frame].action(body.spec.axes, gravity.into());
     let components = body.connectivity.element(element).to_vec();
     let [q, v, a] = [&scene.buffers.q, &scene.buffers.v, &scene.buffers.a].map(|full| {
         components
@@ -63,17 +62,17 @@ fn add_local(scene: &mut MeshScene, index: usize, element: usize, mass: &[f64], 
 
 /// Particles of a fixture: mass, and place X, Y, Z along slope and section axes.
 const PARTICLES: [(f64, Vector); 3] = [
-    (0.3, [0.2, -0.1, 0.3]),
-    (0.5, [-0.1, 0.25, 0.1]),
-    (0.2, [0.3, 0.1, -0.2]),
+    (0.3, Vector::new(0.2, -0.1, 0.3)),
+    (0.5, Vector::new(-0.1, 0.25, 0.1)),
+    (0.2, Vector::new(0.3, 0.1, -0.2)),
 ];
 
 /// What a fixture knows of them (THEORY 5.4); `count` of the places are there.
 fn constants(count: usize) -> [f64; 10] {
     PARTICLES.iter().fold([0.0; 10], |sum, (mass, place)| {
         let mut place = *place;
-        place[count..].fill(0.0);
-        let [x, y, z] = place;
+        place.as_mut_slice()[count..].fill(0.0);
+        let [x, y, z]: [f64; 3] = place.into();
         let own = [1.0, x, y, z, x * x, y * y, z * z, x * y, x * z, y * z];
         std::array::from_fn(|i| sum[i] + mass * own[i])
     })
@@ -113,7 +112,7 @@ fn by_loops(scene: &mut MeshScene, gravity: [f64; 3]) -> Vec<f64> {
     }
     for free in 0..scene.free.len() {
         let spec = scene.free[free].spec.clone();
-        let action = scene.buffers.frames[spec.frame].action(&[0, 1, 2], gravity);
+        let action = scene.buffers.frames[spec.frame].action(&[0, 1, 2], gravity.into());
         let mut rows = [0.0; 6];
         rigid(&spec.rigid, &action, &mut rows);
         scene.add_to_frame(free, &[0, 1, 2], &rows);
@@ -134,7 +133,7 @@ fn check_forces(mut hand: Hand, formulation: Formulation, seed: u64) {
     let gravity = [0.3, -0.8, 2.1];
     let expected = by_loops(&mut scene, gravity);
     scene.buffers.force.fill(0.0);
-    scene.add_inertia_forces(gravity);
+    scene.add_inertia_forces(gravity.into());
     let size = expected.iter().fold(0.0, |size: f64, value| size.max(value.abs()));
     assert!(size > 1.0);
     for (component, (found, expected)) in scene.buffers.force.iter().zip(&expected).enumerate() {
@@ -157,7 +156,7 @@ fn inertia_forces_are_those_of_elements_fixtures_and_rigid_parts() {
 #[test]
 fn rigid_parts_are_sums_over_particles() {
     let mut random = Random(8);
-    let mut vector = || -> Vector { std::array::from_fn(|_| random.number()) };
+    let mut vector = || -> Vector { Vector::from_fn(|_, _| random.number()) };
     let action = FrameAction {
         acceleration: vector(),
         spin: vector(),
@@ -171,13 +170,13 @@ fn rigid_parts_are_sums_over_particles() {
             counts: &[1.0],
             dimension: 3,
         };
-        particle.carried(&action, &p, &[0.0; 3], &[0.0; 3], &mut expected);
+        particle.carried(&action, p.as_slice(), &[0.0; 3], &[0.0; 3], &mut expected);
         rigid.mass += mass;
-        rigid.moment = add(rigid.moment, scale(mass, p));
+        rigid.moment += mass * p;
         for i in 0..3 {
             for j in 0..3 {
-                let square = if i == j { dot(p, p) } else { 0.0 };
-                rigid.inertia[i][j] += mass * (square - p[i] * p[j]);
+                let square = if i == j { p.dot(&p) } else { 0.0 };
+                rigid.inertia[(i, j)] += mass * (square - p[i] * p[j]);
             }
         }
     }
@@ -186,7 +185,7 @@ fn rigid_parts_are_sums_over_particles() {
         spin: action.spin,
         spin_rate: action.spin_rate,
     };
-    let found = transport.of_rigid(&rigid).concat();
+    let found = transport.of_rigid(&rigid).map(<[f64; 3]>::from).concat();
     for (found, expected) in found.iter().zip(expected) {
         assert!((found - expected).abs() < 1e-14, "{found} instead of {expected}");
     }
@@ -217,8 +216,8 @@ fn check_matrix(hand: Hand, formulation: Formulation, seed: u64, factors: [f64; 
             let moving = |j: usize| factors[0] * mass[i][j] + factors[1] * damping[i][j];
             let turn = scene.turns().iter().find(|&&first| (first..first + 3).contains(&j));
             let rates = turn.map_or(moving(j), |&first| {
-                let map = inverse_tangent_map([state.x[first], state.x[first + 1], state.x[first + 2]]);
-                (0..3).map(|l| moving(first + l) * map[l][j - first]).sum()
+                let map = inverse_tangent_map(Vector::new(state.x[first], state.x[first + 1], state.x[first + 2]));
+                (0..3).map(|l| moving(first + l) * map[(l, j - first)]).sum()
             });
             let expected = rates + factors[2] * stiffness[i][j];
             assert!(
@@ -248,7 +247,7 @@ fn the_matrix_of_the_iteration_combines_mass_damping_and_stiffness() {
 fn planar_bodies_have_mass_normal_to_their_plane() {
     let mut hand = Hand {
         frames: vec!["inertial", "sledge"],
-        bodies: vec![body("whip", 1, &[0, 1], [0.6, 0.8, 0.0])],
+        bodies: vec![body("whip", 1, &[0, 1], Vector::new(0.6, 0.8, 0.0))],
         free: vec![free(1, 0, Motions::Shifting)],
         fixtures: vec![FixtureSpec {
             name: "ball",
@@ -264,7 +263,7 @@ fn planar_bodies_have_mass_normal_to_their_plane() {
         kind: LoadKind::Gravity,
         frame: 0,
     };
-    hand.loads.push((gravity, [0.1, 0.2, -3.0]));
+    hand.loads.push((gravity, Vector::new(0.1, 0.2, -3.0)));
     let mut scene = hand.scene(Formulation::Rncf);
     let mut state = scene.rest(0.0);
     let normal = scene.unknowns() - 1;
@@ -286,25 +285,23 @@ fn elastic_forces_do_not_move_the_frame() {
     let state = shaken(&mut scene, 5);
     scene.load_state(&state);
     scene.full_force(0.0, 1.0);
-    let force = |scene: &MeshScene, first: usize, vector: usize| -> [f64; 3] {
-        std::array::from_fn(|i| scene.buffers.force[first + 3 * vector + i])
-    };
+    let force = |scene: &MeshScene, first: usize, vector: usize| three(&scene.buffers.force, first + 3 * vector);
     let motion = &scene.buffers.frames[1];
-    let mut sums = Transport::new(motion, &[0, 1, 2], [0.0; 3]).of_rigid(&scene.free[0].spec.rigid);
+    let mut sums = Transport::new(motion, &[0, 1, 2], Vector::zeros()).of_rigid(&scene.free[0].spec.rigid);
     for body in &scene.bodies {
         let first = scene.layout.offset(body.first_vector);
         for vector in 0..body.spec.vectors() {
             let (own, q) = (force(&scene, first, vector), first + 3 * vector);
-            let q = [0, 1, 2].map(|i| scene.buffers.q[q + i]);
+            let q = three(&scene.buffers.q, q);
             if vector % 2 == 0 {
-                sums[0] = add(sums[0], own);
+                sums[0] += own;
             }
-            sums[1] = add(sums[1], crate::vector::cross(q, own));
+            sums[1] += q.cross(&own);
         }
     }
     let first = scene.layout.vector_components();
     for (place, direction) in scene.free[0].directions.iter().enumerate() {
-        let expected = dot(direction.shift, motion.direction_to_inertial(sums[0])) + dot(direction.turn, sums[1]);
+        let expected = direction.shift.dot(&motion.direction_to_inertial(sums[0])) + direction.turn.dot(&sums[1]);
         let found = scene.buffers.force[first + place];
         assert!(
             (found - expected).abs() < 1e-10,

@@ -1,6 +1,6 @@
 //! States at random, and changes of them along right increments.
 
-use crate::rotation::Rotation;
+use crate::space::{Rotation, Vector, turned};
 use crate::system::{State, System};
 
 /// A small generator: the tests need no more than numbers without pattern.
@@ -25,7 +25,7 @@ impl Random {
         }
         state.lambda.iter_mut().for_each(|lambda| *lambda = self.number());
         for turn in &mut state.turns {
-            *turn = turn.turned([self.number(), self.number(), self.number()]);
+            *turn = turned(turn, Vector::new(self.number(), self.number(), self.number()));
         }
         state.rebase(system.turns());
     }
@@ -44,7 +44,7 @@ pub fn moved(system: &dyn System, state: &State, index: usize, step: f64) -> Sta
             let mut increment = [0.0; 3];
             increment[index - first] = step;
             let orientation: Rotation = state.orientation(turn, first);
-            moved.turns[turn] = orientation.turned(increment);
+            moved.turns[turn] = turned(&orientation, increment.into());
             moved.x[first..first + 3].fill(0.0);
         }
         None => moved.x[index] += step,

@@ -5,6 +5,7 @@ use super::scenery::everything;
 use crate::emitted::{FrameTie, Motions};
 use crate::model::{Formulation, Joints};
 use crate::scene::MeshScene;
+use crate::space::Vector;
 
 fn refused(hand: Hand) -> String {
     let result = MeshScene::new(Box::new(hand), Formulation::Rncf, Joints::Eliminated, &[]);
@@ -20,7 +21,7 @@ fn what_does_not_fit_is_refused_by_name() {
     };
     let message = with(&|hand| hand.free[4].velocity[1] = f64::NAN);
     assert!(message.contains("`stone`") && message.contains("finite"), "{message}");
-    let message = with(&|hand| hand.free[2].motions = Motions::Hinged { axis: [0.0; 3] });
+    let message = with(&|hand| hand.free[2].motions = Motions::Hinged { axis: Vector::zeros() });
     assert!(
         message.contains("`door`") && message.contains("unit vector"),
         "{message}"
@@ -32,7 +33,7 @@ fn what_does_not_fit_is_refused_by_name() {
         message.contains("`door`") && message.contains("free itself"),
         "{message}"
     );
-    let message = with(&|hand| hand.free[3].velocity = [0.0, 0.0, 1.0]);
+    let message = with(&|hand| hand.free[3].velocity = Vector::new(0.0, 0.0, 1.0));
     assert!(message.contains("`sledge`"), "{message}");
     let message = with(&|hand| hand.bodies[1].frame = 3);
     assert!(message.contains("`whip`") && message.contains("`ship`"), "{message}");
@@ -44,7 +45,9 @@ fn what_does_not_fit_is_refused_by_name() {
     assert!(message.contains("`mast`") && message.contains("straight"), "{message}");
     let message = with(&|hand| {
         hand.bodies[1].tie = FrameTie::MeanAxes;
-        hand.free[3].motions = Motions::Hinged { axis: [0.0, 0.0, 1.0] };
+        hand.free[3].motions = Motions::Hinged {
+            axis: Vector::new(0.0, 0.0, 1.0),
+        };
     });
     assert!(
         message.contains("`whip`") && message.contains("3 free motions"),

@@ -6,7 +6,7 @@ use crate::emitted::{
     BodySpec, ConstraintSpec, Fidelity, FixtureSpec, ForceSpec, FrameTie, FreeSpec, Interpolant, JointKind, JointSpec,
     Line, LoadKind, LoadSpec, MarkerSpec, Motions, NodalSpec, Place, RigidSpec, Twist, When,
 };
-use crate::vector::{Vector, scale};
+use crate::space::{Vector, from_rows};
 
 /// Nodal vectors of a centre line with slopes at both ends.
 pub const NODAL: [NodalSpec; 4] = {
@@ -48,7 +48,10 @@ pub fn body(name: &'static str, frame: usize, axes: &'static [usize], to: Vector
         instance: None,
         frame,
         axes,
-        line: Line::Straight { from: [0.0; 3], to },
+        line: Line::Straight {
+            from: [0.0; 3],
+            to: to.into(),
+        },
         count: 2,
         nodal: &NODAL,
         connectivity: &[0, 1, 2, 3],
@@ -82,11 +85,11 @@ pub fn free(frame: usize, parent: usize, motions: Motions) -> FreeSpec {
         parent,
         is_body: false,
         motions,
-        position: [0.0; 3],
-        axis: [0.0, 0.0, 1.0],
+        position: Vector::zeros(),
+        axis: Vector::new(0.0, 0.0, 1.0),
         angle: 0.0,
-        velocity: [0.0; 3],
-        spin: [0.0; 3],
+        velocity: Vector::zeros(),
+        spin: Vector::zeros(),
         rigid: RigidSpec::default(),
     }
 }
@@ -95,8 +98,8 @@ pub fn free(frame: usize, parent: usize, motions: Motions) -> FreeSpec {
 pub fn stone() -> RigidSpec {
     RigidSpec {
         mass: 1.3,
-        moment: [0.2, -0.1, 0.3],
-        inertia: [[0.9, 0.05, -0.1], [0.05, 1.1, 0.07], [-0.1, 0.07, 0.8]],
+        moment: Vector::new(0.2, -0.1, 0.3),
+        inertia: from_rows(&[[0.9, 0.05, -0.1], [0.05, 1.1, 0.07], [-0.1, 0.07, 0.8]]),
     }
 }
 
@@ -110,10 +113,10 @@ pub fn everything() -> Hand {
         spec
     };
     let mut spatial = with(free(3, 2, Motions::Spatial), stone());
-    (spatial.position, spatial.axis, spatial.angle) = ([0.2, 0.1, -0.3], [0.6, 0.0, 0.8], 0.4);
-    (spatial.velocity, spatial.spin) = ([0.3, 0.2, 0.1], [0.5, -0.4, 0.3]);
+    (spatial.position, spatial.axis, spatial.angle) = (Vector::new(0.2, 0.1, -0.3), Vector::new(0.6, 0.0, 0.8), 0.4);
+    (spatial.velocity, spatial.spin) = (Vector::new(0.3, 0.2, 0.1), Vector::new(0.5, -0.4, 0.3));
     let mut planar = free(6, 0, Motions::Planar { normal: 2 });
-    (planar.position, planar.angle, planar.spin) = ([0.0, 0.4, 0.1], 7.0, [0.0, 0.0, 0.6]);
+    (planar.position, planar.angle, planar.spin) = (Vector::new(0.0, 0.4, 0.1), 7.0, Vector::new(0.0, 0.0, 0.6));
     let rigid = |name, markers: &'static [usize], law| {
         let spec = ForceSpec {
             name,
@@ -129,9 +132,9 @@ pub fn everything() -> Hand {
         ],
         moving: true,
         bodies: vec![
-            body("mast", 3, &[0, 1, 2], [0.9, 0.3, 0.0]),
-            body("whip", 6, &[0, 1], [0.4, 0.5, 0.0]),
-            body("blade", 2, &[0, 1, 2], [0.0, 0.8, 0.2]),
+            body("mast", 3, &[0, 1, 2], Vector::new(0.9, 0.3, 0.0)),
+            body("whip", 6, &[0, 1], Vector::new(0.4, 0.5, 0.0)),
+            body("blade", 2, &[0, 1, 2], Vector::new(0.0, 0.8, 0.2)),
         ],
         joints: vec![
             joint("step", JointKind::Clamp, 0, false, 3),
@@ -141,8 +144,11 @@ pub fn everything() -> Hand {
             joint("tip", hold(1, 2), 2, true, 2),
         ],
         loads: vec![
-            (load("gravity", LoadKind::Gravity, 2), [0.5, -1.0, -3.0]),
-            (load("push", LoadKind::Force { body: 0, at: DEAD }, 2), [0.5, 1.5, -0.7]),
+            (load("gravity", LoadKind::Gravity, 2), Vector::new(0.5, -1.0, -3.0)),
+            (
+                load("push", LoadKind::Force { body: 0, at: DEAD }, 2),
+                Vector::new(0.5, 1.5, -0.7),
+            ),
             (
                 load(
                     "twist",
@@ -152,10 +158,16 @@ pub fn everything() -> Hand {
                     },
                     0,
                 ),
-                [0.6, 0.4, -0.9],
+                Vector::new(0.6, 0.4, -0.9),
             ),
-            (load("lean", LoadKind::Moment { body: 1, at: DEAD }, 0), [0.1, 0.2, 1.1]),
-            (load("blow", LoadKind::Force { body: 2, at: DEAD }, 3), [1.0, -0.3, 0.4]),
+            (
+                load("lean", LoadKind::Moment { body: 1, at: DEAD }, 0),
+                Vector::new(0.1, 0.2, 1.1),
+            ),
+            (
+                load("blow", LoadKind::Force { body: 2, at: DEAD }, 3),
+                Vector::new(1.0, -0.3, 0.4),
+            ),
             (
                 load(
                     "wring",
@@ -165,13 +177,22 @@ pub fn everything() -> Hand {
                     },
                     4,
                 ),
-                [0.3, 0.8, -0.6],
+                Vector::new(0.3, 0.8, -0.6),
             ),
         ],
         free: vec![
             spatial,
             with(free(4, 1, Motions::Turning), stone()),
-            with(free(5, 1, Motions::Hinged { axis: [0.6, 0.8, 0.0] }), stone()),
+            with(
+                free(
+                    5,
+                    1,
+                    Motions::Hinged {
+                        axis: Vector::new(0.6, 0.8, 0.0),
+                    },
+                ),
+                stone(),
+            ),
             planar,
             with(free(7, 0, Motions::Shifting), stone()),
             with(free(8, 0, Motions::ShiftingPlanar { normal: 1 }), stone()),
@@ -267,9 +288,9 @@ fn constraints() -> Vec<(ConstraintSpec, Vec<Quadratic>)> {
         branches: 0,
         when: When::Always,
     };
-    let unit = |axis: usize| std::array::from_fn(|i| if i == axis { 1.0 } else { 0.0 });
+    let unit = |axis: usize| Vector::ith(axis, 1.0);
     let point = |axis: usize| Quadratic {
-        linear: vec![(0, unit(axis)), (1, scale(-1.0, unit(axis)))],
+        linear: vec![(0, unit(axis)), (1, -unit(axis))],
         sine: 0.2,
         ..Quadratic::default()
     };

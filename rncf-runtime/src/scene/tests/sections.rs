@@ -11,8 +11,8 @@ use crate::model::{Formulation, Joints, Scene};
 use crate::scene::MeshScene;
 use crate::scene::numbering::layout::{Layout, VectorKind};
 use crate::scene::pieces::marker::Marker;
+use crate::space::{Vector, three};
 use crate::system::{ConstraintLevel, System};
-use crate::vector::{Vector, add, cross, dot, norm, scale, subtract};
 
 /// Second moment of mass of the sections over their mass, m^2.
 const GYRATION: f64 = 0.02;
@@ -111,12 +111,12 @@ pub fn strains(nodal: &[NodalSpec], l: f64) -> Vec<(f64, Vec<Vec<f64>>, f64)> {
 /// Forces on r_y and r_z of a moment M: with n = r_y x r_z, `-(M.c) n/D + (M.n) c/2D` and
 /// `(M.b) n/D - (M.n) b/2D`.
 pub fn moment(axes: &[f64; 6], moment: Vector) -> [f64; 6] {
-    let [b, c] = [[axes[0], axes[1], axes[2]], [axes[3], axes[4], axes[5]]];
-    let n = cross(b, c);
-    let d = dot(n, n);
-    let twist = 0.5 * dot(moment, n) / d;
-    let first = add(scale(-dot(moment, c) / d, n), scale(twist, c));
-    let second = subtract(scale(dot(moment, b) / d, n), scale(twist, b));
+    let [b, c] = [three(axes, 0), three(axes, 3)];
+    let n = b.cross(&c);
+    let d = n.dot(&n);
+    let twist = 0.5 * moment.dot(&n) / d;
+    let first = -moment.dot(&c) / d * n + twist * c;
+    let second = moment.dot(&b) / d * n - twist * b;
     std::array::from_fn(|i| if i < 3 { first[i] } else { second[i - 3] })
 }
 
@@ -152,9 +152,9 @@ fn hold_section(of: Interpolant, axis: usize) -> JointKind {
 pub fn everything_with_sections() -> Hand {
     let mut hand = everything();
     hand.bodies.extend([
-        beam("shaft", 3, &[0, 1, 2], [0.2, -0.6, 0.5]),
-        beam("strip", 6, &[0, 1], [-0.5, 0.3, 0.0]),
-        beam("stalk", 2, &[0, 1, 2], [0.3, 0.1, 0.7]),
+        beam("shaft", 3, &[0, 1, 2], Vector::new(0.2, -0.6, 0.5)),
+        beam("strip", 6, &[0, 1], Vector::new(-0.5, 0.3, 0.0)),
+        beam("stalk", 2, &[0, 1, 2], Vector::new(0.3, 0.1, 0.7)),
     ]);
     let [shaft, strip, stalk] = [3, 4, 5];
     hand.joints.extend([
@@ -169,10 +169,10 @@ pub fn everything_with_sections() -> Hand {
         let kind = LoadKind::Moment { body, at };
         hand.loads.push((LoadSpec { name, kind, frame }, value));
     };
-    load("torque", shaft, DEAD, 0, [0.3, -0.5, 0.8]);
-    load("bend", strip, Place::End, 0, [0.3, -0.5, 0.8]);
-    load("turn", stalk, DEAD, 1, [0.7, 0.2, -0.4]);
-    load("screw", stalk, Place::End, 4, [-0.2, 0.6, 0.5]);
+    load("torque", shaft, DEAD, 0, Vector::new(0.3, -0.5, 0.8));
+    load("bend", strip, Place::End, 0, Vector::new(0.3, -0.5, 0.8));
+    load("turn", stalk, DEAD, 1, Vector::new(0.7, 0.2, -0.4));
+    load("screw", stalk, Place::End, 4, Vector::new(-0.2, 0.6, 0.5));
     let fixture = |name, body, at| FixtureSpec {
         name,
         body,
@@ -266,8 +266,8 @@ fn alone(body: BodySpec, kinds: &[JointKind], joints: Joints) -> Result<MeshScen
 
 #[test]
 fn joints_hold_the_axes_of_sections() {
-    let space = || beam("shaft", 0, &[0, 1, 2], [0.2, -0.6, 0.5]);
-    let plane = || beam("strip", 0, &[0, 1], [0.2, -0.6, 0.0]);
+    let space = || beam("shaft", 0, &[0, 1, 2], Vector::new(0.2, -0.6, 0.5));
+    let plane = || beam("strip", 0, &[0, 1], Vector::new(0.2, -0.6, 0.0));
     let cases: [(BodySpec, JointKind, usize, usize, &str); 5] = [
         (space(), JointKind::Clamp, 6, 6, "twist of the section"),
         (space(), JointKind::ClampFull, 9, 9, "section z axis"),
@@ -297,8 +297,8 @@ fn joints_hold_the_axes_of_sections() {
 /// A clamped section keeps three unknowns: two norms and its shear, which both axes share.
 #[test]
 fn a_clamped_section_strains_and_shears_in_its_plane() {
-    let (y, z): (Vector, Vector) = ([0.48, 0.6, 0.64], [-0.64, 0.0, 0.48]);
-    let z = scale(1.0 / norm(z), z);
+    let (y, z): (Vector, Vector) = (Vector::new(0.48, 0.6, 0.64), Vector::new(-0.64, 0.0, 0.48));
+    let z = 1.0 / z.norm() * z;
     let shear = 0;
     let kinds = vec![
         VectorKind::InPlane { axes: [y, z], shear },
@@ -311,9 +311,9 @@ fn a_clamped_section_strains_and_shears_in_its_plane() {
     let x = [1.1, 0.2, -3.0, 4.0, 5.0, 0.9];
     let mut full = [7.0; 9];
     layout.expand(&x, &mut full);
-    let axis = |norm: f64, along: Vector, across: Vector| add(scale(norm, along), scale(0.2, across));
+    let axis = |norm: f64, along: Vector, across: Vector| norm * along + 0.2 * across;
     for (found, wanted) in [(&full[..3], axis(1.1, y, z)), (&full[6..], axis(0.9, z, y))] {
-        assert!(found.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 1e-15));
+        assert!(found.iter().zip(&wanted).all(|(a, b)| (a - b).abs() < 1e-15));
     }
     let (mut back, mut forces) = ([0.0; 6], [0.0; 6]);
     layout.unknowns_of(&full, &mut back);
@@ -330,44 +330,41 @@ fn a_clamped_section_strains_and_shears_in_its_plane() {
 
 #[test]
 fn markers_of_sections_are_their_axes() {
-    let body = beam("shaft", 0, &[0, 1, 2], [0.2, -0.6, 0.5]);
+    let body = beam("shaft", 0, &[0, 1, 2], Vector::new(0.2, -0.6, 0.5));
     let scene = alone(body.clone(), &[JointKind::Clamp], Joints::Eliminated).unwrap();
     let length = body.line.length();
     // Between nodes quadratic polynomials through the exact directions at 0, 1/2, 1 of an element.
     let xi = 2.0 * 0.37 / length;
     let at = |u: f64| body.section(u)[1];
-    let mut wanted = scale(1.0 - 3.0 * xi + 2.0 * xi * xi, at(0.0));
-    wanted = add(wanted, scale(4.0 * xi * (1.0 - xi), at(0.25)));
-    wanted = add(wanted, scale(xi * (2.0 * xi - 1.0), at(0.5)));
+    let mut wanted = (1.0 - 3.0 * xi + 2.0 * xi * xi) * at(0.0);
+    wanted += 4.0 * xi * (1.0 - xi) * at(0.25);
+    wanted += xi * (2.0 * xi - 1.0) * at(0.5);
     let found = scene.jet(&scene.markers[0])[0];
-    assert!(norm(subtract(found, wanted)) < 1e-15, "{found:?} {wanted:?}");
+    assert!((found - wanted).norm() < 1e-15, "{found:?} {wanted:?}");
     // A direction that turns with a section is where it starts.
     let found = scene.jet(&scene.markers[2])[0];
-    let direction: Vector = [0.3, -2.0, 0.7];
-    let wanted = scale(1.0 / norm(direction), direction);
-    assert!(norm(subtract(found, wanted)) < 1e-14, "{found:?} {wanted:?}");
+    let direction: Vector = Vector::new(0.3, -2.0, 0.7);
+    let wanted = 1.0 / direction.norm() * direction;
+    assert!((found - wanted).norm() < 1e-14, "{found:?} {wanted:?}");
     assert!(!scene.marker_components(&scene.markers[2]).is_empty());
 }
 
 #[test]
 fn a_planar_section_has_components_in_its_plane_and_along_the_normal() {
-    let body = beam("strip", 0, &[0, 1], [0.3, 0.4, 0.0]);
+    let body = beam("strip", 0, &[0, 1], Vector::new(0.3, 0.4, 0.0));
     let scene = alone(body, &[JointKind::Clamp], Joints::Eliminated).unwrap();
     let Marker::Section { along: found, .. } = scene.markers[2] else {
         panic!("a direction in a section");
     };
-    let direction: Vector = [0.3, -2.0, 0.7];
+    let direction: Vector = Vector::new(0.3, -2.0, 0.7);
     // Along (0.6, 0.8), across (-0.8, 0.6).
-    let parts = [0.6 * 0.3 - 0.8 * 2.0, -0.8 * 0.3 - 0.6 * 2.0, 0.7];
-    assert!(
-        norm(subtract(found, scale(1.0 / norm(direction), parts))) < 1e-15,
-        "{found:?}"
-    );
+    let parts = Vector::new(0.6 * 0.3 - 0.8 * 2.0, -0.8 * 0.3 - 0.6 * 2.0, 0.7);
+    assert!((found - 1.0 / direction.norm() * parts).norm() < 1e-15, "{found:?}");
 }
 
 fn near(found: [Vector; 2], wanted: [Vector; 2]) {
     for (found, wanted) in found.into_iter().zip(wanted) {
-        assert!(norm(subtract(found, wanted)) < 1e-15, "{found:?} instead of {wanted:?}");
+        assert!((found - wanted).norm() < 1e-15, "{found:?} instead of {wanted:?}");
     }
 }
 
@@ -378,17 +375,34 @@ fn sections_turn_with_the_axis() {
         twist: Twist::even(twist),
         ..beam("shaft", 0, &[0, 1, 2], to)
     };
-    let [x, y, z]: [Vector; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    let minus = |u: Vector| scale(-1.0, u);
-    near(straight([2.0, 0.0, 0.0], None, 0.0).section(0.3), [y, z]);
-    near(straight([0.0, 3.0, 0.0], None, 0.0).section(1.0), [minus(x), z]);
-    near(straight([0.0, 0.0, 0.5], None, 0.0).section(0.5), [y, minus(x)]);
+    let [x, y, z]: [Vector; 3] = [
+        Vector::new(1.0, 0.0, 0.0),
+        Vector::new(0.0, 1.0, 0.0),
+        Vector::new(0.0, 0.0, 1.0),
+    ];
+    let minus = |u: Vector| -u;
+    near(straight(Vector::new(2.0, 0.0, 0.0), None, 0.0).section(0.3), [y, z]);
+    near(
+        straight(Vector::new(0.0, 3.0, 0.0), None, 0.0).section(1.0),
+        [minus(x), z],
+    );
+    near(
+        straight(Vector::new(0.0, 0.0, 0.5), None, 0.0).section(0.5),
+        [y, minus(x)],
+    );
     // Not normal to the axis as declared; a quarter turn of twist from start to end.
-    let twisted = straight([2.0, 0.0, 0.0], Some([5.0, 0.0, 0.1]), std::f64::consts::FRAC_PI_2);
+    let twisted = straight(
+        Vector::new(2.0, 0.0, 0.0),
+        Some([5.0, 0.0, 0.1]),
+        std::f64::consts::FRAC_PI_2,
+    );
     near(twisted.section(0.0), [z, minus(y)]);
     near(twisted.section(1.0), [minus(y), minus(z)]);
     let half = 0.5f64.sqrt();
-    near(twisted.section(0.5), [[0.0, -half, half], [0.0, -half, -half]]);
+    near(
+        twisted.section(0.5),
+        [Vector::new(0.0, -half, half), Vector::new(0.0, -half, -half)],
+    );
     // A quarter circle from x to z turns about -y, which the declared normal leans away from.
     let arc = |section_y, twist| BodySpec {
         line: Line::Arc {
@@ -401,12 +415,15 @@ fn sections_turn_with_the_axis() {
         ..straight(x, section_y, twist)
     };
     let (point, tangent) = arc(None, 0.0).line.at(1.0);
-    near([point, tangent], [[2.0, 0.0, 2.0], z]);
+    near([point, tangent], [Vector::new(2.0, 0.0, 2.0), z]);
     near(arc(None, 0.0).section(1.0), [y, minus(x)]);
-    near(arc(Some(z), 0.0).section(1.0), [minus(x), minus(y)]);
+    near(arc(Some(z.into()), 0.0).section(1.0), [minus(x), minus(y)]);
     near(arc(None, std::f64::consts::PI).section(1.0), [minus(y), x]);
     // In the plane xy counter-clockwise from the tangent.
-    near(beam("strip", 0, &[0, 1], [0.0, 2.0, 0.0]).section(0.2), [minus(x), z]);
+    near(
+        beam("strip", 0, &[0, 1], Vector::new(0.0, 2.0, 0.0)).section(0.2),
+        [minus(x), z],
+    );
 }
 
 #[test]
@@ -414,7 +431,7 @@ fn directions_that_leave_a_section_open_are_refused() {
     let to = [0.0, 0.6, 0.8];
     let with = |section_y| BodySpec {
         section_y: Some(section_y),
-        ..beam("shaft", 0, &[0, 1, 2], to)
+        ..beam("shaft", 0, &[0, 1, 2], to.into())
     };
     let bad = [with(to), with([0.0; 3]), with([f64::NAN, 1.0, 0.0])];
     for body in bad {
@@ -431,7 +448,7 @@ fn directions_that_leave_a_section_open_are_refused() {
         line: Line::Arc {
             from: [0.0; 3],
             direction: to,
-            normal: scale(-2.0, to),
+            normal: to.map(|component| -2.0 * component),
             radius: 1.0,
             angle: 1.0,
         },
@@ -447,7 +464,7 @@ fn mean_axes_tie_the_turning_of_a_straight_body_with_a_section() {
         tie: FrameTie::MeanAxes,
         section_y: None,
         twist: Twist::even(0.0),
-        ..beam("rod", 1, &[0, 1, 2], [2.0, 0.0, 0.0])
+        ..beam("rod", 1, &[0, 1, 2], Vector::new(2.0, 0.0, 0.0))
     };
     let hand = Hand {
         frames: vec!["inertial", "float"],
@@ -460,9 +477,9 @@ fn mean_axes_tie_the_turning_of_a_straight_body_with_a_section() {
     let mut state = scene.rest(0.0);
     for within in 0..rod.vectors() {
         let (node, local) = rod.locate(within);
-        let spun = cross([1.0, 0.0, 0.0], rod.undeformed_vector(node, local));
+        let spun = Vector::from([1.0, 0.0, 0.0]).cross(&rod.undeformed_vector(node, local));
         let offset = scene.layout.offset(within);
-        state.v[offset..offset + 3].copy_from_slice(&spun);
+        state.v[offset..offset + 3].copy_from_slice(spun.as_slice());
     }
     let mut jacobian = vec![0.0; scene.constraint_pattern().entries()];
     scene.constraint_jacobian(&state, &mut jacobian);
@@ -481,7 +498,7 @@ fn a_centre_line_carries_what_its_nodes_exert() {
     let what = |what, at| ObservedSpec::Section { body: 0, at, what };
     let hand = Hand {
         frames: vec!["inertial"],
-        bodies: vec![body("rope", 0, &[0, 1], [2.0, 0.0, 0.0])],
+        bodies: vec![body("rope", 0, &[0, 1], Vector::new(2.0, 0.0, 0.0))],
         observed: vec![
             what(SectionQuantity::AxialForce, Place::At(0.5)),
             what(SectionQuantity::Moment, Place::At(0.5)),

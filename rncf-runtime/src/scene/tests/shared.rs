@@ -8,8 +8,8 @@ use crate::model::{Formulation, Joints, Scene, Uniform};
 use crate::modes::{Wanted, modes};
 use crate::scene::MeshScene;
 use crate::scene::numbering::layout::{Layout, VectorKind};
+use crate::space::{Vector, from_rows};
 use crate::system::{State, System, Tangent};
-use crate::vector::Vector;
 
 const SPACE: &[usize] = &[0, 1, 2];
 
@@ -21,22 +21,22 @@ fn share(name: &'static str, first: (usize, bool), second: (usize, bool), smooth
     }
 }
 
-fn between(name: &'static str, frame: usize, from: Vector, to: Vector, count: usize) -> BodySpec {
+fn between(name: &'static str, frame: usize, from: [f64; 3], to: [f64; 3], count: usize) -> BodySpec {
     BodySpec {
         line: Line::Straight { from, to },
         count,
-        ..body(name, frame, SPACE, to)
+        ..body(name, frame, SPACE, to.into())
     }
 }
 
 /// A free frame with inertia that carries the bodies.
 fn carried(bodies: Vec<BodySpec>, joints: Vec<JointSpec>, shares: Vec<ShareSpec>) -> Hand {
     let mut hub = free(1, 0, Motions::Spatial);
-    hub.spin = [0.1, 0.2, 0.7];
+    hub.spin = Vector::new(0.1, 0.2, 0.7);
     hub.rigid = RigidSpec {
         mass: 2.0,
-        moment: [0.0; 3],
-        inertia: [[0.5, 0.0, 0.0], [0.0, 0.6, 0.0], [0.0, 0.0, 0.8]],
+        moment: Vector::zeros(),
+        inertia: from_rows(&[[0.5, 0.0, 0.0], [0.0, 0.6, 0.0], [0.0, 0.0, 0.8]]),
     };
     Hand {
         frames: vec!["inertial", "hub"],
@@ -136,7 +136,7 @@ fn bodies_in_a_row_are_one_longer_body() {
         found.iter().map(|mode| mode.im).collect::<Vec<f64>>()
     };
     let still = |mut hand: Hand| {
-        hand.free[0].spin = [0.0; 3];
+        hand.free[0].spin = Vector::zeros();
         hand.scene(Formulation::Rncf)
     };
     let wanted = frequencies(&mut still(long));

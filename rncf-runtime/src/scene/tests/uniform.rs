@@ -10,8 +10,8 @@ use crate::equilibrium::{continue_from, follow};
 use crate::linalg::Pattern;
 use crate::model::{Formulation, Kind, Scene, Spin, Uniform};
 use crate::scene::MeshScene;
+use crate::space::{Matrix, Vector, from_rows, matrix, three};
 use crate::system::{State, System, Tangent};
-use crate::vector::{Vector, scale};
 
 const STEP: f64 = 1e-5;
 const G: f64 = 9.81;
@@ -69,10 +69,10 @@ fn small_motions_are_derivatives_in_corotating_axes() {
         let mut hand = everything();
         hand.moving = false;
         let mut scene = hand.scene(Formulation::Rncf);
-        let turning: Vector = [0.4, -1.1, 0.8];
+        let turning: Vector = Vector::new(0.4, -1.1, 0.8);
         let spin = Some(Spin {
             velocity: turning,
-            point: [0.1, 0.3, -0.2],
+            point: Vector::new(0.1, 0.3, -0.2),
         });
         let at = Uniform {
             t: 0.0,
@@ -88,7 +88,7 @@ fn small_motions_are_derivatives_in_corotating_axes() {
         let [stiffness, damping] = [&tangent.stiffness, &tangent.damping].map(|values| dense(scene.pattern(), values));
         let n = scene.unknowns();
         let zeros = vec![0.0; n];
-        let rotation = scale(at.speed(), turning);
+        let rotation = at.speed() * turning;
         for i in 0..n {
             let sides = [STEP, -STEP].map(|step| {
                 let moved = moved(&scene, &state, i, step);
@@ -117,23 +117,22 @@ fn coriolis(scene: &MeshScene, state: &State, rotation: Vector, unknown: usize) 
             continue;
         }
         let matrix = match frame.turn {
-            Some(turn) => state.turns[turn].matrix(),
+            Some(turn) => matrix(&state.turns[turn]),
             None => scene.buffers.frames[frame.spec.frame].rotation,
         };
-        let within = crate::vector::apply_transposed(&matrix, rotation);
+        let within = matrix.tr_mul(&rotation);
         let mine = &frame.directions[unknown - own.start];
-        let shift = crate::vector::cross(scale(2.0, rotation), mine.shift);
-        let turn = crate::vector::cross(within, mine.turn);
+        let shift = (2.0 * rotation).cross(&mine.shift);
+        let turn = within.cross(&mine.turn);
         for (place, direction) in frame.directions.iter().enumerate() {
-            result[own.start + place] =
-                crate::vector::dot(direction.shift, shift) + crate::vector::dot(direction.turn, turn);
+            result[own.start + place] = direction.shift.dot(&shift) + direction.turn.dot(&turn);
         }
     }
     result
 }
 
 fn unit(axis: usize) -> Vector {
-    std::array::from_fn(|i| if i == axis { 1.0 } else { 0.0 })
+    Vector::from_fn(|i, _| if i == axis { 1.0 } else { 0.0 })
 }
 
 /// A ball joint of two point markers.
@@ -149,7 +148,7 @@ fn ball(name: &'static str, markers: &'static [usize]) -> (ConstraintSpec, Vec<Q
         when: When::Always,
     };
     let row = |axis| Quadratic {
-        linear: vec![(0, unit(axis)), (1, scale(-1.0, unit(axis)))],
+        linear: vec![(0, unit(axis)), (1, -unit(axis))],
         ..Quadratic::default()
     };
     (spec, (0..3).map(row).collect())
@@ -163,11 +162,11 @@ fn conical(phi: f64, spin: f64, along: f64) -> Hand {
     let mut bar: FreeSpec = free(1, 0, Motions::Spatial);
     bar.is_body = true;
     (bar.axis, bar.angle) = (unit(1), -phi);
-    bar.spin = [spin * phi.sin(), 0.0, spin * phi.cos()];
+    bar.spin = Vector::new(spin * phi.sin(), 0.0, spin * phi.cos());
     bar.rigid = RigidSpec {
         mass: 2.0,
-        moment: [0.0, 0.0, -2.0 * LENGTH],
-        inertia: [[1.5, 0.0, 0.0], [0.0, 1.5, 0.0], [0.0, 0.0, along]],
+        moment: Vector::new(0.0, 0.0, -2.0 * LENGTH),
+        inertia: from_rows(&[[1.5, 0.0, 0.0], [0.0, 1.5, 0.0], [0.0, 0.0, along]]),
     };
     Hand {
         frames: vec!["inertial", "bar"],
@@ -178,7 +177,7 @@ fn conical(phi: f64, spin: f64, along: f64) -> Hand {
                 kind: LoadKind::Gravity,
                 frame: 0,
             },
-            [0.0, 0.0, -G],
+            Vector::new(0.0, 0.0, -G),
         )],
         markers: vec![
             MarkerSpec::Point { frame: 1, at: [0.0; 3] },
@@ -191,7 +190,7 @@ fn conical(phi: f64, spin: f64, along: f64) -> Hand {
 
 /// Angle of the bar to the vertical.
 fn tilt(state: &State) -> f64 {
-    state.turns[0].matrix()[2][2].acos()
+    matrix(&state.turns[0])[(2, 2)].acos()
 }
 
 /// A top that hangs and goes round without own spin: `(A - C) w^2 cos(phi) = m g l`. Neutral are the turning about
@@ -231,19 +230,17 @@ fn conical_pendulum_in_space() {
 #[test]
 fn free_body_turns_about_a_principal_axis() {
     let mut body: FreeSpec = free(1, 0, Motions::Spatial);
-    body.spin = [0.05, -0.1, 4.0];
+    body.spin = Vector::new(0.05, -0.1, 4.0);
     // The mass centre lies off the origin; about it the principal moments are 1, 2, 2.6.
-    let (mass, center) = (3.0, [0.2, -0.1, 0.4]);
+    let (mass, center) = (3.0, Vector::new(0.2, -0.1, 0.4));
     let square: f64 = center.iter().map(|c: &f64| c * c).sum();
     let principal = [1.0, 2.0, 2.6];
     body.rigid = RigidSpec {
         mass,
-        moment: scale(mass, center),
-        inertia: std::array::from_fn(|i| {
-            std::array::from_fn(|j| {
-                let own = if i == j { principal[i] + mass * square } else { 0.0 };
-                own - mass * center[i] * center[j]
-            })
+        moment: mass * center,
+        inertia: Matrix::from_fn(|i, j| {
+            let own = if i == j { principal[i] + mass * square } else { 0.0 };
+            own - mass * center[i] * center[j]
         }),
     };
     let hand = Hand {
@@ -254,20 +251,20 @@ fn free_body_turns_about_a_principal_axis() {
     let mut scene = hand.scene(Formulation::Rncf);
     let at = Uniform {
         spin: Some(Spin {
-            velocity: [0.05, -0.1, 4.0],
-            point: [0.0; 3],
+            velocity: Vector::new(0.05, -0.1, 4.0),
+            point: Vector::zeros(),
         }),
         ..Uniform::steady(0.0)
     };
     let found = follow(&mut scene, &at, 1.0, |_, _| ()).unwrap();
     let state = found.state().unwrap();
     // Axis z of the body is along the rotation, the mass centre on it.
-    let axis = scale(1.0 / 4.001_562_194_719_709_6, [0.05, -0.1, 4.0]);
-    let a = state.turns[0].matrix();
-    let z = [a[0][2], a[1][2], a[2][2]];
-    let middle = crate::vector::add([state.x[0], state.x[1], state.x[2]], crate::vector::apply(&a, center));
-    let away = crate::vector::norm(crate::vector::cross(axis, middle));
-    assert!(crate::vector::norm(crate::vector::cross(axis, z)) < 1e-13 && away < 1e-13);
+    let axis = 1.0 / 4.001_562_194_719_709_6 * Vector::from([0.05, -0.1, 4.0]);
+    let a = matrix(&state.turns[0]);
+    let z = a.column(2);
+    let middle = three(&state.x, 0) + a * center;
+    let away = axis.cross(&middle).norm();
+    assert!(axis.cross(&z).norm() < 1e-13 && away < 1e-13);
     // Of another rotation is the same body not in equilibrium near this place about a middle axis only: a free
     // body that stands still is neutral in everything.
     let still = Uniform::at_rest(0.0);
@@ -347,18 +344,18 @@ fn what_is_not_invariant_is_refused_by_name() {
     hand.constraints[0].0.rows = &["position x"];
     assert!(refusal(hand, &at).contains("joint `slot`"));
     let mut hand = rotor();
-    hand.loads[0].1 = [0.1, 0.0, -G];
+    hand.loads[0].1 = Vector::new(0.1, 0.0, -G);
     assert!(refusal(hand, &at).contains("load `weight` keeps its direction while `bar` turns"));
     let mut hand = rotor();
-    hand.loads[0].1 = [0.1, 0.0, -G];
+    hand.loads[0].1 = Vector::new(0.1, 0.0, -G);
     assert_eq!(refusal(hand, &Uniform::at_rest(0.0)), "");
     let mut hand = rotor();
     hand.free[0].motions = Motions::Hinged { axis: unit(0) };
-    hand.free[0].spin = [0.0; 3];
+    hand.free[0].spin = Vector::zeros();
     let forced = Uniform {
         spin: Some(Spin {
-            velocity: [0.0, 0.0, 2.0],
-            point: [0.0; 3],
+            velocity: Vector::new(0.0, 0.0, 2.0),
+            point: Vector::zeros(),
         }),
         ..at
     };
@@ -366,7 +363,7 @@ fn what_is_not_invariant_is_refused_by_name() {
     let mut hand = rotor();
     hand.frames.push("other");
     let mut other: FreeSpec = free(2, 0, Motions::Spatial);
-    other.spin = [0.0, 1.0, 0.0];
+    other.spin = Vector::new(0.0, 1.0, 0.0);
     hand.free.push(other);
     assert!(refusal(hand, &at).contains("frame `other` does not turn with the others"));
 }

@@ -1,6 +1,6 @@
 //! In which sense the points of a mode circulate about the axis of the spin.
 
-use crate::vector::{Vector, cross, dot, perpendicular};
+use crate::space::{Vector, perpendicular};
 
 /// Part of the kinetic energy below which what goes across the axis tells no sense of whirl: the round-off of a torsion
 /// does, and what an unbalance couples to it.
@@ -24,7 +24,7 @@ impl Whirling {
         Self {
             axes: axis.map(|axis| {
                 let first = perpendicular(axis);
-                [axis, first, cross(axis, first)]
+                [axis, first, axis.cross(&first)]
             }),
             ..Self::default()
         }
@@ -35,9 +35,9 @@ impl Whirling {
         let Some([_, first, second]) = self.axes else { return };
         let [re, im] = displaced;
         let [image_re, image_im] = image;
-        self.turning += 2.0 * (dot(*im, first) * dot(*image_re, second) - dot(*re, first) * dot(*image_im, second));
+        self.turning += 2.0 * (im.dot(&first) * image_re.dot(&second) - re.dot(&first) * image_im.dot(&second));
         for across in [first, second] {
-            self.size += dot(*re, across) * dot(*image_re, across) + dot(*im, across) * dot(*image_im, across);
+            self.size += re.dot(&across) * image_re.dot(&across) + im.dot(&across) * image_im.dot(&across);
         }
     }
 

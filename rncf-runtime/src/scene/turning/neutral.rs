@@ -5,12 +5,11 @@
 use super::symmetry::{normalise, reduce};
 use crate::emitted::LoadKind;
 use crate::model::{Spin, Uniform};
-use crate::rotation::Rotation;
 use crate::scene::MeshScene;
 use crate::scene::pieces::displacement::Displacement;
 use crate::scene::pieces::marker::Marker;
+use crate::space::{Vector, exp, matrix};
 use crate::system::State;
-use crate::vector::{Vector, add, apply, cross, dot, multiply, norm, scale, subtract, transpose};
 
 /// Angles that a turning is tried with, rad.
 const ANGLES: [f64; 3] = [0.7, 2.1, 4.4];
@@ -27,30 +26,30 @@ enum Screw {
 }
 
 fn unit(axis: usize) -> Vector {
-    std::array::from_fn(|i| if i == axis { 1.0 } else { 0.0 })
+    Vector::from_fn(|i, _| if i == axis { 1.0 } else { 0.0 })
 }
 
 impl Screw {
     fn displacements(self, moved: &[bool], is_own: bool, size: f64) -> Vec<Displacement> {
         let still = Displacement {
             moved: moved.to_vec(),
-            turn: [0.0; 3],
-            point: [0.0; 3],
-            shift: [0.0; 3],
+            turn: Vector::zeros(),
+            point: Vector::zeros(),
+            shift: Vector::zeros(),
             is_own,
             later: None,
         };
         match self {
             Screw::Turn { axis, point } => ANGLES
                 .map(|angle| Displacement {
-                    turn: scale(angle, axis),
+                    turn: angle * axis,
                     point,
                     ..still.clone()
                 })
                 .to_vec(),
             Screw::Shift { along } => SHIFTS
                 .map(|part| Displacement {
-                    shift: scale(part * size, along),
+                    shift: part * size * along,
                     ..still.clone()
                 })
                 .to_vec(),
@@ -144,17 +143,17 @@ impl MeshScene {
 
     /// Motions of a group as a whole that may be neutral.
     fn screws(&self, spin: &Spin, group: &[usize], t: f64) -> Vec<Screw> {
-        let speed = norm(spin.velocity);
+        let speed = spin.velocity.norm();
         if speed > 0.0 {
-            let axis = scale(1.0 / speed, spin.velocity);
+            let axis = 1.0 / speed * spin.velocity;
             let point = spin.point;
             return vec![Screw::Turn { axis, point }, Screw::Shift { along: axis }];
         }
         let mut screws: Vec<Screw> = (0..3).map(|axis| Screw::Shift { along: unit(axis) }).collect();
         let (mut points, mut axes) = (Vec::new(), Vec::new());
         let gravity = self.gravity(t);
-        if norm(gravity) > 0.0 {
-            axes.push(scale(1.0 / norm(gravity), gravity));
+        if gravity.norm() > 0.0 {
+            axes.push(1.0 / gravity.norm() * gravity);
         }
         axes.extend((0..3).map(unit));
         let frames: Vec<usize> = group.iter().map(|&free| self.free[free].spec.frame).collect();
@@ -171,7 +170,7 @@ impl MeshScene {
                 let value = self.jet(marker)[0];
                 match marker {
                     _ if marker.is_point() => points.push(value),
-                    Marker::Fixed { .. } if norm(value) > 0.0 => axes.push(scale(1.0 / norm(value), value)),
+                    Marker::Fixed { .. } if value.norm() > 0.0 => axes.push(1.0 / value.norm() * value),
                     _ => {}
                 }
             }
@@ -193,17 +192,12 @@ impl MeshScene {
         }
         let motion = &self.buffers.frames[frame.spec.frame];
         let rigid = &frame.spec.rigid;
-        let size = rigid
-            .inertia
-            .iter()
-            .flatten()
-            .fold(0.0, |size: f64, x| size.max(x.abs()));
+        let size = rigid.inertia.amax();
         let is_symmetric = |axis: &Vector| {
-            let turn = Rotation::exp(scale(ANGLES[0], *axis)).matrix();
-            let turned = multiply(&multiply(&transpose(&turn), &rigid.inertia), &turn);
-            let pairs = turned.iter().flatten().zip(rigid.inertia.iter().flatten());
-            let same = pairs.into_iter().all(|(a, b)| (a - b).abs() <= NEGLIGIBLE * size);
-            same && norm(cross(*axis, rigid.moment)) <= NEGLIGIBLE * norm(rigid.moment)
+            let turn = matrix(&exp(ANGLES[0] * *axis));
+            let turned = (turn.transpose() * rigid.inertia) * turn;
+            let same = (turned - rigid.inertia).amax() <= NEGLIGIBLE * size;
+            same && axis.cross(&rigid.moment).norm() <= NEGLIGIBLE * rigid.moment.norm()
         };
         let axes = (0..3).map(unit).filter(is_symmetric);
         axes.map(|axis| Screw::Turn {
@@ -215,7 +209,7 @@ impl MeshScene {
 
     /// Whether loads of the scene make a difference between the places before and after.
     fn is_pulled(&mut self, at: &Uniform, displacement: &Displacement) -> bool {
-        let matrix = Rotation::exp(displacement.turn).matrix();
+        let matrix = matrix(&exp(displacement.turn));
         let (frames, q) = (self.buffers.frames.clone(), self.buffers.q.clone());
         let pull = |scene: &Self| -> Vec<(usize, Vector)> {
             let gravity = scene.gravity(at.t);
@@ -223,7 +217,8 @@ impl MeshScene {
             let gravity = heavy.map(|frame| (frame.spec.frame, gravity));
             let marked = scene.marked_loads.iter().map(|marked| {
                 let load = &scene.loads[marked.load];
-                let value = scene.buffers.frames[load.frame].direction_to_inertial(scene.parts.load(marked.load, at.t));
+                let value =
+                    scene.buffers.frames[load.frame].direction_to_inertial(scene.parts.load(marked.load, at.t).into());
                 (scene.marker_frame(&marked.markers[0]), value)
             });
             gravity.chain(marked).collect()
@@ -234,11 +229,11 @@ impl MeshScene {
         (self.buffers.frames, self.buffers.q) = (frames, q);
         before.into_iter().zip(after).any(|((frame, before), (_, after))| {
             let expected = if displacement.moved[frame] {
-                apply(&matrix, before)
+                matrix * before
             } else {
                 before
             };
-            norm(subtract(expected, after)) > NEGLIGIBLE * norm(before)
+            (expected - after).norm() > NEGLIGIBLE * before.norm()
         })
     }
 
@@ -255,15 +250,14 @@ impl MeshScene {
         for frame in self.free.iter().filter(|frame| moved[frame.spec.frame]) {
             let motion = &self.buffers.frames[frame.spec.frame];
             let (shift, turn) = match screw {
-                Screw::Turn { axis, point } => (
-                    cross(axis, subtract(motion.position, point)),
-                    motion.direction_to_frame(axis),
-                ),
-                Screw::Shift { along } => (along, [0.0; 3]),
+                Screw::Turn { axis, point } => {
+                    (axis.cross(&(motion.position - point)), motion.direction_to_frame(axis))
+                }
+                Screw::Shift { along } => (along, Vector::zeros()),
             };
             for (place, direction) in frame.directions.iter().enumerate() {
                 let unknown = border + frame.first + place;
-                result[unknown] = (dot(direction.shift, shift) + dot(direction.turn, turn)) / self.sizes[unknown];
+                result[unknown] = (direction.shift.dot(&shift) + direction.turn.dot(&turn)) / self.sizes[unknown];
             }
         }
         // Round-off is not a part of the motion.
@@ -281,8 +275,8 @@ impl MeshScene {
 fn distinct(vectors: Vec<Vector>) -> Vec<Vector> {
     let mut result: Vec<Vector> = Vec::new();
     for vector in vectors {
-        let size = norm(vector).max(f64::MIN_POSITIVE);
-        let is_known = |other: &Vector| norm(add(vector, scale(-1.0, *other))) <= NEGLIGIBLE * size;
+        let size = vector.norm().max(f64::MIN_POSITIVE);
+        let is_known = |other: &Vector| (vector + -*other).norm() <= NEGLIGIBLE * size;
         if !result.iter().any(is_known) {
             result.push(vector);
         }

@@ -7,8 +7,8 @@ use crate::scene::MeshScene;
 use crate::scene::numbering::conditions::Condition;
 use crate::scene::pieces::displacement::Displacement;
 use crate::scene::pieces::push::Law;
+use crate::space::Vector;
 use crate::system::State;
-use crate::vector::{add, cross, dot, norm, scale, subtract};
 
 /// Relative size below which a change of a motion, or a load's component across the spin, counts as
 /// zero.
@@ -19,18 +19,18 @@ const A_WHILE: f64 = 1e-3;
 
 /// Whether two spins (rad/s) or accelerations (m/s^2) differ by more than round-off; a motion that
 /// sets out smoothly from rest counts as uniform there.
-fn differs(a: [f64; 3], b: [f64; 3]) -> bool {
-    norm(subtract(a, b)) > NEGLIGIBLE * norm(a).max(norm(b)).max(1.0)
+fn differs(a: Vector, b: Vector) -> bool {
+    (a - b).norm() > NEGLIGIBLE * a.norm().max(b.norm()).max(1.0)
 }
 
 /// Angular velocity of a frame, inertial axes.
-fn turning(frame: &FrameMotion) -> [f64; 3] {
+fn turning(frame: &FrameMotion) -> Vector {
     frame.direction_to_inertial(frame.spin)
 }
 
 /// Velocity of a point (inertial) that is fixed in the frame.
-fn carried(frame: &FrameMotion, point: [f64; 3]) -> [f64; 3] {
-    add(frame.velocity, cross(turning(frame), subtract(point, frame.position)))
+fn carried(frame: &FrameMotion, point: Vector) -> Vector {
+    frame.velocity + turning(frame).cross(&(point - frame.position))
 }
 
 impl MeshScene {
@@ -68,21 +68,21 @@ impl MeshScene {
         for index in candidates {
             let (frame, name) = (&frames[index], self.parts.frame_name(index));
             let velocity = turning(frame);
-            let square = dot(velocity, velocity);
+            let square = velocity.dot(&velocity);
             if square == 0.0 {
                 continue;
             }
-            let along = dot(velocity, frame.velocity);
-            if along.abs() > NEGLIGIBLE * norm(velocity) * norm(frame.velocity) {
+            let along = velocity.dot(&frame.velocity);
+            if along.abs() > NEGLIGIBLE * velocity.norm() * frame.velocity.norm() {
                 return Err(format!(
                     "frame `{name}` moves along the axis that it turns about: let it turn only"
                 ));
             }
-            let point = add(frame.position, scale(1.0 / square, cross(velocity, frame.velocity)));
+            let point = frame.position + 1.0 / square * velocity.cross(&frame.velocity);
             let spin = Spin { velocity, point };
             let other = *found.get_or_insert(spin);
             any.get_or_insert(spin);
-            let expected = cross(other.velocity, subtract(frame.position, other.point));
+            let expected = other.velocity.cross(&(frame.position - other.point));
             if differs(velocity, other.velocity) || differs(frame.velocity, expected) {
                 return Err(format!(
                     "frame `{name}` does not turn with the others: what moves freely needs one angular velocity and one axis in common; give the rotation, or frames that turn alike"
@@ -152,11 +152,11 @@ impl MeshScene {
     /// A constraint or force on markers that changes when all that turns is turned on, what stands staying;
     /// at the loaded state.
     fn variant(&mut self, spin: &Spin, t: f64) -> Option<String> {
-        let speed = norm(spin.velocity);
+        let speed = spin.velocity.norm();
         if speed == 0.0 || !self.is_coupled() {
             return None;
         }
-        let turns = |index: usize| self.free_of[index].is_some() || self.buffers.frames[index].spin != [0.0; 3];
+        let turns = |index: usize| self.free_of[index].is_some() || self.buffers.frames[index].spin != Vector::zeros();
         let moved: Vec<bool> = (0..self.buffers.frames.len()).map(turns).collect();
         // Of drives the rate must be that of the rotation, of all else nothing may change at any angle.
         let angles = [0.7, 2.1, 4.4].map(|angle| (angle, 0.0));
@@ -164,9 +164,9 @@ impl MeshScene {
         for (angle, later) in angles.into_iter().chain(rates) {
             let displacement = Displacement {
                 moved: moved.clone(),
-                turn: scale(angle / speed, spin.velocity),
+                turn: angle / speed * spin.velocity,
                 point: spin.point,
-                shift: [0.0; 3],
+                shift: Vector::zeros(),
                 is_own: false,
                 later: Some(later),
             };
@@ -200,7 +200,7 @@ impl MeshScene {
         let prescribed = (0..frames.len()).filter(|&index| self.free_of[index].is_none() && used(index));
         for index in prescribed {
             let (frame, next) = (&frames[index], &later[index]);
-            if coupled && frame.spin == [0.0; 3] && frame.velocity != [0.0; 3] {
+            if coupled && frame.spin == Vector::zeros() && frame.velocity != Vector::zeros() {
                 let name = self.parts.frame_name(index);
                 return Some(format!(
                     "frame `{name}` shifts without turning: let it stand still or turn about the axis of the rotation"
@@ -220,14 +220,14 @@ impl MeshScene {
     fn unable(&self, spin: &Spin, frames: &[FrameMotion]) -> Option<String> {
         for frame in &self.free {
             let (motion, name) = (&frames[frame.spec.frame], self.parts.frame_name(frame.spec.frame));
-            let needed = cross(spin.velocity, subtract(motion.position, spin.point));
+            let needed = spin.velocity.cross(&(motion.position - spin.point));
             if differs(needed, motion.velocity) {
                 return Some(format!(
                     "frame `{name}` cannot be carried about the axis of the rotation: free it along more axes, or put its origin on the axis"
                 ));
             }
             let carries = self.bodies.iter().any(|body| body.spec.frame == frame.spec.frame)
-                || frame.spec.rigid.moment != [0.0; 3];
+                || frame.spec.rigid.moment != Vector::zeros();
             let turns = frame.count() > frame.shifts();
             if (turns || carries) && differs(turning(motion), spin.velocity) {
                 return Some(format!(
@@ -241,7 +241,7 @@ impl MeshScene {
     /// A load that keeps its direction in a frame which turns relative to a body that it acts on.
     fn load_obstacle(&self, index: usize, t: f64, frames: &[FrameMotion]) -> Option<String> {
         let load = &self.loads[index];
-        let value = frames[load.frame].direction_to_inertial(self.parts.load(index, t));
+        let value = frames[load.frame].direction_to_inertial(self.parts.load(index, t).into());
         let acts_on = |body: usize| match load.kind {
             LoadKind::Gravity => true,
             // Looked at with the forces on markers.
@@ -274,7 +274,7 @@ impl MeshScene {
         let (joint, data) = (&self.joints[condition.joint], &condition.data);
         let body = &self.bodies[joint.body].spec;
         let (own, other) = (&frames[body.frame], &frames[joint.frame]);
-        let held = [data.tangent, data.second].map(|direction| other.direction_to_inertial(direction));
+        let held = [data.tangent, data.second].map(|direction| other.direction_to_inertial(direction.into()));
         if joint.kind != JointKind::Pin && held.iter().any(|&direction| turns(other, own, direction)) {
             return Some(format!(
                 "joint `{}` holds the direction of body `{}` in a frame that does not turn with it",
@@ -282,9 +282,9 @@ impl MeshScene {
                 body.label()
             ));
         }
-        let point = other.point_to_inertial(data.point);
+        let point = other.point_to_inertial(data.point.into());
         let [held, moved] = [carried(other, point), carried(own, point)];
-        if norm(subtract(held, moved)) > NEGLIGIBLE * norm(held).max(norm(moved)) {
+        if (held - moved).norm() > NEGLIGIBLE * held.norm().max(moved.norm()) {
             return Some(format!(
                 "joint `{}` holds body `{}` at a point that moves in its frame",
                 self.joint_label(condition.joint),
@@ -296,9 +296,9 @@ impl MeshScene {
 }
 
 /// Whether a direction (inertial) fixed in frame `a` turns in frame `b`.
-fn turns(a: &FrameMotion, b: &FrameMotion, direction: [f64; 3]) -> bool {
+fn turns(a: &FrameMotion, b: &FrameMotion, direction: Vector) -> bool {
     let (first, second) = (turning(a), turning(b));
-    let relative = subtract(second, first);
-    let round_off = NEGLIGIBLE * norm(first).max(norm(second));
-    norm(relative) > round_off && norm(cross(relative, direction)) > NEGLIGIBLE * norm(relative) * norm(direction)
+    let relative = second - first;
+    let round_off = NEGLIGIBLE * first.norm().max(second.norm());
+    relative.norm() > round_off && relative.cross(&direction).norm() > NEGLIGIBLE * relative.norm() * direction.norm()
 }

@@ -2,12 +2,11 @@
 //! frames are displaced rigidly (THEORY 8.1). Relative equilibria need those of the rotation;
 //! motions that change nothing make a stiffness singular.
 
-use crate::rotation::Rotation;
 use crate::scene::MeshScene;
 use crate::scene::pieces::displacement::Displacement;
 use crate::scene::pieces::marker::{Linked, Marker};
+use crate::space::{Matrix, Vector, exp, matrix};
 use crate::system::ConstraintLevel;
-use crate::vector::{Vector, add, apply, dot, norm, scale, subtract};
 
 /// Relative change that counts as round-off.
 const ROUND_OFF: f64 = 1e-8;
@@ -42,18 +41,18 @@ impl MeshScene {
             .all(|frame| {
                 let motion = &self.buffers.frames[frame.spec.frame];
                 let moved = displacement.displaced(motion, true);
-                let step = subtract(moved.position, motion.position);
+                let step = moved.position - motion.position;
                 let within = motion.direction_to_frame(turn);
                 let (mut left, mut untold) = (step, within);
                 for direction in &frame.directions {
-                    left = subtract(left, scale(dot(direction.shift, step), direction.shift));
-                    untold = subtract(untold, scale(dot(direction.turn, within), direction.turn));
+                    left -= direction.shift.dot(&step) * direction.shift;
+                    untold -= direction.turn.dot(&within) * direction.turn;
                 }
                 let carries = self.bodies.iter().any(|body| body.spec.frame == frame.spec.frame)
-                    || frame.spec.rigid.moment != [0.0; 3];
+                    || frame.spec.rigid.moment != Vector::zeros();
                 let turns = frame.count() > frame.shifts() || carries;
-                let size = norm(subtract(motion.position, displacement.point)) + norm(step) + f64::MIN_POSITIVE;
-                norm(left) <= ROUND_OFF * size && (!turns || norm(untold) <= ROUND_OFF * norm(turn))
+                let size = (motion.position - displacement.point).norm() + step.norm() + f64::MIN_POSITIVE;
+                left.norm() <= ROUND_OFF * size && (!turns || untold.norm() <= ROUND_OFF * turn.norm())
             })
     }
 
@@ -116,7 +115,7 @@ impl MeshScene {
                 && let Some(place) = free.angle()
             {
                 let axis = frame.direction_to_inertial(free.directions[place].turn);
-                self.buffers.q[border + free.first + place] += dot(axis, displacement.turn);
+                self.buffers.q[border + free.first + place] += axis.dot(&displacement.turn);
             }
             *frame = displacement.displaced(frame, turns);
         }
@@ -138,9 +137,9 @@ impl MeshScene {
         let derivatives = gradient.chunks_exact(width).map(|gradient| {
             let mut row = vec![0.0; self.layout.components()];
             for (place, columns) in columns.iter().enumerate() {
-                let pull: Vector = std::array::from_fn(|i| gradient[3 * place + i]);
+                let pull: Vector = Vector::from_fn(|i, _| gradient[3 * place + i]);
                 for column in columns {
-                    row[column.component] += dot(pull, column.value);
+                    row[column.component] += pull.dot(&column.value);
                 }
             }
             row
@@ -174,7 +173,7 @@ impl MeshScene {
 
     /// Whether rows change, or what they hold: the span of their derivatives in displaced axes.
     fn is_constraint_changed(&self, by: &Displacement, before: &Acting, after: &Acting) -> bool {
-        let back = by.rotation().inverse().matrix();
+        let back = matrix(&by.rotation().inverse());
         let border = self.layout.vector_components();
         let sized = |row: &[f64]| -> Vec<f64> {
             let mut result = vec![0.0; self.sizes.len()];
@@ -203,20 +202,20 @@ impl MeshScene {
             for frame in self.free.iter().filter(|frame| by.moved[frame.spec.frame]) {
                 let first = border + frame.first;
                 let own = &mut row[first..first + frame.count()];
-                let (mut along, mut about) = ([0.0; 3], [0.0; 3]);
+                let (mut along, mut about) = (Vector::zeros(), Vector::zeros());
                 for (direction, value) in frame.directions.iter().zip(own.iter()) {
-                    along = add(along, scale(*value, direction.shift));
-                    about = add(about, scale(*value, direction.turn));
+                    along += *value * direction.shift;
+                    about += *value * direction.turn;
                 }
                 if by.is_own {
                     let motion = &self.buffers.frames[frame.spec.frame];
                     let within = motion.direction_to_frame(by.turn);
-                    about = apply(&Rotation::exp(within).matrix(), about);
+                    about = matrix(&exp(within)) * about;
                 } else {
-                    along = apply(&back, along);
+                    along = back * along;
                 }
                 for (value, direction) in own.iter_mut().zip(&frame.directions) {
-                    *value = dot(direction.shift, along) + dot(direction.turn, about);
+                    *value = direction.shift.dot(&along) + direction.turn.dot(&about);
                 }
             }
             let mut row = sized(&row);
@@ -227,7 +226,7 @@ impl MeshScene {
 
     /// Whether a force or its derivatives change in displaced axes; forces on what is held do not count.
     fn is_force_changed(&self, index: usize, by: &Displacement, before: &Acting, after: &Acting) -> bool {
-        let matrix = by.rotation().matrix();
+        let matrix = matrix(&by.rotation());
         let markers: Vec<&Marker> = self.forces[index].markers.iter().map(|&m| &self.markers[m]).collect();
         let movable: Vec<bool> = markers
             .iter()
@@ -242,12 +241,12 @@ impl MeshScene {
             let marker = markers[place];
             let is_turned =
                 by.moved[self.marker_frame(marker)] && !by.is_own && !matches!(marker, Marker::Angle { .. });
-            if is_turned { apply(&matrix, vector) } else { vector }
+            if is_turned { matrix * vector } else { vector }
         };
         let count = markers.len();
         // What is 0 at the state, as of a spring without force, is round-off of its derivatives.
         let frames = self.buffers.frames.iter();
-        let rate = frames.fold(1.0, |rate: f64, frame| rate.max(norm(frame.spin)));
+        let rate = frames.fold(1.0, |rate: f64, frame| rate.max(frame.spin.norm()));
         let length = self.sizes.iter().fold(0.0, |length: f64, size| length.max(*size));
         let stiffness = before
             .derivatives
@@ -257,8 +256,12 @@ impl MeshScene {
         let stiffness = stiffness.fold(0.0, f64::max);
         let size = largest(&before.values).max(stiffness * length);
         for place in (0..count).filter(|&place| movable[place]) {
-            let at = |values: &[f64]| -> Vector { std::array::from_fn(|i| values[3 * place + i]) };
-            if differ(&turned(place, at(&before.values)), &at(&after.values), size) {
+            let at = |values: &[f64]| -> Vector { Vector::from_fn(|i, _| values[3 * place + i]) };
+            if differ(
+                turned(place, at(&before.values)).as_slice(),
+                at(&after.values).as_slice(),
+                size,
+            ) {
                 return true;
             }
         }
@@ -268,14 +271,13 @@ impl MeshScene {
             let pairs = (0..count * count).map(|pair| (pair / count, pair % count));
             let mut pairs = pairs.filter(|&(m, n)| movable[m] && movable[n]);
             pairs.any(|(m, n)| {
-                let block = |values: &[f64]| -> [Vector; 3] {
-                    std::array::from_fn(|i| std::array::from_fn(|j| values[(3 * m + i) * 3 * count + 3 * n + j]))
-                };
+                let block = |values: &[f64]| Matrix::from_fn(|i, j| values[(3 * m + i) * 3 * count + 3 * n + j]);
                 // Rows turn with marker n, then columns with marker m.
-                let rows = block(before).map(|row| turned(n, row));
-                let columns = crate::vector::transpose(&rows).map(|column| turned(m, column));
-                let after = crate::vector::transpose(&block(after));
-                (0..3).any(|j| differ(&columns[j], &after[j], size))
+                let (before, after) = (block(before), block(after));
+                let rows = [0, 1, 2].map(|i| turned(n, before.row(i).transpose()).transpose());
+                let rows = Matrix::from_rows(&rows);
+                let column = |j: usize| turned(m, rows.column(j).into());
+                (0..3).any(|j| differ(column(j).as_slice(), after.column(j).as_slice(), size))
             })
         })
     }

@@ -3,12 +3,11 @@
 use crate::emitted::FrameMotion;
 use crate::linalg::Pattern;
 use crate::model::{FrameState, Kind, Pose, Scene, Uniform};
-use crate::rotation::Rotation;
 use crate::scene::frames::free_frames::angle_axis;
 use crate::scene::mesh_scene::MeshScene;
 use crate::scene::pieces::buffers::Regime;
+use crate::space::{Rotation, Vector, exp, from_matrix, matrix, product};
 use crate::system::{State, Tangent};
-use crate::vector::{Vector, add, apply, apply_transposed, cross, dot, scale, subtract};
 
 /// What co-rotating perturbations y of the unknowns of one free frame are: `dv = y' + velocity y`,
 /// `da = y'' + coriolis y' + acceleration y`; k x k, rows first.
@@ -79,18 +78,18 @@ impl MeshScene {
         state.a.fill(0.0);
         // Where there is no common rotation the obstacle says so.
         let spin = self.rotation(at).unwrap_or_default();
-        let turning = scale(at.speed(), spin.velocity);
+        let turning = at.speed() * spin.velocity;
         self.load_uniform(at, state);
         let border = self.layout.unknowns() - self.layout.border();
         for frame in &self.free {
             let motion = &self.buffers.frames[frame.spec.frame];
-            let velocity = cross(turning, subtract(motion.position, spin.point));
-            let acceleration = cross(turning, velocity);
+            let velocity = turning.cross(&(motion.position - spin.point));
+            let acceleration = turning.cross(&velocity);
             let within = motion.direction_to_frame(turning);
             let own = border + frame.first..border + frame.first + frame.count();
             frame.rates(velocity, within, &mut state.v[own.clone()]);
             for (rate, direction) in state.a[own].iter_mut().zip(&frame.directions) {
-                *rate = dot(direction.shift, acceleration);
+                *rate = direction.shift.dot(&acceleration);
             }
         }
     }
@@ -98,8 +97,8 @@ impl MeshScene {
     /// What co-rotating perturbations of the free frames are, at the loaded state.
     pub(crate) fn corotations(&self, at: &Uniform) -> Vec<Corotation> {
         let spin = self.rotation(at).unwrap_or_default();
-        let turning = scale(at.speed(), spin.velocity);
-        if turning == [0.0; 3] {
+        let turning = at.speed() * spin.velocity;
+        if turning == Vector::zeros() {
             return Vec::new();
         }
         let border = self.layout.unknowns() - self.layout.border();
@@ -110,18 +109,18 @@ impl MeshScene {
                 let directions = &frame.directions;
                 let entry = |place: usize| {
                     let (row, column) = (&directions[place / k], &directions[place % k]);
-                    dot(row.shift, shifts(column.shift)) + dot(row.turn, turns(column.turn))
+                    row.shift.dot(&shifts(column.shift)) + row.turn.dot(&turns(column.turn))
                 };
                 (0..k * k).map(entry).collect()
             };
-            let carried = |shift: Vector| cross(turning, shift);
-            let turned = |turn: Vector| cross(within, turn);
+            let carried = |shift: Vector| turning.cross(&shift);
+            let turned = |turn: Vector| within.cross(&turn);
             Corotation {
                 first: border + frame.first,
                 count: k,
                 velocity: product(&carried, &turned),
-                coriolis: product(&|shift| scale(2.0, carried(shift)), &turned),
-                acceleration: product(&|shift| carried(carried(shift)), &|_| [0.0; 3]),
+                coriolis: product(&|shift| 2.0 * carried(shift), &turned),
+                acceleration: product(&|shift| carried(carried(shift)), &|_| Vector::zeros()),
             }
         });
         frames.collect()
@@ -172,10 +171,10 @@ impl MeshScene {
     /// else uniformly with the declared rotation.
     fn carrier(&self, at: &Uniform) -> Carrier {
         let still = Carrier {
-            turn: Rotation::IDENTITY,
-            from: [0.0; 3],
-            to: [0.0; 3],
-            turned: [0.0; 3],
+            turn: Rotation::identity(),
+            from: Vector::zeros(),
+            to: Vector::zeros(),
+            turned: Vector::zeros(),
         };
         let moving = Uniform::steady(at.t);
         let Ok(spin) = self.rotation(&Uniform {
@@ -184,18 +183,18 @@ impl MeshScene {
         }) else {
             return still;
         };
-        if at.t == 0.0 || spin.velocity == [0.0; 3] {
+        if at.t == 0.0 || spin.velocity == Vector::zeros() {
             return still;
         }
-        let turned = scale(at.t, spin.velocity);
+        let turned = at.t * spin.velocity;
         let [before, after] = [0.0, at.t].map(|t| self.motions(t));
         let prescribed = (0..before.len()).filter(|&frame| self.free_of[frame].is_none());
-        let rotation = |frame: &FrameMotion| Rotation::from_matrix(&frame.rotation);
+        let rotation = |frame: &FrameMotion| from_matrix(&frame.rotation);
         for frame in prescribed {
             let (before, after) = (&before[frame], &after[frame]);
-            if after.spin != [0.0; 3] {
+            if after.spin != Vector::zeros() {
                 return Carrier {
-                    turn: rotation(after).times(&rotation(before).inverse()),
+                    turn: product(&rotation(after), &rotation(before).inverse()),
                     from: before.position,
                     to: after.position,
                     turned,
@@ -206,7 +205,7 @@ impl MeshScene {
             return still;
         }
         Carrier {
-            turn: Rotation::exp(turned),
+            turn: exp(turned),
             from: spin.point,
             to: spin.point,
             turned,
@@ -225,7 +224,7 @@ struct Carrier {
 
 impl Carrier {
     fn is_still(&self) -> bool {
-        self.turned == [0.0; 3] && self.from == self.to
+        self.turned == Vector::zeros() && self.from == self.to
     }
 
     fn inverse(&self) -> Self {
@@ -233,23 +232,23 @@ impl Carrier {
             turn: self.turn.inverse(),
             from: self.to,
             to: self.from,
-            turned: scale(-1.0, self.turned),
+            turned: -self.turned,
         }
     }
 
     /// The pose behind the displacement, of a frame that may turn about an own axis by an angle.
     fn pose(&self, pose: &Pose, axis: Vector) -> Pose {
-        let within = |vector| dot(axis, apply_transposed(&pose.rotation.matrix(), vector));
+        let within = |vector| axis.dot(&matrix(&pose.rotation).tr_mul(&vector));
         Pose {
             position: self.point(pose.position),
-            rotation: self.turn.times(&pose.rotation),
-            angle: pose.angle + nearest(within(self.turn.log()), within(self.turned)),
+            rotation: product(&self.turn, &pose.rotation),
+            angle: pose.angle + nearest(within(self.turn.scaled_axis()), within(self.turned)),
             ..*pose
         }
     }
 
     fn point(&self, point: Vector) -> Vector {
-        add(self.to, apply(&self.turn.matrix(), subtract(point, self.from)))
+        self.to + matrix(&self.turn) * (point - self.from)
     }
 }
 

@@ -5,10 +5,10 @@ use super::circulation::Whirling;
 use crate::emitted::Interpolant;
 use crate::model::{Composition, Motion, Uniform};
 use crate::scene::MeshScene;
-use crate::scene::bodies::nodal_mass::{Padded, spread};
+use crate::scene::bodies::nodal_mass::{Padded, padded, spread};
 use crate::scene::frames::directions::Direction;
+use crate::space::{Matrix, Vector, perpendicular};
 use crate::system::State;
-use crate::vector::{Vector, add, apply, cross, dot, norm, perpendicular, scale, subtract};
 
 /// Sine of the angle to the axis up to which a line counts as a shaft along it: bent ones are shafts as well.
 const SHAFT: f64 = 0.3;
@@ -25,24 +25,24 @@ impl Axes {
     /// Of a place that extends along `along`, in a system that turns about `axis`.
     fn new(along: Vector, axis: Option<Vector>) -> Self {
         let first = perpendicular(along);
-        let second = cross(along, first);
+        let second = along.cross(&first);
         let Some(axis) = axis else {
             return Self {
                 along,
                 across: [(Motion::Bending, first), (Motion::Bending, second)],
             };
         };
-        let up = subtract(axis, scale(dot(axis, along), along));
-        if norm(up) < SHAFT {
+        let up = axis - axis.dot(&along) * along;
+        if up.norm() < SHAFT {
             return Self {
                 along,
                 across: [(Motion::Lateral, first), (Motion::Lateral, second)],
             };
         }
-        let up = scale(1.0 / norm(up), up);
+        let up = 1.0 / up.norm() * up;
         Self {
             along,
-            across: [(Motion::Flap, up), (Motion::Lag, cross(along, up))],
+            across: [(Motion::Flap, up), (Motion::Lag, along.cross(&up))],
         }
     }
 }
@@ -55,7 +55,7 @@ fn each(f: impl Fn(usize) -> Vector) -> Displaced {
 }
 
 fn along(displaced: &Displaced, direction: Vector) -> Displaced {
-    displaced.map(|value| scale(dot(value, direction), direction))
+    displaced.map(|value| value.dot(&direction) * direction)
 }
 
 /// Sums of energies, twice the kinetic energy over the square of the frequency.
@@ -80,8 +80,8 @@ impl MeshScene {
 
     fn energies(&mut self, at: &Uniform, state: &State, shape: &[[f64; 2]]) -> Energies {
         let spin = self.rotation(at).unwrap_or_default();
-        let speed = norm(spin.velocity) * at.speed();
-        let axis = (speed > 0.0).then(|| scale(1.0 / norm(spin.velocity), spin.velocity));
+        let speed = spin.velocity.norm() * at.speed();
+        let axis = (speed > 0.0).then(|| 1.0 / spin.velocity.norm() * spin.velocity);
         self.load_uniform(at, state);
         let full = [0, 1].map(|part| {
             let unknowns: Vec<f64> = shape.iter().map(|value| value[part]).collect();
@@ -109,8 +109,8 @@ impl MeshScene {
         let sum = |part: usize, pick: fn(&Direction) -> Vector| {
             let own = &full[part][first..][..frame.count()];
             let parts = frame.directions.iter().zip(own);
-            parts.fold([0.0; 3], |sum, (direction, &value)| {
-                add(sum, scale(value, pick(direction)))
+            parts.fold(Vector::zeros(), |sum, (direction, &value)| {
+                sum + value * pick(direction)
             })
         };
         [
@@ -124,11 +124,11 @@ impl MeshScene {
         let (mass, spec) = (&body.whole_mass, &body.spec);
         let frame = &self.buffers.frames[body.frame];
         let moved = self.free_of[body.frame].map(|free| self.moved(free, full));
-        let [shift, turn] = moved.unwrap_or([[[0.0; 3]; 2]; 2]);
+        let [shift, turn] = moved.unwrap_or([[Vector::zeros(); 2]; 2]);
         let first = self.layout.offset(body.first_vector);
         let vector = |values: &[f64], place: usize| -> Vector {
             let [x, y, z, _]: Padded = spread(spec.axes, &values[first..], place);
-            [x, y, z]
+            Vector::new(x, y, z)
         };
         // The tangent at every node.
         let tangents: Vec<Option<Vector>> = (0..mass.vectors())
@@ -140,7 +140,7 @@ impl MeshScene {
             .fold(Vec::new(), |mut tangents, slope| {
                 if let Some((node, slope)) = slope {
                     tangents.resize(tangents.len().max(node + 1), None);
-                    tangents[node] = Some(scale(1.0 / norm(slope), slope));
+                    tangents[node] = Some(1.0 / slope.norm() * slope);
                 }
                 tangents
             });
@@ -157,18 +157,18 @@ impl MeshScene {
             let (node, local) = spec.locate(place);
             let mut q = vector(&self.buffers.q, place);
             if mass.is_position(place) {
-                q = add(q, body.offset);
+                q += body.offset;
             }
             let change = each(|part| {
-                let mut change = add(vector(&full[part], place), cross(turn[part], q));
+                let mut change = vector(&full[part], place) + turn[part].cross(&q);
                 change = frame.direction_to_inertial(change);
                 if mass.is_position(place) {
-                    change = add(change, shift[part]);
+                    change += shift[part];
                 }
                 change
             });
             let tangent = tangents.get(node).copied().flatten().or(chord);
-            let axes = Axes::new(tangent.unwrap_or([1.0, 0.0, 0.0]), axis);
+            let axes = Axes::new(tangent.unwrap_or(Vector::new(1.0, 0.0, 0.0)), axis);
             // The normal of a section moves as the slope does.
             let is_normal = place >= spec.meshed_vectors();
             let is_axis = is_normal || spec.nodal[local].of == Interpolant::Position;
@@ -181,18 +181,18 @@ impl MeshScene {
             } else {
                 // A vector of the section: what tilts it belongs to the deflection along it.
                 let own = frame.direction_to_inertial(q);
-                let size = dot(own, own);
+                let size = own.dot(&own);
                 let tilt = along(&change, axes.along);
                 let across = axes.across.iter().map(|&(motion, direction)| {
-                    let part = dot(own, direction).abs() / size.sqrt();
-                    (motion, tilt.map(|value| scale(part, value)))
+                    let part = own.dot(&direction).abs() / size.sqrt();
+                    (motion, tilt.map(|value| part * value))
                 });
-                let rest = each(|part| subtract(change[part], tilt[part]));
+                let rest = each(|part| change[part] - tilt[part]);
                 across.chain([(Motion::Torsion, rest)]).collect()
             });
-            let padded = |displaced: &Displaced| displaced.map(|[x, y, z]| [x, y, z, 0.0]);
-            rates.push(padded(&change));
-            lateral.push(if is_axis { padded(&change) } else { [[0.0; 4]; 2] });
+            let both = |displaced: &Displaced| displaced.map(padded);
+            rates.push(both(&change));
+            lateral.push(if is_axis { both(&change) } else { [[0.0; 4]; 2] });
         }
         let mut total = 0.0;
         for place in 0..mass.vectors() {
@@ -205,10 +205,7 @@ impl MeshScene {
                 .add_whole(inner(&rates[place], &mass.product(place, &rates)));
         }
         for slot in 0..3 {
-            let of: Vec<[Padded; 2]> = parts
-                .iter()
-                .map(|own| own[slot].1.map(|[x, y, z]| [x, y, z, 0.0]))
-                .collect();
+            let of: Vec<[Padded; 2]> = parts.iter().map(|own| own[slot].1.map(padded)).collect();
             for place in 0..mass.vectors() {
                 let image = mass.product(place, &of);
                 energies.motions[parts[place][slot].0 as usize] += inner(&of[place], &image);
@@ -227,30 +224,30 @@ impl MeshScene {
     ) {
         let frame = &self.free[free];
         let (rigid, motion) = (&frame.spec.rigid, &self.buffers.frames[frame.spec.frame]);
-        let has_inertia = rigid.inertia.iter().flatten().any(|&value| value != 0.0);
+        let has_inertia = rigid.inertia != Matrix::zeros();
         if rigid.mass == 0.0 && !has_inertia {
             return;
         }
         let [shift, within] = self.moved(free, full);
         let turn = within.map(|turn| motion.direction_to_inertial(turn));
         let centre = if rigid.mass > 0.0 {
-            motion.direction_to_inertial(scale(1.0 / rigid.mass, rigid.moment))
+            motion.direction_to_inertial(1.0 / rigid.mass * rigid.moment)
         } else {
-            [0.0; 3]
+            Vector::zeros()
         };
-        let centred = each(|part| add(shift[part], cross(turn[part], centre)));
+        let centred = each(|part| shift[part] + turn[part].cross(&centre));
         // Inertia about the centre, of the rotation alone.
         let spun = each(|part| {
             let arm = motion.direction_to_frame(centre);
-            let about = apply(&rigid.inertia, within[part]);
-            let carried = scale(rigid.mass, cross(arm, cross(within[part], arm)));
-            motion.direction_to_inertial(subtract(about, carried))
+            let about = rigid.inertia * within[part];
+            let carried = rigid.mass * arm.cross(&within[part].cross(&arm));
+            motion.direction_to_inertial(about - carried)
         });
-        let along_axis = axis.map_or([1.0, 0.0, 0.0], |(axis, point)| {
-            let away = subtract(add(motion.position, centre), point);
-            let out = subtract(away, scale(dot(away, axis), axis));
-            if norm(out) > ALONG * norm(away).max(f64::MIN_POSITIVE) && norm(out) > 0.0 {
-                scale(1.0 / norm(out), out)
+        let along_axis = axis.map_or(Vector::x(), |(axis, point)| {
+            let away = motion.position + centre - point;
+            let out = away - away.dot(&axis) * axis;
+            if out.norm() > ALONG * away.norm().max(f64::MIN_POSITIVE) && out.norm() > 0.0 {
+                1.0 / out.norm() * out
             } else {
                 axis
             }
@@ -260,10 +257,10 @@ impl MeshScene {
         let energy = |displaced: &Displaced, image: &Displaced, direction: Vector| -> f64 {
             let parts = displaced.iter().zip(image);
             parts
-                .map(|(value, image)| dot(*value, direction) * dot(*image, direction))
+                .map(|(value, image)| value.dot(&direction) * image.dot(&direction))
                 .sum()
         };
-        let own = centred.map(|value| scale(rigid.mass, value));
+        let own = centred.map(|value| rigid.mass * value);
         let mut total = 0.0;
         // A rotation about one way across moves what lies along in the other.
         let parts = [
@@ -286,15 +283,13 @@ impl MeshScene {
         energies.whirling.add(&centred, &own);
         if let Some((axis, _)) = axis {
             // Points on both sides along the axis see the tilt.
-            let tilted = turn.map(|turn| cross(turn, axis));
-            let size = |axis: Vector| dot(axis, apply(&rigid.inertia, axis));
+            let tilted = turn.map(|turn| turn.cross(&axis));
+            let size = |axis: Vector| axis.dot(&(rigid.inertia * axis));
             let gyration = 0.5
                 * (0..3)
-                    .map(|i| size(std::array::from_fn(|j| f64::from(i == j))))
+                    .map(|i| size(Vector::from_fn(|j, _| f64::from(i == j))))
                     .sum::<f64>();
-            energies
-                .whirling
-                .add(&tilted, &tilted.map(|value| scale(gyration, value)));
+            energies.whirling.add(&tilted, &tilted.map(|value| gyration * value));
         }
         energies.whirling.add_whole(total);
         energies
@@ -304,7 +299,7 @@ impl MeshScene {
 }
 
 fn short(displaced: &[Padded; 2]) -> Displaced {
-    displaced.map(|[x, y, z, _]| [x, y, z])
+    displaced.map(|[x, y, z, _]| Vector::new(x, y, z))
 }
 
 fn inner(a: &[Padded; 2], b: &[Padded; 2]) -> f64 {

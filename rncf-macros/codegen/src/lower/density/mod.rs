@@ -44,7 +44,7 @@ pub struct FieldKernels {
 }
 
 /// Arguments that give the markers.
-const MARKERS: [&str; 2] = ["z: &[[f64; 3]]", "velocity: &[[f64; 3]]"];
+const MARKERS: [&str; 2] = ["z: &[::rncf::emitted::Vector]", "velocity: &[::rncf::emitted::Vector]"];
 
 /// The functions of all densities of a model.
 pub fn density_kernels(model: &Model, library: &Library) -> Vec<DensityKernels> {

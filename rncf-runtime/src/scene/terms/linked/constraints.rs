@@ -3,12 +3,12 @@
 use super::jets::Column;
 use crate::scene::MeshScene;
 use crate::scene::pieces::marker::{Linked, Marker};
+use crate::space::Vector;
 use crate::system::{ConstraintLevel, Sums};
-use crate::vector::{Vector, add, cross, dot, scale};
 
 /// The three numbers of marker `place` in a row of `3 k`.
 pub(super) fn part(row: &[f64], place: usize) -> Vector {
-    std::array::from_fn(|i| row[3 * place + i])
+    Vector::from_fn(|i, _| row[3 * place + i])
 }
 
 /// `a . H b` with the block (`m`, `n`) of a matrix of `3 k` columns.
@@ -91,7 +91,7 @@ impl MeshScene {
                 for (row, gradient) in gradient.chunks_exact(width).enumerate() {
                     let gradient = part(gradient, place);
                     for column in columns {
-                        self.add_constraint(column.component, first + row, dot(gradient, column.value), values);
+                        self.add_constraint(column.component, first + row, gradient.dot(&column.value), values);
                     }
                 }
             }
@@ -113,7 +113,7 @@ impl MeshScene {
                     let line = row * width..(row + 1) * width;
                     let (gradient, rate) = (part(&gradient[line.clone()], place), part(&rates[line], place));
                     for column in columns {
-                        let value = dot(rate, column.value) + dot(gradient, column.rate);
+                        let value = rate.dot(&column.value) + gradient.dot(&column.rate);
                         self.add_constraint(column.component, first + row, value, values);
                     }
                 }
@@ -203,7 +203,7 @@ impl MeshScene {
             let columns = self.all_columns(linked);
             for (place, columns) in columns.iter().enumerate() {
                 for column in columns {
-                    self.buffers.force[column.component] += dot(part(&pulls, place), column.value);
+                    self.buffers.force[column.component] += part(&pulls, place).dot(&column.value);
                 }
             }
             first += rows;
@@ -218,7 +218,7 @@ impl MeshScene {
             let [z, _] = self.arguments(linked);
             let pulls = self.pulls(linked, t, &z, &lambda[first..first + rows]);
             for place in 0..z.len() {
-                call(self.constraint_marker(linked, place), scale(-1.0, part(&pulls, place)));
+                call(self.constraint_marker(linked, place), -part(&pulls, place));
             }
             first += rows;
         }
@@ -241,26 +241,26 @@ impl MeshScene {
         let about = markers
             .clone()
             .find(|&place| self.constraint_marker(linked, place).is_point())
-            .map_or([0.0; 3], |place| z[place]);
-        let [mut force, mut moment] = [[0.0; 3]; 2];
+            .map_or(Vector::zeros(), |place| z[place]);
+        let [mut force, mut moment] = [Vector::zeros(); 2];
         for place in markers {
-            let pull = scale(-1.0, part(&pulls, place));
+            let pull = -part(&pulls, place);
             let marker = self.constraint_marker(linked, place);
             let turning = match marker {
                 _ if marker.is_point() => {
-                    force = add(force, pull);
-                    cross(crate::vector::subtract(z[place], about), pull)
+                    force += pull;
+                    (z[place] - about).cross(&pull)
                 }
                 Marker::Turn { .. } | Marker::SectionTurn { .. } => pull,
                 Marker::Angle { free } => {
                     let frame = &self.free[*free];
                     let turn = frame.directions[frame.angle().unwrap_or(0)].turn;
                     let motion = &self.buffers.frames[frame.spec.frame];
-                    scale(pull[0], motion.direction_to_inertial(turn))
+                    pull[0] * motion.direction_to_inertial(turn)
                 }
-                _ => cross(z[place], pull),
+                _ => z[place].cross(&pull),
             };
-            moment = add(moment, turning);
+            moment += turning;
         }
         [force, moment]
     }

@@ -6,8 +6,8 @@ use crate::emitted::{FrameMotion, LoadKind};
 use crate::scene::bodies::place::MeshPoint;
 use crate::scene::mesh_scene::MeshScene;
 use crate::scene::pieces::marker::Marker;
+use crate::space::{Matrix, Vector};
 use crate::system::Sums;
-use crate::vector::{Matrix, Vector, apply, cross, dot};
 
 impl MeshScene {
     /// Adds the forces on markers (to the left side, where they are negative) at the loaded state.
@@ -25,7 +25,7 @@ impl MeshScene {
             for (place, &marker) in spec.markers.iter().enumerate() {
                 let columns = self.columns(&self.markers[marker]);
                 for column in columns {
-                    self.buffers.force[column.component] -= dot(part(&forces, place), column.value);
+                    self.buffers.force[column.component] -= part(&forces, place).dot(&column.value);
                 }
             }
         }
@@ -35,7 +35,7 @@ impl MeshScene {
                 let marker = &self.marked_loads[index].markers[place];
                 let force = self.buffers.frames[self.marker_frame(marker)].direction_to_inertial(force);
                 for column in self.columns(marker) {
-                    self.buffers.force[column.component] -= dot(force, column.value);
+                    self.buffers.force[column.component] -= force.dot(&column.value);
                 }
             }
         }
@@ -145,7 +145,7 @@ impl MeshScene {
     /// Components of a marked load in the axes of its body's frame.
     fn marked_value(&self, index: usize, t: f64, load_scale: f64) -> Vector {
         let marked = &self.marked_loads[index];
-        let load = self.parts.load(marked.load, t).map(|x| load_scale * x);
+        let load = load_scale * Vector::from(self.parts.load(marked.load, t));
         let inertial = self.buffers.frames[self.loads[marked.load].frame].direction_to_inertial(load);
         self.marked_frame(index).direction_to_frame(inertial)
     }
@@ -169,7 +169,7 @@ impl MeshScene {
         let forces = self.moment_at(point, moment_in(axes, value));
         let count = self.marked_loads[index].markers.len();
         let vector = |part: &[f64]| {
-            let mut force = [0.0; 3];
+            let mut force = Vector::zeros();
             for (value, &axis) in part.iter().zip(axes) {
                 force[axis] = *value;
             }
@@ -181,7 +181,7 @@ impl MeshScene {
     /// Derivatives of those forces with respect to the markers, frame axes; the forces are objective.
     fn by_markers(&self, index: usize, value: Vector) -> Vec<Vec<Matrix>> {
         let count = self.marked_loads[index].markers.len();
-        let mut blocks = vec![vec![[[0.0; 3]; 3]; count]; count];
+        let mut blocks = vec![vec![Matrix::zeros(); count]; count];
         let Some((point, axes)) = self.marked_moment(index) else {
             return blocks;
         };
@@ -191,7 +191,7 @@ impl MeshScene {
             for (n, block) in row.iter_mut().enumerate() {
                 for (i, &first) in axes.iter().enumerate() {
                     for (j, &second) in axes.iter().enumerate() {
-                        block[first][second] = tangent[(m * axes.len() + i) * width + n * axes.len() + j];
+                        block[(first, second)] = tangent[(m * axes.len() + i) * width + n * axes.len() + j];
                     }
                 }
             }
@@ -206,7 +206,7 @@ impl MeshScene {
         let (forces, blocks) = (self.on_markers(index, value), self.by_markers(index, value));
         let columns: Vec<Vec<Column>> = marked.markers.iter().map(|marker| self.columns(marker)).collect();
         let load_frame = self.loads[marked.load].frame;
-        let load = self.parts.load(marked.load, t).map(|x| load_scale * x);
+        let load = load_scale * Vector::from(self.parts.load(marked.load, t));
         let turns = match self.free_of[load_frame] {
             Some(_) => self.columns(&Marker::Turn { frame: load_frame }),
             None => Vec::new(),
@@ -215,7 +215,7 @@ impl MeshScene {
         let with_load: Vec<(usize, Vec<Vector>)> = turns
             .iter()
             .map(|turn| {
-                let turned = axes.direction_to_inertial(cross(turn.turn(), load));
+                let turned = axes.direction_to_inertial(turn.turn().cross(&load));
                 (turn.component, self.on_markers(index, frame.direction_to_frame(turned)))
             })
             .collect();
@@ -225,7 +225,7 @@ impl MeshScene {
                 for (n, others) in columns.iter().enumerate() {
                     for j in others {
                         let change = frame.direction_to_frame(j.value);
-                        let mut value = dot(row, apply(&blocks[m][n], change));
+                        let mut value = row.dot(&(blocks[m][n] * change));
                         if m == n {
                             value += i.second(j, forces[m], None);
                         }
@@ -236,7 +236,7 @@ impl MeshScene {
                 }
                 for (component, changes) in &with_load {
                     for (entry, factor) in self.entries_of(i.component, *component) {
-                        out.stiffness(entry, -factor * dot(row, changes[m]));
+                        out.stiffness(entry, -factor * row.dot(&changes[m]));
                     }
                 }
             }
@@ -258,9 +258,9 @@ impl MeshScene {
 }
 
 /// A moment as bodies with these axes take it: planar ones about the normal, first.
-fn moment_in(axes: &[usize], value: Vector) -> Vector {
+fn moment_in(axes: &[usize], value: Vector) -> [f64; 3] {
     match *axes {
         [first, second] => [value[3 - first - second], 0.0, 0.0],
-        _ => value,
+        _ => value.into(),
     }
 }

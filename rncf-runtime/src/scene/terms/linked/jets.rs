@@ -5,7 +5,7 @@ use crate::emitted::FrameMotion;
 use crate::scene::bodies::place::{MeshPoint, PlaceVector};
 use crate::scene::mesh_scene::MeshScene;
 use crate::scene::pieces::marker::Marker;
-use crate::vector::{Vector, add, apply, cross, dot};
+use crate::space::Vector;
 
 /// What one component of the full arrays does to a marker. All are linear in the component's change.
 #[derive(Clone, Copy, Debug, Default)]
@@ -48,8 +48,8 @@ impl Column {
     /// `d(J_i . f)/dx_j` at a constant force with the components `force` in frame axes: what the
     /// change of the marker's derivative adds to the stiffness (THEORY 2.2).
     pub fn second(&self, other: &Self, force: Vector, curvature: Option<&Curvature>) -> f64 {
-        let turned = add(cross(other.turn, self.turned), cross(self.turn, other.within));
-        dot(force, turned) + curvature.map_or(0.0, |curvature| curvature.between(self, other))
+        let turned = other.turn.cross(&self.turned) + self.turn.cross(&other.within);
+        force.dot(&turned) + curvature.map_or(0.0, |curvature| curvature.between(self, other))
     }
 
     /// Rotation of the frame, frame axes.
@@ -63,19 +63,19 @@ fn turned(frame: &FrameMotion, within: [Vector; 4]) -> [Vector; 4] {
     const BINOMIAL: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.0, 2.0, 1.0]];
     let spins = [frame.spin, frame.spin_rate, frame.spin_jerk];
     let mut jet = within;
-    let mut result = [apply(&frame.rotation, within[0]); 4];
+    let mut result = [frame.rotation * within[0]; 4];
     for order in 1..4 {
         // u' + w x u and as many of its derivatives as are needed
-        let mut next = [[0.0; 3]; 4];
+        let mut next = [Vector::zeros(); 4];
         for (derivative, value) in next.iter_mut().enumerate().take(4 - order) {
             *value = jet[derivative + 1];
             for (part, spin) in spins.iter().enumerate().take(derivative + 1) {
-                let product = cross(*spin, jet[derivative - part]);
-                *value = std::array::from_fn(|i| value[i] + BINOMIAL[derivative][part] * product[i]);
+                let product = spin.cross(&jet[derivative - part]);
+                *value = Vector::from_fn(|i, _| value[i] + BINOMIAL[derivative][part] * product[i]);
             }
         }
         jet = next;
-        result[order] = apply(&frame.rotation, jet[0]);
+        result[order] = frame.rotation * jet[0];
     }
     result
 }
@@ -95,13 +95,13 @@ impl MeshScene {
     /// Vector of a marker in its frame, with derivatives there.
     pub(crate) fn within(&self, marker: &Marker) -> [Vector; 4] {
         match marker {
-            Marker::Fixed { at, .. } => [*at, [0.0; 3], [0.0; 3], [0.0; 3]],
+            Marker::Fixed { at, .. } => [*at, Vector::zeros(), Vector::zeros(), Vector::zeros()],
             Marker::Body { point, of } => {
                 let buffers = &self.buffers;
                 let full = [&buffers.q, &buffers.v, &buffers.a, &buffers.jerks];
                 let mut jet = full.map(|full| self.at_point(point, *of, full));
                 if *of == PlaceVector::Position {
-                    jet[0] = add(jet[0], self.bodies[point.body].offset);
+                    jet[0] += self.bodies[point.body].offset;
                 }
                 jet
             }
@@ -111,15 +111,15 @@ impl MeshScene {
             }
             Marker::SectionTurn { point } => {
                 let (_, [spin, rate, jerk]) = self.section_motion(point);
-                [[0.0; 3], spin, rate, jerk]
+                [Vector::zeros(), spin, rate, jerk]
             }
-            Marker::Turn { .. } | Marker::Angle { .. } => [[0.0; 3]; 4],
+            Marker::Turn { .. } | Marker::Angle { .. } => [Vector::zeros(); 4],
         }
     }
 
     /// The axes of a section in one of the full arrays, frame axes.
     fn section_axes(&self, point: &MeshPoint, full: &[f64]) -> Axes {
-        let mut axes = [[0.0; 3]; 2];
+        let mut axes = [Vector::zeros(); 2];
         let vectors = PlaceVector::section(self.bodies[point.body].spec.dimension());
         for (axis, &of) in axes.iter_mut().zip(vectors) {
             *axis = self.at_point(point, of, full);
@@ -138,10 +138,10 @@ impl MeshScene {
         let triad = self.triad(point);
         let vectors = PlaceVector::section(self.bodies[point.body].spec.dimension());
         let force = |axis: usize| {
-            std::array::from_fn(|component| {
-                let mut change = [[0.0; 3]; 2];
+            Vector::from_fn(|component, _| {
+                let mut change = [Vector::zeros(); 2];
                 change[axis][component] = 1.0;
-                dot(moment, triad.turn(change))
+                moment.dot(&triad.turn(change))
             })
         };
         vectors
@@ -170,16 +170,16 @@ impl MeshScene {
         let triad = self.triad(point);
         let along = along.map(|along| triad.direction(along));
         let unit: [Axes; 6] = std::array::from_fn(|entry| {
-            let mut change = [[0.0; 3]; 2];
+            let mut change = [Vector::zeros(); 2];
             change[entry / 3][entry % 3] = 1.0;
             change
         });
         let turns = unit.map(|change| triad.turn(change));
         // A force on a direction is a moment on the section.
-        let moment = along.map_or(force, |along| cross(along, force));
+        let moment = along.map_or(force, |along| along.cross(&force));
         let entry = |i: usize, j: usize| {
-            let turned = along.map_or(0.0, |along| dot(force, cross(turns[i], cross(turns[j], along))));
-            dot(moment, triad.second(unit[i], unit[j])) + turned
+            let turned = along.map_or(0.0, |along| force.dot(&turns[i].cross(&turns[j].cross(&along))));
+            moment.dot(&triad.second(unit[i], unit[j])) + turned
         };
         Some(Curvature(std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)))))
     }
@@ -216,24 +216,24 @@ impl MeshScene {
             Marker::Turn { .. } | Marker::SectionTurn { .. } => {
                 let [_, spin, rate, jerk] = self.within(marker);
                 let rates = [
-                    add(frame.spin, spin),
-                    add(frame.spin_rate, rate),
-                    add(frame.spin_jerk, jerk),
-                    [0.0; 3],
+                    frame.spin + spin,
+                    frame.spin_rate + rate,
+                    frame.spin_jerk + jerk,
+                    Vector::zeros(),
                 ];
                 let [first, second, third, _] = turned(frame, rates);
-                [[0.0; 3], first, second, third]
+                [Vector::zeros(), first, second, third]
             }
             Marker::Angle { free } => {
                 let buffers = &self.buffers;
                 let component = self.angle_component(*free);
-                [&buffers.q, &buffers.v, &buffers.a, &buffers.jerks].map(|full| [full[component], 0.0, 0.0])
+                [&buffers.q, &buffers.v, &buffers.a, &buffers.jerks].map(|full| Vector::new(full[component], 0.0, 0.0))
             }
             _ => {
                 let mut jet = turned(frame, self.within(marker));
                 if marker.is_point() {
                     let origin = self.origin_from(self.marker_frame(marker), anchor);
-                    jet = std::array::from_fn(|order| add(jet[order], origin[order]));
+                    jet = std::array::from_fn(|order| jet[order] + origin[order]);
                 }
                 jet
             }
@@ -270,7 +270,7 @@ impl MeshScene {
             ..Column::default()
         };
         if let Marker::Angle { free } = marker {
-            return vec![component(self.angle_component(*free), [1.0, 0.0, 0.0])];
+            return vec![component(self.angle_component(*free), Vector::new(1.0, 0.0, 0.0))];
         }
         let mut columns = Vec::new();
         let at = self.marker_frame(marker);
@@ -278,23 +278,23 @@ impl MeshScene {
         let [p, rate, ..] = self.within(marker);
         let is_turn = matches!(marker, Marker::Turn { .. } | Marker::SectionTurn { .. });
         let velocity = if is_turn {
-            add(frame.spin, rate)
+            frame.spin + rate
         } else {
-            add(rate, cross(frame.spin, p))
+            rate + frame.spin.cross(&p)
         };
         if let Some(free) = self.free_of[at] {
             let first = self.layout.vector_components() + self.free[free].first;
             for (place, direction) in self.free[free].directions.iter().enumerate() {
                 let turn = direction.turn;
-                let turned = if is_turn { turn } else { cross(turn, p) };
-                let mut value = apply(&frame.rotation, turned);
+                let turned = if is_turn { turn } else { turn.cross(&p) };
+                let mut value = frame.rotation * turned;
                 if marker.is_point() {
-                    value = add(value, direction.shift);
+                    value += direction.shift;
                 }
                 columns.push(Column {
                     component: first + place,
                     value,
-                    rate: apply(&frame.rotation, cross(turn, velocity)),
+                    rate: frame.rotation * turn.cross(&velocity),
                     turn,
                     turned,
                     ..Column::default()
@@ -311,12 +311,12 @@ impl MeshScene {
                     if weight == 0.0 {
                         continue;
                     }
-                    let mut within = [0.0; 3];
+                    let mut within = Vector::zeros();
                     within[body.spec.axes[place % dimension]] = weight;
                     columns.push(Column {
                         component,
-                        value: apply(&frame.rotation, within),
-                        rate: apply(&frame.rotation, cross(frame.spin, within)),
+                        value: frame.rotation * within,
+                        rate: frame.rotation * frame.spin.cross(&within),
                         within,
                         turned: within,
                         ..Column::default()
@@ -349,19 +349,19 @@ impl MeshScene {
                 continue;
             }
             let axis = body.spec.axes[place % dimension];
-            let change = weights.map(|weight| std::array::from_fn(|i| if i == axis { weight } else { 0.0 }));
+            let change = weights.map(|weight| Vector::ith(axis, weight));
             let (turn, faster) = (triad.turn(change), triad.second(velocity, change));
             let (value, rate, within) = if is_turn {
-                (turn, faster, [0.0; 3])
+                (turn, faster, Vector::zeros())
             } else {
-                let within = cross(turn, direction);
-                let rate = add(cross(faster, direction), cross(add(spin, frame.spin), within));
+                let within = turn.cross(&direction);
+                let rate = faster.cross(&direction) + (spin + frame.spin).cross(&within);
                 (within, rate, within)
             };
             columns.push(Column {
                 component,
-                value: apply(&frame.rotation, value),
-                rate: apply(&frame.rotation, rate),
+                value: frame.rotation * value,
+                rate: frame.rotation * rate,
                 within,
                 turned: value,
                 axis,

@@ -3,7 +3,6 @@
 use super::constraints::part;
 use crate::scene::MeshScene;
 use crate::scene::pieces::marker::{Linked, Marker};
-use crate::vector::norm;
 
 impl MeshScene {
     /// Round-off of all constraints on markers at the loaded state, in their units.
@@ -20,7 +19,7 @@ impl MeshScene {
             let rows = gradient.chunks_exact(3 * terms.len());
             for (out, row) in out[first..].iter_mut().zip(rows) {
                 let parts = terms.iter().enumerate();
-                *out = f64::EPSILON * parts.map(|(place, terms)| norm(part(row, place)) * terms).sum::<f64>();
+                *out = f64::EPSILON * parts.map(|(place, terms)| part(row, place).norm() * terms).sum::<f64>();
             }
             first += linked.spec.rows.len();
         }
@@ -28,7 +27,7 @@ impl MeshScene {
 
     /// Sum of the sizes of what a marker of a constraint is made of.
     fn marker_terms(&self, linked: &Linked, marker: &Marker) -> f64 {
-        let own = norm(self.within(marker)[0]);
+        let own = self.within(marker)[0].norm();
         if !marker.is_point() {
             return own;
         }
@@ -41,7 +40,7 @@ impl MeshScene {
                 free.terms(anchor, t, &self.buffers.q[first..])
             }
             _ => {
-                let position = norm(self.buffers.frames[frame].position);
+                let position = self.buffers.frames[frame].position.norm();
                 position + anchor.map_or(0.0, |anchor| anchor.terms(None, t, &[]))
             }
         };

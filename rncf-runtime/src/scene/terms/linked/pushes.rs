@@ -7,8 +7,8 @@ use crate::scene::bodies::place::{MeshPoint, PlaceVector};
 use crate::scene::mesh_scene::MeshScene;
 use crate::scene::pieces::marker::Marker;
 use crate::scene::pieces::push::{Law, Spread};
+use crate::space::{Matrix, Vector};
 use crate::system::Sums;
-use crate::vector::{Matrix, Vector, add, apply, apply_transposed, cross, multiply, scale, skew, transpose};
 
 /// Derivatives of a spread load by the components of an element, rows first.
 struct Local {
@@ -27,7 +27,7 @@ impl MeshScene {
             }
             Law::Gravity { load, mass } => {
                 let gravity = self.parts.around(load, t, z[0]);
-                out.iter_mut().zip(gravity).for_each(|(to, value)| *to = mass * value);
+                out.iter_mut().zip(&gravity).for_each(|(to, value)| *to = mass * value);
             }
         }
     }
@@ -75,7 +75,7 @@ impl MeshScene {
     fn particle(&self, body: &MeshBody, point: &MeshPoint, of: PlaceVector) -> [Vector; 2] {
         let [mut p, rate] = [&self.buffers.q, &self.buffers.v].map(|full| self.at_point(point, of, full));
         if of == PlaceVector::Position {
-            p = add(p, body.offset);
+            p += body.offset;
         }
         [p, rate]
     }
@@ -95,11 +95,11 @@ impl MeshScene {
         let (mut z, mut velocity, mut places) = (Vec::new(), Vec::new(), Vec::new());
         for (point, of) in self.spread_places(index) {
             let [p, rate] = self.particle(body, point, of);
-            let mut at = apply(&frame.rotation, p);
-            let mut rate = apply(&frame.rotation, add(rate, cross(frame.spin, p)));
+            let mut at = frame.rotation * p;
+            let mut rate = frame.rotation * (rate + frame.spin.cross(&p));
             if of == PlaceVector::Position {
-                at = add(at, frame.position);
-                rate = add(rate, frame.velocity);
+                at += frame.position;
+                rate += frame.velocity;
             }
             z.push(at);
             velocity.push(rate);
@@ -114,23 +114,23 @@ impl MeshScene {
         let body = &self.bodies[spread.body];
         let rotation = &self.buffers.frames[body.frame].rotation;
         let dimension = body.spec.dimension();
-        let (mut local, mut on_frame) = ([0.0; MAX_SIZE], [[0.0; 3]; 2]);
+        let (mut local, mut on_frame) = ([0.0; MAX_SIZE], [Vector::zeros(); 2]);
         for index in spread.forces.clone() {
             let [z, velocity, places] = self.spread_arguments(index, body);
             let mut out = [0.0; 12];
             let out = &mut out[..3 * z.len()];
             self.push(index, t, &z, &velocity, out);
             for (place, (point, of)) in self.spread_places(index).enumerate() {
-                let force = apply_transposed(rotation, vector(out, place));
+                let force = rotation.tr_mul(&vector(out, place));
                 for (own, &weight) in local.chunks_exact_mut(dimension).zip(point.weights(of)) {
                     for (value, &axis) in own.iter_mut().zip(body.spec.axes) {
                         *value += weight * force[axis];
                     }
                 }
                 if of == PlaceVector::Position {
-                    on_frame[0] = add(on_frame[0], force);
+                    on_frame[0] += force;
                 }
-                on_frame[1] = add(on_frame[1], cross(places[place], force));
+                on_frame[1] += places[place].cross(&force);
             }
         }
         (local, on_frame)
@@ -146,7 +146,7 @@ impl MeshScene {
                 self.buffers.force[component] -= load_scale * value;
             }
             if let Some(free) = self.free_of[body.frame] {
-                self.add_to_unknowns(free, on_frame.map(|row| scale(-load_scale, row)));
+                self.add_to_unknowns(free, on_frame.map(|row| -load_scale * row));
             }
         }
     }
@@ -213,12 +213,12 @@ impl MeshScene {
             &mut by_velocity[..9 * count * count],
         );
         self.push_tangent(index, t, &z, &velocity, [by_value, by_velocity]);
-        let (back, spin) = (transpose(&frame.rotation), skew(frame.spin));
-        let turns = frame.spin != [0.0; 3];
+        let (back, spin) = (frame.rotation.transpose(), frame.spin.cross_matrix());
+        let turns = frame.spin != Vector::zeros();
         let in_frame = |values: &[f64], m: usize, n: usize| -> Option<Matrix> {
             let entry = |i: usize, j: usize| values[(3 * m + i) * 3 * count + 3 * n + j];
-            let block: Matrix = std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)));
-            (block != [[0.0; 3]; 3]).then(|| multiply(&back, &multiply(&block, &frame.rotation)))
+            let block: Matrix = Matrix::from_fn(entry);
+            (block != Matrix::zeros()).then(|| back * (block * frame.rotation))
         };
         let places: Vec<(&MeshPoint, PlaceVector)> = self.spread_places(index).collect();
         for (m, &(point, of)) in places.iter().enumerate() {
@@ -227,9 +227,9 @@ impl MeshScene {
                 let rate = in_frame(by_velocity, m, n);
                 if let Some(rate) = rate.as_ref().filter(|_| turns) {
                     // The velocity of a particle has w x p in it.
-                    let carried = multiply(rate, &spin);
-                    let sum = value.unwrap_or([[0.0; 3]; 3]);
-                    value = Some(std::array::from_fn(|i| add(sum[i], carried[i])));
+                    let carried = rate * spin;
+                    let sum = value.unwrap_or(Matrix::zeros());
+                    value = Some(sum + carried);
                 }
                 for (block, to) in [(value, &mut local.stiffness), (rate, &mut local.damping)] {
                     if let Some(block) = block {
@@ -243,7 +243,7 @@ impl MeshScene {
 
 /// A vector among numbers.
 fn vector(values: &[f64], place: usize) -> Vector {
-    std::array::from_fn(|i| values[3 * place + i])
+    Vector::from_fn(|i, _| values[3 * place + i])
 }
 
 /// Adds a block to the matrix of an element, with weights of its vectors in rows and columns.
@@ -255,7 +255,7 @@ fn add_block(to: &mut [f64], block: &Matrix, [rows, columns]: [&[f64]; 2], axes:
             let weight = row * column;
             for (c, &i) in axes.iter().enumerate() {
                 for (e, &j) in axes.iter().enumerate() {
-                    to[(a * dimension + c) * size + b * dimension + e] += weight * block[i][j];
+                    to[(a * dimension + c) * size + b * dimension + e] += weight * block[(i, j)];
                 }
             }
         }

@@ -6,8 +6,8 @@ use crate::emitted::Parts;
 use crate::scene::MeshScene;
 use crate::scene::pieces::marker::{Linked, Marker};
 use crate::scene::pieces::push::{Law, Push};
+use crate::space::Vector;
 use crate::system::ConstraintLevel;
-use crate::vector::{Vector, add, norm};
 
 /// Largest change, as a part of the terms, that counts as round-off.
 const ROUND_OFF: f64 = 1e-9;
@@ -38,7 +38,7 @@ impl Trial {
             (1e4 * (12.9898 * count).sin()).fract()
         };
         let length = length * LONGER.powi(number as i32);
-        let mut vector = |size: f64| -> Vector { std::array::from_fn(|_| size * next()) };
+        let mut vector = |size: f64| -> Vector { Vector::from_fn(|_, _| size * next()) };
         let size = |marker: &Marker| if marker.is_point() { length } else { 1.0 };
         Self {
             values: markers.iter().map(|&marker| vector(size(marker))).collect(),
@@ -51,7 +51,7 @@ impl Trial {
     /// The values after a shift of all points.
     fn moved(&self, markers: &[&Marker]) -> Vec<Vector> {
         let moved = |(&value, &marker): (&Vector, &&Marker)| match marker.is_point() {
-            true => add(value, self.shift),
+            true => value + self.shift,
             false => value,
         };
         self.values.iter().zip(markers).map(moved).collect()
@@ -88,7 +88,10 @@ fn constraint_is_of_differences(
         let trial = Trial::new(number, markers, length);
         looks(parts).into_iter().all(|t| {
             let rows_at = |values: &[Vector]| {
-                let jets: Vec<[Vector; 4]> = values.iter().map(|&z| [z, [0.0; 3], [0.0; 3], [0.0; 3]]).collect();
+                let jets: Vec<[Vector; 4]> = values
+                    .iter()
+                    .map(|&z| [z, Vector::zeros(), Vector::zeros(), Vector::zeros()])
+                    .collect();
                 let mut result = vec![0.0; rows];
                 parts.marker_constraint(constraint, ConstraintLevel::Position, t, &jets, &mut result);
                 result
@@ -96,7 +99,7 @@ fn constraint_is_of_differences(
             let moved = trial.moved(markers);
             let mut gradient = vec![0.0; rows * 3 * moved.len()];
             parts.marker_constraint_gradient(constraint, t, &moved, &mut gradient);
-            let sizes = moved.iter().map(|&z| norm(z)).fold(0.0, f64::max);
+            let sizes = moved.iter().map(|&z| z.norm()).fold(0.0, f64::max);
             let terms = sizes * gradient.iter().map(|entry| entry.abs()).sum::<f64>();
             terms.is_finite() && same(&rows_at(&trial.values), &rows_at(&moved), terms)
         })
@@ -111,7 +114,7 @@ fn force_is_of_differences(parts: &dyn Parts, force: usize, markers: &[&Marker],
             .velocities
             .iter()
             .zip(markers)
-            .map(|(&v, marker)| if marker.is_point() { add(v, trial.drift) } else { v })
+            .map(|(&v, marker)| if marker.is_point() { v + trial.drift } else { v })
             .collect();
         looks(parts).into_iter().all(|t| {
             let force_at = |z: &[Vector], velocity: &[Vector]| {
@@ -166,6 +169,6 @@ impl MeshScene {
         let mut frames = points.filter_map(|marker| self.free_of[self.marker_frame(marker)]);
         let free = frames.find(|&free| self.free[free].shifts() > 0)?;
         let frame = &self.free[free];
-        (norm(frame.start.position) > FAR * self.sizes[border + frame.first]).then_some(free)
+        (frame.start.position.norm() > FAR * self.sizes[border + frame.first]).then_some(free)
     }
 }

@@ -6,7 +6,7 @@ use crate::scene::bodies::place::{MeshPoint, PlaceVector, mesh_point};
 use crate::scene::frames::free_frames::{FreeFrame, normal_of};
 use crate::scene::mesh_scene::MeshScene;
 use crate::scene::pieces::marker::Marker;
-use crate::vector::{Vector, cross, norm, perpendicular, scale};
+use crate::space::{Vector, perpendicular};
 
 /// Deepest chain of markers that refer to each other.
 const DEEPEST: usize = 8;
@@ -28,13 +28,13 @@ pub(crate) fn markers(
     let fixed = |frame, at, is_point| Ok(Marker::Fixed { frame, at, is_point });
     let specs = parts.markers();
     let one = |spec: &MarkerSpec| match *spec {
-        MarkerSpec::Point { frame, at } => fixed(frame, at, true),
-        MarkerSpec::Direction { frame, along } => fixed(frame, along, false),
+        MarkerSpec::Point { frame, at } => fixed(frame, at.into(), true),
+        MarkerSpec::Direction { frame, along } => fixed(frame, along.into(), false),
         MarkerSpec::BodyPoint { body: index, at } => body(index, at, PlaceVector::Position),
         MarkerSpec::BodySlope { body: index, at } => body(index, at, PlaceVector::Slope),
         MarkerSpec::BodySection { body: index, at, axis } => body(index, at, PlaceVector::section(3)[axis - 1]),
         MarkerSpec::InSection { body: index, at, .. } => {
-            let along = [0.0; 3];
+            let along = Vector::zeros();
             mesh_point(parts, bodies, index, at, USER).map(|point| Marker::Section { point, along })
         }
         MarkerSpec::Turn { frame } => Ok(Marker::Turn { frame }),
@@ -48,8 +48,8 @@ pub(crate) fn markers(
                 parts.frame_name(frame)
             ))),
         },
-        MarkerSpec::Matching { frame, marker } => fixed(frame, [0.0; 3], is_point(&specs, marker)?),
-        MarkerSpec::Normal { frame, .. } => fixed(frame, [0.0; 3], false),
+        MarkerSpec::Matching { frame, marker } => fixed(frame, Vector::zeros(), is_point(&specs, marker)?),
+        MarkerSpec::Normal { frame, .. } => fixed(frame, Vector::zeros(), false),
     };
     specs.iter().map(one).collect()
 }
@@ -104,8 +104,8 @@ impl MeshScene {
         let free = self.free_of[frame].map(|free| &self.free[free]);
         let is_mass =
             |free: &&FreeFrame| matches!(free.spec.motions, Motions::Shifting | Motions::ShiftingPlanar { .. });
-        let distance = norm(at);
-        let position = norm(self.buffers.frames[frame].position);
+        let distance = at.norm();
+        let position = self.buffers.frames[frame].position.norm();
         let size = self.sizes_of_bodies().max(position);
         if free.filter(is_mass).is_none() || distance <= ROUND_OFF * size {
             return Ok(());
@@ -133,9 +133,9 @@ impl MeshScene {
             return Err(endless());
         }
         let unit = |direction: Vector, frame: usize| {
-            let size = norm(direction);
+            let size = direction.norm();
             if size > 0.0 {
-                return Ok(scale(1.0 / size, direction));
+                return Ok(1.0 / size * direction);
             }
             let name = self.parts.frame_name(frame);
             Err(ModelError::new(format!(
@@ -155,10 +155,10 @@ impl MeshScene {
                 let along = unit(self.initial(specs, marker, depth + 1)?, frame)?;
                 // In a plane the first normal lies in it.
                 let first = match self.plane_normal(specs, frame, marker) {
-                    Some(normal) if norm(cross(normal, along)) > 0.5 => cross(normal, along),
+                    Some(normal) if normal.cross(&along).norm() > 0.5 => normal.cross(&along),
                     _ => perpendicular(along),
                 };
-                Ok(if which == 0 { first } else { cross(along, first) })
+                Ok(if which == 0 { first } else { along.cross(&first) })
             }
             MarkerSpec::InSection { body, marker, .. } => {
                 unit(self.initial(specs, marker, depth + 1)?, self.bodies[body].spec.frame)
@@ -186,7 +186,7 @@ impl MeshScene {
 
     /// Normal of the plane that a frame, or what another marker belongs to, stays in; inertial axes.
     fn plane_normal(&self, specs: &[MarkerSpec], frame: usize, marker: usize) -> Option<Vector> {
-        let unit = |axis: usize| std::array::from_fn(|i| if i == axis { 1.0 } else { 0.0 });
+        let unit = |axis: usize| Vector::ith(axis, 1.0);
         let of_frame = |frame: usize| {
             self.free_of[frame]
                 .and_then(|free| normal_of(self.free[free].spec.motions))

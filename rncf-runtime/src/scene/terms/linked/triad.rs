@@ -8,7 +8,10 @@
 //! Both axes have the same part in it, so that what acts on the rotation does not shear the section in its plane, and
 //! the slope has none, which shears against it. In a plane `d_y = b / |b|`.
 
-use crate::vector::{Vector, add, cross, dot, norm, scale, subtract};
+use std::iter::Sum;
+use std::ops::Mul;
+
+use crate::space::Vector;
 
 /// Values of both axes, or a change of them; in a plane the second one is zero.
 pub(super) type Axes = [Vector; 2];
@@ -23,29 +26,29 @@ pub(super) struct Triad {
     is_planar: bool,
 }
 
-const ZERO: Vector = [0.0; 3];
+const ZERO: Vector = Vector::new(0.0, 0.0, 0.0);
 
 impl Triad {
     /// Of the axes b and c; in a plane with this normal of b alone.
     pub fn new(section: Axes, plane: Option<Vector>) -> Self {
         let [b, c] = section;
         if let Some(normal) = plane {
-            let y = scale(1.0 / norm(b), b);
+            let y = 1.0 / b.norm() * b;
             return Self {
-                axes: [cross(y, normal), y, normal],
+                axes: [y.cross(&normal), y, normal],
                 section,
-                sizes: [dot(b, b), 0.0],
+                sizes: [b.dot(&b), 0.0],
                 is_planar: true,
             };
         }
-        let across = cross(b, c);
-        let area = norm(across);
-        let n = scale(1.0 / area, across);
-        let along = add(b, cross(c, n));
-        let size = norm(along);
-        let y = scale(1.0 / size, along);
+        let across = b.cross(&c);
+        let area = across.norm();
+        let n = 1.0 / area * across;
+        let along = b + c.cross(&n);
+        let size = along.norm();
+        let y = 1.0 / size * along;
         Self {
-            axes: [n, y, cross(n, y)],
+            axes: [n, y, n.cross(&y)],
             section,
             sizes: [area, size],
             is_planar: false,
@@ -55,22 +58,22 @@ impl Triad {
     /// The direction with these components in the triad.
     pub fn direction(&self, along: Vector) -> Vector {
         let [n, y, z] = self.axes;
-        add(add(scale(along[0], n), scale(along[1], y)), scale(along[2], z))
+        along[0] * n + along[1] * y + along[2] * z
     }
 
     /// Components of a direction in the triad.
     pub fn components(&self, direction: Vector) -> Vector {
-        self.axes.map(|axis| dot(axis, direction))
+        self.axes.map(|axis| axis.dot(&direction)).into()
     }
 
     /// Bending and twisting part of a rotation, without the divisors.
     fn parts(&self, [db, dc]: Axes) -> (Vector, f64) {
         let ([n, y, z], [b, c]) = (self.axes, self.section);
         if self.is_planar {
-            return (ZERO, dot(z, cross(b, db)));
+            return (ZERO, z.dot(&b.cross(&db)));
         }
-        let bending = subtract(scale(dot(n, dc), b), scale(dot(n, db), c));
-        (bending, dot(z, db) - dot(y, dc))
+        let bending = n.dot(&dc) * b - n.dot(&db) * c;
+        (bending, z.dot(&db) - y.dot(&dc))
     }
 
     /// The small rotation dphi that a change of the axes is.
@@ -78,9 +81,9 @@ impl Triad {
         let ([n, _, z], [v, m]) = (self.axes, self.sizes);
         let (bending, twist) = self.parts(change);
         if self.is_planar {
-            return scale(twist / v, z);
+            return twist / v * z;
         }
-        add(scale(1.0 / v, bending), scale(twist / m, n))
+        1.0 / v * bending + twist / m * n
     }
 
     /// Derivative of [`turn`](Self::turn) of a constant change along another one.
@@ -89,21 +92,18 @@ impl Triad {
         let ([b1, c1], [b2, c2]) = (first, other);
         let (bending, twist) = self.parts(first);
         if self.is_planar {
-            let change = dot(z, cross(b2, b1)) / v - 2.0 * twist * dot(b, b2) / (v * v);
-            return scale(change, z);
+            let change = z.dot(&b2.cross(&b1)) / v - 2.0 * twist * b.dot(&b2) / (v * v);
+            return change * z;
         }
         let turn = self.turn(other);
-        let [n2, y2, z2] = [n, y, z].map(|axis| cross(turn, axis));
-        let v2 = dot(n, add(cross(b2, c), cross(b, c2)));
-        let m2 = dot(y, b2) + dot(z, c2);
-        let bent = add(
-            subtract(scale(dot(n, c1), b2), scale(dot(n, b1), c2)),
-            subtract(scale(dot(n2, c1), b), scale(dot(n2, b1), c)),
-        );
-        let twisted = dot(z2, b1) - dot(y2, c1);
-        let bent = subtract(scale(1.0 / v, bent), scale(v2 / (v * v), bending));
-        let twisted = add(scale(twist / m, n2), scale(twisted / m - twist * m2 / (m * m), n));
-        add(bent, twisted)
+        let [n2, y2, z2] = [n, y, z].map(|axis| turn.cross(&axis));
+        let v2 = n.dot(&(b2.cross(&c) + b.cross(&c2)));
+        let m2 = y.dot(&b2) + z.dot(&c2);
+        let bent = n.dot(&c1) * b2 - n.dot(&b1) * c2 + (n2.dot(&c1) * b - n2.dot(&b1) * c);
+        let twisted = z2.dot(&b1) - y2.dot(&c1);
+        let bent = 1.0 / v * bent - v2 / (v * v) * bending;
+        let twisted = twist / m * n2 + (twisted / m - twist * m2 / (m * m)) * n;
+        bent + twisted
     }
 
     /// Angular velocity of the section and its first two derivatives, from those of its axes up to the third.
@@ -123,33 +123,28 @@ impl Triad {
         for order in 0..3 {
             if order > 0 {
                 for axis in &mut axes {
-                    axis[order] = product(order - 1, |i, j| cross(spins[i], axis[j]));
+                    axis[order] = product(order - 1, |i, j| spins[i].cross(&axis[j]));
                 }
                 let [n, y, z] = &axes;
                 let area = |i: usize, j: usize| {
-                    let turned = product(j, |k, l| add(cross(b[k + 1], c[l]), cross(b[k], c[l + 1])));
-                    [dot(n[i], turned), 0.0, 0.0]
+                    let turned = product(j, |k, l| b[k + 1].cross(&c[l]) + b[k].cross(&c[l + 1]));
+                    n[i].dot(&turned)
                 };
-                sizes[0][order] = product(order - 1, area)[0];
-                let size = |i: usize, j: usize| [dot(y[i], b[j + 1]) + dot(z[i], c[j + 1]), 0.0, 0.0];
-                sizes[1][order] = product(order - 1, size)[0];
+                sizes[0][order] = product(order - 1, area);
+                let size = |i: usize, j: usize| y[i].dot(&b[j + 1]) + z[i].dot(&c[j + 1]);
+                sizes[1][order] = product(order - 1, size);
             }
             let [n, y, z] = &axes;
             let bent = product(order, |i, j| {
-                let [by_c, by_b] = [&c, &b].map(|axis| product(j, |k, l| [dot(n[k], axis[l + 1]), 0.0, 0.0])[0]);
-                subtract(scale(by_c, b[i]), scale(by_b, c[i]))
+                let [by_c, by_b] = [&c, &b].map(|axis| product(j, |k, l| n[k].dot(&axis[l + 1])));
+                by_c * b[i] - by_b * c[i]
             });
-            let twisted = product(order, |i, j| [dot(z[i], b[j + 1]) - dot(y[i], c[j + 1]), 0.0, 0.0]);
-            // Quotients: `size * quotient = value`, differentiated.
-            let known = |size: &[f64; 3], quotient: &dyn Fn(usize) -> Vector| {
-                let terms = (1..=order).map(|i| scale(BINOMIAL[order][i] * size[i], quotient(order - i)));
-                terms.fold(ZERO, add)
-            };
-            let rest = subtract(bent, known(&sizes[0], &|at| bending[at]));
-            bending[order] = scale(1.0 / sizes[0][0], rest);
-            let rest = twisted[0] - known(&sizes[1], &|at| [twist[at], 0.0, 0.0])[0];
+            let twisted = product(order, |i, j| z[i].dot(&b[j + 1]) - y[i].dot(&c[j + 1]));
+            let rest = bent - known(order, &sizes[0], |at| bending[at]);
+            bending[order] = 1.0 / sizes[0][0] * rest;
+            let rest = twisted - known(order, &sizes[1], |at| twist[at]);
             twist[order] = rest / sizes[1][0];
-            spins[order] = add(bending[order], product(order, |i, j| scale(twist[j], n[i])));
+            spins[order] = bending[order] + product(order, |i, j| twist[j] * n[i]);
         }
         spins
     }
@@ -158,31 +153,36 @@ impl Triad {
         let normal = self.axes[2];
         let mut rates = [0.0; 3];
         for order in 0..3 {
-            let turned = product(order, |i, j| [dot(normal, cross(b[i], b[j + 1])), 0.0, 0.0])[0];
-            let square = |order: usize| product(order, |i, j| [dot(b[i], b[j]), 0.0, 0.0])[0];
+            let turned = product(order, |i, j| normal.dot(&b[i].cross(&b[j + 1])));
+            let square = |order: usize| product(order, |i, j| b[i].dot(&b[j]));
             let known: f64 = (1..=order)
                 .map(|i| BINOMIAL[order][i] * square(i) * rates[order - i])
                 .sum();
             rates[order] = (turned - known) / square(0);
         }
-        rates.map(|rate| scale(rate, normal))
+        rates.map(|rate| rate * normal)
     }
 }
 
 const BINOMIAL: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.0, 2.0, 1.0]];
 
 /// Derivative of a product: `sum_i (order over i) term(i, order - i)`.
-fn product(order: usize, term: impl Fn(usize, usize) -> Vector) -> Vector {
-    (0..=order)
-        .map(|i| scale(BINOMIAL[order][i], term(i, order - i)))
-        .fold(ZERO, add)
+fn product<T: Mul<f64, Output = T> + Sum>(order: usize, term: impl Fn(usize, usize) -> T) -> T {
+    (0..=order).map(|i| term(i, order - i) * BINOMIAL[order][i]).sum()
+}
+
+/// What is known of the derivative of `size * quotient = value` before that of the quotient itself.
+fn known<T: Mul<f64, Output = T> + Sum>(order: usize, size: &[f64; 3], quotient: impl Fn(usize) -> T) -> T {
+    (1..=order)
+        .map(|i| quotient(order - i) * (BINOMIAL[order][i] * size[i]))
+        .sum()
 }
 
 /// Value, velocity, acceleration and jerk of a direction that turns with these spins.
 pub(super) fn turning(direction: Vector, spins: &[Vector; 3]) -> [Vector; 4] {
     let mut jet = [direction, ZERO, ZERO, ZERO];
     for order in 0..3 {
-        jet[order + 1] = product(order, |i, j| cross(spins[i], jet[j]));
+        jet[order + 1] = product(order, |i, j| spins[i].cross(&jet[j]));
     }
     jet
 }
@@ -203,7 +203,7 @@ mod tests {
                 ]
             };
             let parts = k.map(at);
-            std::array::from_fn(|order| parts.map(|part| part[order]))
+            std::array::from_fn(|order| parts.map(|part| part[order]).into())
         };
         [
             polynomial([[0.1, 0.4, -0.2, 0.3], [1.1, 0.2, 0.5, -0.1], [0.2, -0.7, 0.1, 0.2]]),
@@ -229,20 +229,20 @@ mod tests {
     }
 
     fn near(a: Vector, b: Vector, tolerance: f64) {
-        let apart = norm(subtract(a, b));
+        let apart = (a - b).norm();
         assert!(apart < tolerance, "{a:?} is not {b:?}: {apart:.1e}");
     }
 
-    const PLANES: [Option<Vector>; 2] = [None, Some([0.0, 0.0, 1.0])];
+    const PLANES: [Option<Vector>; 2] = [None, Some(Vector::new(0.0, 0.0, 1.0))];
 
     /// The triad is right-handed, and the stretch in it symmetric: the definition of the polar rotation.
     #[test]
     fn is_the_polar_rotation() {
         let triad = at(0.3, None);
         let ([n, y, z], [b, c]) = (triad.axes, triad.section);
-        near(cross(y, z), n, 1e-15);
-        near([dot(n, b), dot(n, c), dot(y, c) - dot(z, b)], ZERO, 1e-15);
-        assert!(dot(y, b) > 0.0 && dot(z, c) > 0.0);
+        near(y.cross(&z), n, 1e-15);
+        near(Vector::new(n.dot(&b), n.dot(&c), y.dot(&c) - z.dot(&b)), ZERO, 1e-15);
+        assert!(y.dot(&b) > 0.0 && z.dot(&c) > 0.0);
     }
 
     /// All time derivatives against differences of the ones before.
@@ -253,11 +253,11 @@ mod tests {
             let jet = |t: f64| {
                 let triad = at(t, plane);
                 let spins = triad.spins(jets(t, plane));
-                (turning(triad.direction([0.3, -0.5, 0.8]), &spins), spins)
+                (turning(triad.direction(Vector::new(0.3, -0.5, 0.8)), &spins), spins)
             };
             let (now, spins) = jet(0.3);
             let ((after, spins_after), (before, spins_before)) = (jet(0.3 + STEP), jet(0.3 - STEP));
-            let change = |after, before| scale(0.5 / STEP, subtract(after, before));
+            let change = |after, before| 0.5 / STEP * (after - before);
             for order in 0..3 {
                 near(change(after[order], before[order]), now[order + 1], 1e-8);
             }
@@ -275,14 +275,14 @@ mod tests {
             let (first, other) = (jets(0.9, plane).map(|jet| jet[1]), jets(0.4, plane).map(|jet| jet[2]));
             let moved = |by: f64, along: Axes| {
                 let section = jets(0.3, plane).map(|jet| jet[0]);
-                let section = [0, 1].map(|k| add(section[k], scale(by, along[k])));
+                let section = [0, 1].map(|k| section[k] + by * along[k]);
                 Triad::new(section, plane)
             };
             let now = moved(0.0, first);
-            let direction = |triad: &Triad| triad.direction([0.3, -0.5, 0.8]);
-            let change = |after, before| scale(0.5 / STEP, subtract(after, before));
+            let direction = |triad: &Triad| triad.direction(Vector::new(0.3, -0.5, 0.8));
+            let change = |after, before| 0.5 / STEP * (after - before);
             let turned = change(direction(&moved(STEP, first)), direction(&moved(-STEP, first)));
-            near(turned, cross(now.turn(first), direction(&now)), 1e-8);
+            near(turned, now.turn(first).cross(&direction(&now)), 1e-8);
             let second = change(moved(STEP, other).turn(first), moved(-STEP, other).turn(first));
             near(second, now.second(first, other), 1e-8);
         }

@@ -3,8 +3,8 @@
 
 use crate::scene::MeshScene;
 use crate::scene::pieces::marker::Linked;
+use crate::space::Vector;
 use crate::system::System;
-use crate::vector::{Vector, norm, subtract};
 
 /// What can be done where markers meet.
 const APART: &str = "a length, direction or divisor in it is zero or outside the range of a function; move its points apart or change its parameters";
@@ -26,9 +26,9 @@ impl MeshScene {
             .iter()
             .map(|&marker| self.jet(&self.markers[marker])[0])
             .collect();
-        let coordinates = points.iter().map(|&place| norm(at[place])).fold(0.0, f64::max);
+        let coordinates = points.iter().map(|&place| at[place].norm()).fold(0.0, f64::max);
         for (index, &place) in points.iter().enumerate() {
-            let near = |&&other: &&usize| norm(subtract(at[place], at[other])) <= ROUND_OFF * coordinates;
+            let near = |&&other: &&usize| (at[place] - at[other]).norm() <= ROUND_OFF * coordinates;
             if let Some(&first) = points[..index].iter().find(near) {
                 z[place] = z[first];
             }

@@ -7,7 +7,7 @@ use crate::scene::MeshScene;
 use crate::scene::frames::ties::Tie;
 use crate::scene::numbering::assembly::{Scatter, evaluate};
 use crate::scene::numbering::layout::Layout;
-use crate::vector::{Matrix, Vector, multiply, skew};
+use crate::space::{Matrix, Vector};
 
 /// The mass matrix of some vectors: an element, or a fixture on one.
 struct Inertia {
@@ -64,7 +64,7 @@ impl<'a> Balance<'a> {
         }));
         let mut balance = Self {
             ties,
-            turning: multiply(&skew(spin), &skew(spin)),
+            turning: spin.cross_matrix() * spin.cross_matrix(),
             square: spin.iter().map(|w| w * w).sum(),
             inverse_sizes: inverse_sizes(scene, &layout),
             pattern: Pattern::new(0, 0, []),
@@ -118,7 +118,7 @@ impl<'a> Balance<'a> {
             let place = self.place(inertia.body);
             let one = |r: usize, c: usize| if r == c { 1.0 } else { 0.0 };
             self.scatters[place].add(inertia.element, &self.spread(inertia, one), &mut self.mass);
-            let turned = self.spread(inertia, |r, c| self.turning[r][c]);
+            let turned = self.spread(inertia, |r, c| self.turning[(r, c)]);
             self.scatters[place].add(inertia.element, &turned, &mut self.constant);
         }
         for (row, column, value) in borders {
@@ -214,8 +214,10 @@ impl<'a> Balance<'a> {
         let mut accelerations = [0.0; MAX_SIZE];
         for (row, value) in accelerations[..spec.element_size()].iter_mut().enumerate() {
             let vector = &q[row / dimension * dimension..];
-            let turning = &self.turning[spec.axes[row % dimension]];
-            *value = (0..dimension).map(|c| turning[spec.axes[c]] * vector[c]).sum();
+            let axis = spec.axes[row % dimension];
+            *value = (0..dimension)
+                .map(|c| self.turning[(axis, spec.axes[c])] * vector[c])
+                .sum();
         }
         let mut force = [0.0; MAX_SIZE];
         for (row, value) in force[..spec.element_size()].iter_mut().enumerate() {

@@ -18,7 +18,7 @@ use crate::scene::numbering::conditions::{Condition, condition, directions, join
 use crate::scene::numbering::layout::Layout;
 use crate::scene::numbering::shared::{Shared, numbering};
 use crate::scene::pieces::marker::Marker;
-use crate::vector::{Vector, add, cross, norm, subtract};
+use crate::space::Vector;
 use balance::Balance;
 
 /// Relative size of a component across the normal, or of a motion of a joint, that counts as round-off.
@@ -49,7 +49,10 @@ impl MeshScene {
 
     /// Angular velocity of a start, frame axes.
     fn settling_spin(&self, start: &StartSpec) -> Result<Vector, ModelError> {
-        let spin = start.spin.unwrap_or_else(|| self.motions(0.0)[start.frame].spin);
+        let spin = start
+            .spin
+            .map(Vector::from)
+            .unwrap_or_else(|| self.motions(0.0)[start.frame].spin);
         let name = self.parts.frame_name(start.frame);
         if !spin.iter().all(|value| value.is_finite()) {
             return Err(ModelError::new(format!(
@@ -57,7 +60,7 @@ impl MeshScene {
                 start.name
             )));
         }
-        if norm(spin) == 0.0 {
+        if spin.norm() == 0.0 {
             return Err(ModelError::new(format!(
                 "start `{}`: frame `{name}` does not turn, and without rotation its bodies rest undeformed: give it an angular velocity, or leave the start out",
                 start.name
@@ -77,7 +80,7 @@ impl MeshScene {
         for normal in planes.chain(frames) {
             let mut across = spin;
             across[normal] = 0.0;
-            if norm(across) > NEGLIGIBLE * norm(spin) {
+            if across.norm() > NEGLIGIBLE * spin.norm() {
                 return Err(ModelError::new(format!(
                     "start `{}`: what moves in a plane of frame `{name}` turns about the plane's normal only: give an angular velocity along {}",
                     start.name,
@@ -147,11 +150,11 @@ impl MeshScene {
         }
         let (own, other) = (&frames[spec.frame], &frames[joint.frame]);
         let data = joint_data(joint, spec, frames);
-        let point = other.point_to_inertial(data.point);
+        let point = other.point_to_inertial(data.point.into());
         let spins = [own, other].map(|frame| frame.direction_to_inertial(frame.spin));
-        let carried = |frame: &FrameMotion, spin| add(frame.velocity, cross(spin, subtract(point, frame.position)));
+        let carried = |frame: &FrameMotion, spin: Vector| frame.velocity + spin.cross(&(point - frame.position));
         let velocities = [carried(own, spins[0]), carried(other, spins[1])];
-        let differs = |[a, b]: [Vector; 2]| norm(subtract(a, b)) > NEGLIGIBLE * norm(a).max(norm(b));
+        let differs = |[a, b]: [Vector; 2]| (a - b).norm() > NEGLIGIBLE * a.norm().max(b.norm());
         if differs(velocities) || !directions(joint.kind, spec).is_empty() && differs(spins) {
             return Err(ModelError::new(format!(
                 "start `{}`: joint `{}` ties body `{}` to frame `{}`, which moves relative to frame `{}`: nothing rests there",
@@ -164,7 +167,7 @@ impl MeshScene {
         }
         Ok(JointSpec {
             frame: spec.frame,
-            point: Some(own.point_to_frame(point)),
+            point: Some(own.point_to_frame(point).into()),
             ..joint.clone()
         })
     }
@@ -216,12 +219,12 @@ impl MeshScene {
                 }
             };
             if condition.position_eliminated {
-                set(condition.vectors[0], condition.data.point);
+                set(condition.vectors[0], condition.data.point.into());
             }
             if condition.prescribes_directions() {
                 let values = [condition.data.tangent, condition.data.second];
                 for (&vector, value) in condition.vectors[1..].iter().zip(values) {
-                    set(vector, value);
+                    set(vector, value.into());
                 }
             }
             if let Some((vector, component)) = condition.held {
