@@ -22,14 +22,14 @@ impl Keep for Vector {
     }
 }
 
+/// Scalar part, then vector part.
 impl Keep for Rotation {
     fn keep(&mut self, archive: &mut Archive<'_>) {
-        let mut quaternion = self.into_inner();
-        quaternion
-            .coords
-            .iter_mut()
-            .for_each(|component| component.keep(archive));
-        *self = Self::new_unchecked(quaternion);
+        let [x, y, z, w]: [f64; 4] = self.coords.into();
+        let mut kept = [w, x, y, z];
+        kept.keep(archive);
+        let [w, x, y, z] = kept;
+        *self = Self::new_unchecked(Quaternion::new(w, x, y, z));
     }
 }
 
@@ -164,6 +164,18 @@ mod tests {
 
     fn difference(a: &Matrix, b: &Matrix) -> f64 {
         (a - b).amax()
+    }
+
+    /// As in checkpoints of earlier versions.
+    #[test]
+    fn a_rotation_is_kept_with_its_scalar_part_first() {
+        let mut rotation = exp(Vector::new(0.3, -1.2, 0.4));
+        let mut bytes = Vec::new();
+        rotation.keep(&mut Archive::writing(&mut bytes));
+        assert_eq!(bytes[..8], rotation.w.to_le_bytes());
+        let mut back = Rotation::identity();
+        back.keep(&mut Archive::reading(&bytes));
+        assert_eq!(back.coords, rotation.coords);
     }
 
     #[test]

@@ -51,10 +51,8 @@ impl Coefficients {
         let (alpha, beta) = ((12.0 - r + q) / 60.0, (r + q) * 3_f64.sqrt() / 60.0);
         let square = alpha * alpha + beta * beta;
         let complex = c64::new(alpha / square, beta / square);
-        // It is regular.
-        let inverse = from_rows(&matrix)
-            .try_inverse()
-            .map_or(matrix, |inverse| rows(&inverse));
+        let inverse = from_rows(&matrix).try_inverse().expect("A is regular");
+        let inverse = rows(&inverse);
         let (real_right, real_left) = eigenvectors(&inverse, c64::new(real, 0.0));
         let (complex_right, complex_left) = eigenvectors(&inverse, complex);
         Self {
