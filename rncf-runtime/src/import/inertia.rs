@@ -200,7 +200,7 @@ impl Inertia {
         }
         // T^T M R = -[m r_c]
         let moment = [(1, 2), (2, 0), (0, 1)].map(|(i, j)| 0.5 * (whole(i, 3 + j) - whole(j, 3 + i)));
-        let inertia: Matrix = Matrix::from_fn(|i, j| 0.5 * (whole(3 + i, 3 + j) + whole(3 + j, 3 + i)));
+        let inertia = Matrix::from_fn(|i, j| 0.5 * (whole(3 + i, 3 + j) + whole(3 + j, 3 + i)));
         if let Some(axis) = (0..3).find(|&axis| inertia[(axis, axis)] < 0.0) {
             return Err(format!(
                 "its mass matrix `M` makes a moment of inertia of {:e} kg m^2 about {} of it, and no body has that",

@@ -8,7 +8,7 @@ use super::freedoms::{Columns, Freedoms, loose, massless, rigid_motion, rigid_mo
 use super::inertia::Inertia;
 use super::lowest::{lowest, orthonormal};
 use crate::linalg::Cholesky;
-use crate::space::Vector;
+use crate::space::{Vector, three};
 
 /// Part of what a stiffness does to a rigid motion that may be left of it, as files of single precision have.
 const RIGID: f64 = 1e-6;
@@ -430,7 +430,7 @@ impl Imported {
             let vectors = shape.chunks_exact(3).enumerate();
             let each = vectors.map(|(at, vector)| {
                 let is_turn = per_node == FULL_NODE && at % 2 == 1;
-                Vector::from([vector[0], vector[1], vector[2]]).norm() / if is_turn { 1.0 } else { extent }
+                three(vector, 0).norm() / if is_turn { 1.0 } else { extent }
             });
             1.0 / each.fold(f64::MIN_POSITIVE, f64::max)
         };

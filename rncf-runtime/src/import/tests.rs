@@ -90,7 +90,7 @@ fn invariants_of_a_block_of_bricks_are_sums_over_its_field() {
     let inertia = &found.inertia;
     let whole = 2700.0 * 1.2 * 0.01;
     assert!((inertia.mass - whole).abs() < 1e-10 * whole);
-    assert!((inertia.moment - whole * Vector::from([0.6, 0.05, 0.05])).norm() < 1e-10 * whole);
+    assert!((inertia.moment - whole * Vector::new(0.6, 0.05, 0.05)).norm() < 1e-10 * whole);
     let xx = whole * 2.0 * 0.01 / 3.0;
     assert!((inertia.inertia[(0, 0)] - xx).abs() < 1e-9 * xx);
     // Kinetic energy of a displaced and moving body by the constants, and by the velocities of its nodes.

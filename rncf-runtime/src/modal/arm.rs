@@ -122,7 +122,7 @@ impl Parts for Arm {
             is_body: false,
             motions,
             position: Vector::zeros(),
-            axis: Vector::new(0.0, 0.0, 1.0),
+            axis: Vector::z(),
             angle: 0.3,
             velocity: Vector::zeros(),
             spin: Vector::new(0.0, 0.0, self.spin),

@@ -54,7 +54,7 @@ fn rotation(axes: &[Option<Vector>; 3], rates: &[Option<Vector>; 3]) -> Vector {
         [(y, _), (z, _)] => {
             // Both axes see the turning about their normal.
             let (sum, normal) = (turning(&section), y.cross(&z));
-            sum + -0.5 * normal.dot(&sum) * normal
+            sum - 0.5 * normal.dot(&sum) * normal
         }
         _ => turning(&section),
     }

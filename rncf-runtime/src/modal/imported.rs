@@ -167,7 +167,7 @@ impl ModalBody {
         };
         let mut warnings = Vec::new();
         let farthest = elsewhere.names.iter().enumerate().map(|(interface, name)| {
-            let sum: Vector = Vector::from_fn(|axis, _| {
+            let sum = Vector::from_fn(|axis, _| {
                 elsewhere
                     .turns
                     .iter()

@@ -58,8 +58,8 @@ impl Elements for Cable {
             let [first, second] = self.slopes(x);
             let (a, b, rate) = (self.sum(&first, q), self.sum(&second, q), self.sum(&first, v));
             let tension = self.axial * (0.5 * (a.dot(&a) - 1.0) + self.damping * a.dot(&rate));
-            let by_a = (tension + self.bending * b.dot(&b)) * a + -self.bending * a.dot(&b) * b;
-            let by_b = self.bending * a.dot(&a) * b + -self.bending * a.dot(&b) * a;
+            let by_a = (tension + self.bending * b.dot(&b)) * a - self.bending * a.dot(&b) * b;
+            let by_b = self.bending * a.dot(&a) * b - self.bending * a.dot(&b) * a;
             for (place, value) in force.iter_mut().enumerate() {
                 let (n, c) = (place / self.dimension, place % self.dimension);
                 *value += weight * self.length * (first[n] * by_a[c] + second[n] * by_b[c]);

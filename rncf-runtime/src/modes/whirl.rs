@@ -84,7 +84,7 @@ mod tests {
 
     #[test]
     fn what_does_not_whirl_has_no_sense() {
-        assert_eq!(circulation(&[[Vector::new(0.0, 0.0, 1.0), Vector::zeros()]], Z), None);
+        assert_eq!(circulation(&[[Vector::z(), Vector::zeros()]], Z), None);
         // A torsion with the round-off of a circle across the axis.
         assert_eq!(
             circulation(&[[Vector::new(1e-9, 0.0, 1.0), Vector::new(0.0, 1e-9, 0.0)]], Z),

@@ -67,7 +67,7 @@ impl Inertia<'_> {
         let rotation = matrix(&frame.start.rotation);
         let (mass, mut arm) = (if shifts == 0 { 0.0 } else { entry(0, 0) }, Vector::zeros());
         for column in shifts..frame.count() {
-            let mut moment: Vector = Vector::zeros();
+            let mut moment = Vector::zeros();
             for row in 0..shifts {
                 moment += entry(row, column) / mass * frame.directions[row].shift;
             }
@@ -77,7 +77,7 @@ impl Inertia<'_> {
         if frame.turn.is_some() {
             // Each part was counted for two turns.
             arm = 0.5 * arm;
-            let about_origin: Matrix = Matrix::from_fn(|i, j| entry(shifts + i, shifts + j));
+            let about_origin = Matrix::from_fn(|i, j| entry(shifts + i, shifts + j));
             let square = arm.dot(&arm);
             let steiner = |i: usize, j: usize| if i == j { square } else { 0.0 } - arm[i] * arm[j];
             let about_centre = Matrix::from_fn(|i, j| about_origin[(i, j)] - mass * steiner(i, j));

@@ -22,7 +22,7 @@ fn close(a: Vector, b: Vector, what: &str) {
 fn velocities_and_accelerations_are_those_of_the_rotation() {
     // Both sides of the series, and a large angle.
     for size in [0.0, 1e-3, 0.3, 0.999, 1.001, 2.5] {
-        let xi = size * Vector::from([0.48, -0.6, 0.64]);
+        let xi = size * Vector::new(0.48, -0.6, 0.64);
         let point = Point::new(xi);
         close(point.map(NU), tangent_map(xi) * NU, "velocity");
         let velocity = |t: f64| {
@@ -37,7 +37,7 @@ fn velocities_and_accelerations_are_those_of_the_rotation() {
 #[test]
 fn changes_are_derivatives() {
     for size in [0.0, 1e-3, 0.3, 0.999, 1.001, 2.5] {
-        let xi = size * Vector::from([0.48, -0.6, 0.64]);
+        let xi = size * Vector::new(0.48, -0.6, 0.64);
         let point = Point::new(xi);
         for d in [Vector::x(), Vector::y(), Vector::new(0.2, -0.3, 1.0)] {
             let near = |t: f64| Point::new(moved(xi, d, t));
@@ -62,15 +62,15 @@ fn residual(state: &State) -> [f64; 4] {
     let a = matrix(&state.orientation(0, FIRST));
     let (v, d, y) = (&state.v, &state.a, state.x[0]);
     let (w, dw) = (at(v, FIRST), at(d, FIRST));
-    let f = a * Vector::from([1.0 + y, v[0] - 0.3, 0.7 * y * d[0]]);
-    let g = w.cross(&Vector::from([w[0] * f[1], 2.0 * w[1], (3.0 + y) * w[2] + d[0]]));
+    let f = a * Vector::new(1.0 + y, v[0] - 0.3, 0.7 * y * d[0]);
+    let g = w.cross(&Vector::new(w[0] * f[1], 2.0 * w[1], (3.0 + y) * w[2] + d[0]));
     let sum = f
         + g
-        + Vector::from([
+        + Vector::new(
             dw[0] * (2.0 + f[2]),
             3.0 * dw[1] + 0.4 * dw[2] * y,
             dw[2] + w[1] * dw[0],
-        ]);
+        );
     [f.dot(&dw) + y * v[0] + d[0], sum[0], sum[1], sum[2]]
 }
 

@@ -75,7 +75,7 @@ impl Top {
         let mut state = State::of(self, 0.0);
         let w = Vector::new(0.0, 150.0, -4.61538);
         state.x[..3].copy_from_slice(self.arm().as_slice());
-        state.v[..3].copy_from_slice((Vector::from([4.61538, 0.0, 0.0]) + w.cross(&self.offset)).as_slice());
+        state.v[..3].copy_from_slice((Vector::new(4.61538, 0.0, 0.0) + w.cross(&self.offset)).as_slice());
         state.v[3..].copy_from_slice(w.as_slice());
         state
     }
@@ -163,7 +163,7 @@ pub(super) const REFERENCE: [(f64, Vector, Vector, Vector); 2] = [
 pub(super) fn errors(state: &State, reference: &(f64, Vector, Vector, Vector)) -> [f64; 3] {
     let &(t, r, w, lambda) = reference;
     assert!((state.t - t).abs() < 1e-9, "{} {t}", state.t);
-    let far = |y: &[f64], exact: Vector| (Vector::from([y[0], y[1], y[2]]) - exact).norm();
+    let far = |y: &[f64], exact: Vector| (three(y, 0) - exact).norm();
     [far(&state.x, r), far(&state.v[3..], w), far(&state.lambda, lambda)]
 }
 
@@ -216,7 +216,7 @@ impl System for Top {
         let (w, a, p) = (angular(&state.v), attitude(state), self.offset.cross_matrix());
         self.add_block(&mut out.damping, (3, 3), -1.0, &self.times_inertia(w).cross_matrix());
         let turn = w.cross_matrix();
-        let gyroscopic: Matrix = Matrix::from_fn(|i, j| turn[(i, j)] * self.inertia[j]);
+        let gyroscopic = Matrix::from_fn(|i, j| turn[(i, j)] * self.inertia[j]);
         self.add_block(&mut out.damping, (3, 3), 1.0, &gyroscopic);
         // d(w x (w x p)) = -([w x p] + [w][p]) dw
         for centrifugal in [w.cross(&self.offset).cross_matrix(), turn * p] {
@@ -227,7 +227,7 @@ impl System for Top {
         self.add_block(&mut out.stiffness, (0, 3), self.mass, &(a * turning.cross_matrix()));
         self.add_block(&mut out.stiffness, (3, 3), -self.mass, &(p * point.cross_matrix()));
         if let &[x, y, z] = &state.lambda[..] {
-            let force = a.tr_mul(&Vector::from([x, y, z])).cross_matrix();
+            let force = a.tr_mul(&Vector::new(x, y, z)).cross_matrix();
             self.add_block(&mut out.stiffness, (3, 3), -1.0, &(self.arm().cross_matrix() * force));
         }
     }

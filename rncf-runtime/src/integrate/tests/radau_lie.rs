@@ -5,7 +5,7 @@ use super::radau::{Single, orders};
 use super::systems::Pendulum;
 use crate::error::SolveErrorKind;
 use crate::integrate::{Integrator, Method, Options, Statistics, StepSize, Stop};
-use crate::space::{Matrix, Rotation, Vector, matrix};
+use crate::space::{Matrix, Rotation, Vector, matrix, three};
 use crate::system::{ConstraintLevel, State, System};
 
 fn fixed(h: f64, stabilised: bool) -> Options {
@@ -105,8 +105,8 @@ fn point_slip(stabilised: bool) -> (f64, f64) {
     let (mut slip, mut gap) = (0.0_f64, 0.0_f64);
     run(&mut top, start, 0.5, adaptive(1e-6, stabilised), |integrator| {
         let state = integrator.state().clone();
-        let arm = attitude(&state) * angular(&state.v).cross(&Vector::from([0.0, 1.0, 0.0]));
-        slip = slip.max((Vector::from([state.v[0], state.v[1], state.v[2]]) - arm).norm());
+        let arm = attitude(&state) * angular(&state.v).cross(&Vector::y());
+        slip = slip.max((three(&state.v, 0) - arm).norm());
         let mut gaps = Vector::zeros();
         integrator
             .system()
@@ -171,12 +171,12 @@ const INERTIA: Vector = Vector::new(1.0, 2.0, 3.0);
 fn tumbled(w: Vector, t: f64) -> (Vector, Matrix) {
     let rate = |(w, a): (Vector, Matrix)| {
         let moment = w.cross(&Vector::from(INERTIA).component_mul(&w));
-        let dw: Vector = Vector::from_fn(|i, _| -moment[i] / INERTIA[i]);
+        let dw = Vector::from_fn(|i, _| -moment[i] / INERTIA[i]);
         (dw, a * w.cross_matrix())
     };
     let moved = |(w, a): (Vector, Matrix), h: f64, (dw, da): (Vector, Matrix)| {
-        let w: Vector = Vector::from_fn(|i, _| w[i] + h * dw[i]);
-        let a: Matrix = Matrix::from_fn(|i, j| a[(i, j)] + h * da[(i, j)]);
+        let w = Vector::from_fn(|i, _| w[i] + h * dw[i]);
+        let a = Matrix::from_fn(|i, j| a[(i, j)] + h * da[(i, j)]);
         (w, a)
     };
     let steps = (t / 1e-3).ceil();

@@ -5,7 +5,7 @@ use super::systems::Pendulum;
 use crate::error::{SolveError, SolveErrorKind};
 use crate::integrate::{Integrator, Method, Options, StepSize, Stop};
 use crate::linalg::Pattern;
-use crate::space::{Vector, exp, matrix};
+use crate::space::{Vector, exp, matrix, three};
 use crate::system::{ConstraintLevel, State, System, Tangent};
 
 const METHODS: [Method; 2] = [Method::Hht { alpha: -0.05 }, Method::GeneralizedAlpha { rho_inf: 0.8 }];
@@ -190,12 +190,12 @@ fn small_violations_are_projected_and_reported() {
     let mut top = Top::heavy();
     let mut start = top.start();
     start.turns[0] = exp(Vector::new(0.3, -0.2, 0.5));
-    let arm = matrix(&start.turns[0]) * Vector::from([0.0, 1.0, 0.0]);
+    let arm = matrix(&start.turns[0]) * Vector::y();
     for i in 0..3 {
         start.x[i] = arm[i] + [3e-3, -2e-3, 1e-3][i];
     }
     let spin = Vector::new(0.0, 150.0, -4.61538);
-    let velocity = matrix(&start.turns[0]) * spin.cross(&Vector::from([0.0, 1.0, 0.0]));
+    let velocity = matrix(&start.turns[0]) * spin.cross(&Vector::y());
     for i in 0..3 {
         start.v[i] = velocity[i] + 1e-2;
     }
@@ -204,10 +204,10 @@ fn small_violations_are_projected_and_reported() {
     assert!((5e-4..3e-3).contains(&counts.position_correction), "{counts:?}");
     assert!((5e-3..2e-2).contains(&counts.velocity_correction), "{counts:?}");
     let state = integrator.state();
-    let arm = attitude(state) * Vector::from([0.0, 1.0, 0.0]);
-    assert!((arm - Vector::from([state.x[0], state.x[1], state.x[2]])).norm() < 1e-14);
+    let arm = attitude(state) * Vector::y();
+    assert!((arm - three(&state.x, 0)).norm() < 1e-14);
     // The arm moved the least: position and orientation share the correction.
-    assert!((arm - matrix(&exp(Vector::new(0.3, -0.2, 0.5))) * Vector::from([0.0, 1.0, 0.0])).norm() > 1e-4);
+    assert!((arm - matrix(&exp(Vector::new(0.3, -0.2, 0.5))) * Vector::y()).norm() > 1e-4);
 }
 
 #[test]

@@ -100,7 +100,7 @@ impl MeshScene {
         let place = |vector: usize| -> Vector {
             let [x, y, z, _]: Padded = spread(body.spec.axes, &self.buffers.q[first..], vector);
             let q = if mass.is_position(vector) {
-                Vector::from([x, y, z]) + body.offset
+                Vector::new(x, y, z) + body.offset
             } else {
                 Vector::new(x, y, z)
             };

@@ -97,7 +97,7 @@ impl MeshScene {
                 .collect();
             for (&of, row) in of_place.iter().zip(block) {
                 let parts = row.into_iter().zip(&accelerations);
-                let force = parts.fold(Vector::zeros(), |sum, (mass, &a)| sum + -mass * a);
+                let force = parts.fold(Vector::zeros(), |sum, (mass, &a)| sum - mass * a);
                 if along_normal(of).is_none() {
                     act(point, of, force);
                 }

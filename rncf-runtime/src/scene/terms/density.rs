@@ -10,7 +10,7 @@ use crate::scene::mesh_scene::MeshScene;
 use crate::scene::numbering::units::Units;
 use crate::scene::pieces::batches::in_order;
 use crate::scene::pieces::density::{Batches, Density, ROWS};
-use crate::space::{Matrix, Vector};
+use crate::space::{Matrix, Vector, three};
 use crate::system::Sums;
 
 /// Unknowns that are dealt with at a time; a frame has fewer.
@@ -244,7 +244,7 @@ impl MeshScene {
         for &(place, at, change) in &shared.changes {
             for value in 0..spec.values {
                 let row = &gradient[(value * z.len() + place) * 3..][..3];
-                shared.by_unknowns[value * width + at] += Vector::from([row[0], row[1], row[2]]).dot(&change);
+                shared.by_unknowns[value * width + at] += three(row, 0).dot(&change);
             }
         }
     }
@@ -477,7 +477,7 @@ impl MeshScene {
             .map(|direction| [motion.direction_to_frame(direction.shift), direction.turn])
             .collect();
         let along = |[shift, turn]: &[Vector; 2], [fx, fy, fz, mx, my, mz]: [f64; 6]| {
-            shift.dot(&Vector::from([fx, fy, fz])) + turn.dot(&Vector::from([mx, my, mz]))
+            shift.dot(&Vector::new(fx, fy, fz)) + turn.dot(&Vector::new(mx, my, mz))
         };
         let mut by_rows = [[0.0; TOGETHER]; ROWS];
         for (i, seen) in seen.iter().enumerate() {

@@ -327,7 +327,7 @@ mod tests {
     fn particles_have_mass_first_and_second_moments() {
         let (mass, first) = (3.0, [0.6, -0.9, 1.5]);
         let about: [[f64; 3]; 3] = [[2.0, 0.3, -0.4], [0.3, 1.0, 0.2], [-0.4, 0.2, 0.7]];
-        let second: Matrix = Matrix::from_fn(|i, j| about[i][j] + first[i] * first[j] / mass);
+        let second = Matrix::from_fn(|i, j| about[i][j] + first[i] * first[j] / mass);
         let all = particles(mass, first, rows(&second));
         assert_eq!(all.len(), 6);
         let sum = |of: &dyn Fn(&[f64; 3]) -> f64| all.iter().map(|(mass, at)| mass * of(at)).sum::<f64>();

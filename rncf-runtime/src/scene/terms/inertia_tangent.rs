@@ -86,7 +86,7 @@ impl Arms {
         let (coriolis, turning) = (transport.coriolis(), transport.turning());
         // Transposes: 2 u x w = (2 [w])^T u.
         let by_u = sum(&[(b, &unit), (g, &coriolis), (k, &turning)]);
-        let by_u: Matrix = Matrix::from_fn(|i, j| by_u[(j, i)]);
+        let by_u = by_u.transpose();
         let (turn, rate) = (unknown.turn.cross_matrix(), unknown.rate[1].cross_matrix());
         let swing = sum(&[(1.0, &(rate * w)), (1.0, &(w * rate))]);
         Self {

@@ -11,7 +11,7 @@ use crate::emitted::{
 use crate::linalg::{Lu, Pattern};
 use crate::model::{Formulation, Scene};
 use crate::scene::MeshScene;
-use crate::space::{Vector, from_rows, product};
+use crate::space::{Vector, from_rows, product, three};
 use crate::system::{ConstraintLevel, State, System};
 
 const G: f64 = 9.81;
@@ -78,13 +78,7 @@ fn watch(marker: usize, derivative: usize) -> [ObservedSpec; 3] {
 /// m g l sin(angle) / J
 #[test]
 fn a_hinged_body_is_a_physical_pendulum() {
-    let mut door = free(
-        1,
-        0,
-        Motions::Hinged {
-            axis: Vector::new(1.0, 0.0, 0.0),
-        },
-    );
+    let mut door = free(1, 0, Motions::Hinged { axis: Vector::x() });
     door.angle = 8.0;
     door.is_body = true;
     door.rigid = RigidSpec {
@@ -114,7 +108,7 @@ fn a_heavy_top_precesses() {
     let (spin, across, along, lever, mass) = (120.0, 0.4, 0.3, 0.2, 2.0);
     let precession = mass * G * lever / (along * spin);
     let mut top = free(1, 0, Motions::Turning);
-    top.axis = Vector::new(0.0, 1.0, 0.0);
+    top.axis = Vector::y();
     top.angle = std::f64::consts::FRAC_PI_2;
     // The body's z is the inertial x, its x the inertial -z.
     top.spin = Vector::new(-precession, 0.0, spin);
@@ -395,14 +389,8 @@ fn reactions_do_not_depend_on_the_formulation() {
         outputs(&mut scene, &state)
     };
     let [referenced, absolute] = [Formulation::Rncf, Formulation::Ancf].map(|f| reactions(stone(), f));
-    assert!(
-        Vector::from([referenced[0], referenced[1], referenced[2]]).norm() > 0.1,
-        "{referenced:?}"
-    );
-    assert!(
-        Vector::from([referenced[3], referenced[4], referenced[5]]).norm() > 0.1,
-        "{referenced:?}"
-    );
+    assert!(three(&referenced, 0).norm() > 0.1, "{referenced:?}");
+    assert!(three(&referenced, 3).norm() > 0.1, "{referenced:?}");
     for (a, b) in referenced.iter().zip(&absolute) {
         assert!((a - b).abs() < 1e-9, "{referenced:?} {absolute:?}");
     }
@@ -444,7 +432,7 @@ fn a_joint_carries_the_weight_and_its_moment_vanishes_at_its_point() {
     let mut body = free(1, 0, Motions::Spatial);
     body.rigid = stone();
     (body.position, body.spin) = (Vector::new(0.3, 0.2, 0.1), Vector::new(1.0, -2.0, 0.5));
-    let at: Vector = Vector::new(0.1, -0.2, 0.4);
+    let at = Vector::new(0.1, -0.2, 0.4);
     body.velocity = -body.spin.cross(&at);
     let spec = stone();
     let centre = 1.0 / spec.mass * spec.moment;
@@ -528,5 +516,5 @@ fn normals_are_a_triad() {
     });
     let scene = hand.scene(Formulation::Rncf);
     let [along, first] = [15, 9].map(|marker| scene.jet(&scene.markers[marker])[0]);
-    assert!((first - Vector::from([-along[1], along[0], 0.0])).norm() < 1e-15);
+    assert!((first - Vector::new(-along[1], along[0], 0.0)).norm() < 1e-15);
 }

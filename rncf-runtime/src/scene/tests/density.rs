@@ -262,7 +262,7 @@ fn power_of_a_density_is_that_on_its_particles() {
         let components = scene.bodies[0].connectivity.element(element);
         let [q, v] = [&scene.buffers.q, &scene.buffers.v]
             .map(|full| -> Vec<f64> { components.iter().map(|&place| full[place]).collect() });
-        let l = Vector::from([0.9, 0.3, 0.0]).norm() / 2.0;
+        let l = Vector::new(0.9, 0.3, 0.0).norm() / 2.0;
         for (xi, weight) in RULE {
             let shapes = hermite(l, 0, xi);
             let (p, rate) = (at(shapes, &q, 3), at(shapes, &v, 3));
@@ -289,7 +289,7 @@ fn a_field_is_the_closed_form() {
     hand.fixtures.clear();
     let mut stone = free(1, 0, crate::emitted::Motions::Spatial);
     stone.rigid.mass = 2.5;
-    let start: Vector = Vector::new(1.2, -0.5, 0.8);
+    let start = Vector::new(1.2, -0.5, 0.8);
     stone.position = start;
     let unit = |i: usize, j: usize| if i == j { 1.0 } else { 0.0 };
     stone.rigid.inertia = Matrix::from_fn(unit);
@@ -305,7 +305,7 @@ fn a_field_is_the_closed_form() {
     let mut out = vec![0.0; 6];
     scene.residual(&state, &mut out);
     // Unknowns are displacements from the start.
-    let r = start + Vector::from([state.x[0], state.x[1], state.x[2]]);
+    let r = start + three(&state.x, 0);
     for i in 0..3 {
         let expected = 2.5 * (state.a[i] + 1.7 * r[i] / r.norm().powi(3));
         assert!((out[i] - expected).abs() < 1e-14, "{} {expected}", out[i]);

@@ -239,14 +239,14 @@ impl Parts for Hand {
     fn frames(&self, t: f64, motions: &mut [FrameMotion]) {
         motions.fill(FrameMotion::INERTIAL);
         if self.moving {
-            let along: Vector = Vector::new(0.3, -0.2, 0.5);
+            let along = Vector::new(0.3, -0.2, 0.5);
             for motion in &mut motions[1..3] {
                 motion.position = along.map(|a| a * sine(t, 0));
                 motion.velocity = along.map(|a| a * sine(t, 1));
                 motion.acceleration = along.map(|a| a * sine(t, 2));
                 motion.jerk = along.map(|a| a * sine(t, 3));
             }
-            let axis: Vector = Vector::new(0.0, 0.6, 0.8);
+            let axis = Vector::new(0.0, 0.6, 0.8);
             let turning = &mut motions[2];
             turning.rotation = matrix(&exp(sine(t, 0) * axis));
             turning.spin = sine(t, 1) * axis;

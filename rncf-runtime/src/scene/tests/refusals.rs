@@ -33,7 +33,7 @@ fn what_does_not_fit_is_refused_by_name() {
         message.contains("`door`") && message.contains("free itself"),
         "{message}"
     );
-    let message = with(&|hand| hand.free[3].velocity = Vector::new(0.0, 0.0, 1.0));
+    let message = with(&|hand| hand.free[3].velocity = Vector::z());
     assert!(message.contains("`sledge`"), "{message}");
     let message = with(&|hand| hand.bodies[1].frame = 3);
     assert!(message.contains("`whip`") && message.contains("`ship`"), "{message}");
@@ -45,9 +45,7 @@ fn what_does_not_fit_is_refused_by_name() {
     assert!(message.contains("`mast`") && message.contains("straight"), "{message}");
     let message = with(&|hand| {
         hand.bodies[1].tie = FrameTie::MeanAxes;
-        hand.free[3].motions = Motions::Hinged {
-            axis: Vector::new(0.0, 0.0, 1.0),
-        };
+        hand.free[3].motions = Motions::Hinged { axis: Vector::z() };
     });
     assert!(
         message.contains("`whip`") && message.contains("3 free motions"),

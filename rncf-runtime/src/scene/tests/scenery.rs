@@ -86,7 +86,7 @@ pub fn free(frame: usize, parent: usize, motions: Motions) -> FreeSpec {
         is_body: false,
         motions,
         position: Vector::zeros(),
-        axis: Vector::new(0.0, 0.0, 1.0),
+        axis: Vector::z(),
         angle: 0.0,
         velocity: Vector::zeros(),
         spin: Vector::zeros(),

@@ -343,7 +343,7 @@ fn markers_of_sections_are_their_axes() {
     assert!((found - wanted).norm() < 1e-15, "{found:?} {wanted:?}");
     // A direction that turns with a section is where it starts.
     let found = scene.jet(&scene.markers[2])[0];
-    let direction: Vector = Vector::new(0.3, -2.0, 0.7);
+    let direction = Vector::new(0.3, -2.0, 0.7);
     let wanted = 1.0 / direction.norm() * direction;
     assert!((found - wanted).norm() < 1e-14, "{found:?} {wanted:?}");
     assert!(!scene.marker_components(&scene.markers[2]).is_empty());
@@ -356,7 +356,7 @@ fn a_planar_section_has_components_in_its_plane_and_along_the_normal() {
     let Marker::Section { along: found, .. } = scene.markers[2] else {
         panic!("a direction in a section");
     };
-    let direction: Vector = Vector::new(0.3, -2.0, 0.7);
+    let direction = Vector::new(0.3, -2.0, 0.7);
     // Along (0.6, 0.8), across (-0.8, 0.6).
     let parts = Vector::new(0.6 * 0.3 - 0.8 * 2.0, -0.8 * 0.3 - 0.6 * 2.0, 0.7);
     assert!((found - 1.0 / direction.norm() * parts).norm() < 1e-15, "{found:?}");
@@ -375,11 +375,7 @@ fn sections_turn_with_the_axis() {
         twist: Twist::even(twist),
         ..beam("shaft", 0, &[0, 1, 2], to)
     };
-    let [x, y, z]: [Vector; 3] = [
-        Vector::new(1.0, 0.0, 0.0),
-        Vector::new(0.0, 1.0, 0.0),
-        Vector::new(0.0, 0.0, 1.0),
-    ];
+    let [x, y, z]: [Vector; 3] = [Vector::x(), Vector::y(), Vector::z()];
     let minus = |u: Vector| -u;
     near(straight(Vector::new(2.0, 0.0, 0.0), None, 0.0).section(0.3), [y, z]);
     near(
@@ -477,7 +473,7 @@ fn mean_axes_tie_the_turning_of_a_straight_body_with_a_section() {
     let mut state = scene.rest(0.0);
     for within in 0..rod.vectors() {
         let (node, local) = rod.locate(within);
-        let spun = Vector::from([1.0, 0.0, 0.0]).cross(&rod.undeformed_vector(node, local));
+        let spun = Vector::x().cross(&rod.undeformed_vector(node, local));
         let offset = scene.layout.offset(within);
         state.v[offset..offset + 3].copy_from_slice(spun.as_slice());
     }

@@ -69,7 +69,7 @@ fn small_motions_are_derivatives_in_corotating_axes() {
         let mut hand = everything();
         hand.moving = false;
         let mut scene = hand.scene(Formulation::Rncf);
-        let turning: Vector = Vector::new(0.4, -1.1, 0.8);
+        let turning = Vector::new(0.4, -1.1, 0.8);
         let spin = Some(Spin {
             velocity: turning,
             point: Vector::new(0.1, 0.3, -0.2),
@@ -259,7 +259,7 @@ fn free_body_turns_about_a_principal_axis() {
     let found = follow(&mut scene, &at, 1.0, |_, _| ()).unwrap();
     let state = found.state().unwrap();
     // Axis z of the body is along the rotation, the mass centre on it.
-    let axis = 1.0 / 4.001_562_194_719_709_6 * Vector::from([0.05, -0.1, 4.0]);
+    let axis = 1.0 / 4.001_562_194_719_709_6 * Vector::new(0.05, -0.1, 4.0);
     let a = matrix(&state.turns[0]);
     let z = a.column(2);
     let middle = three(&state.x, 0) + a * center;
@@ -363,7 +363,7 @@ fn what_is_not_invariant_is_refused_by_name() {
     let mut hand = rotor();
     hand.frames.push("other");
     let mut other: FreeSpec = free(2, 0, Motions::Spatial);
-    other.spin = Vector::new(0.0, 1.0, 0.0);
+    other.spin = Vector::y();
     hand.free.push(other);
     assert!(refusal(hand, &at).contains("frame `other` does not turn with the others"));
 }

@@ -276,7 +276,7 @@ fn distinct(vectors: Vec<Vector>) -> Vec<Vector> {
     let mut result: Vec<Vector> = Vec::new();
     for vector in vectors {
         let size = vector.norm().max(f64::MIN_POSITIVE);
-        let is_known = |other: &Vector| (vector + -*other).norm() <= NEGLIGIBLE * size;
+        let is_known = |other: &Vector| (vector - other).norm() <= NEGLIGIBLE * size;
         if !result.iter().any(is_known) {
             result.push(vector);
         }

@@ -137,7 +137,7 @@ impl MeshScene {
         let derivatives = gradient.chunks_exact(width).map(|gradient| {
             let mut row = vec![0.0; self.layout.components()];
             for (place, columns) in columns.iter().enumerate() {
-                let pull: Vector = Vector::from_fn(|i, _| gradient[3 * place + i]);
+                let pull = Vector::from_fn(|i, _| gradient[3 * place + i]);
                 for column in columns {
                     row[column.component] += pull.dot(&column.value);
                 }

@@ -168,7 +168,7 @@ impl MeshScene {
                 change
             });
             let tangent = tangents.get(node).copied().flatten().or(chord);
-            let axes = Axes::new(tangent.unwrap_or(Vector::new(1.0, 0.0, 0.0)), axis);
+            let axes = Axes::new(tangent.unwrap_or(Vector::x()), axis);
             // The normal of a section moves as the slope does.
             let is_normal = place >= spec.meshed_vectors();
             let is_axis = is_normal || spec.nodal[local].of == Interpolant::Position;

@@ -270,7 +270,7 @@ impl MeshScene {
             ..Column::default()
         };
         if let Marker::Angle { free } = marker {
-            return vec![component(self.angle_component(*free), Vector::new(1.0, 0.0, 0.0))];
+            return vec![component(self.angle_component(*free), Vector::x())];
         }
         let mut columns = Vec::new();
         let at = self.marker_frame(marker);

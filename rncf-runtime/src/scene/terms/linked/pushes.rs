@@ -217,7 +217,7 @@ impl MeshScene {
         let turns = frame.spin != Vector::zeros();
         let in_frame = |values: &[f64], m: usize, n: usize| -> Option<Matrix> {
             let entry = |i: usize, j: usize| values[(3 * m + i) * 3 * count + 3 * n + j];
-            let block: Matrix = Matrix::from_fn(entry);
+            let block = Matrix::from_fn(entry);
             (block != Matrix::zeros()).then(|| back * (block * frame.rotation))
         };
         let places: Vec<(&MeshPoint, PlaceVector)> = self.spread_places(index).collect();
