@@ -4,6 +4,7 @@
 //! * `model!` declares a model and generates a struct with its parameters as fields ([`Model`]).
 //! * [`Model::build`] makes a scene ([`Scene`]), which is a [`System`].
 //! * [`Integrator`] advances any system in time.
+//! * Places, rotations and small matrices are those of [`nalgebra`]; [`space`] has what it lacks.
 //! * `app` (feature `app`) is the command line: one line in an example's `main`.
 
 pub use rncf_macros::{library, model};

@@ -2,6 +2,8 @@
 //! formulas that were written by hand.
 
 use rncf::equilibrium::{Kind, Uniform, follow};
+use rncf::model::Configuration;
+use rncf::nalgebra::{UnitQuaternion, Vector3};
 use rncf::{Formulation, Joints, Model};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -99,6 +101,25 @@ fn elements_go_from_crate_to_crate() {
             assert!((tension / weight - 1.0).abs() < 1e-9, "{t} s: {row:?}");
         }
     }
+}
+
+/// What a scene tells is of nalgebra's types, in the version that the facade names.
+#[test]
+fn places_and_rotations_are_those_of_nalgebra() {
+    let mut scene = swing::Swing::default()
+        .build(Formulation::Rncf, Joints::Eliminated)
+        .expect("a scene");
+    let t = 0.7_f64;
+    let theta = 1.5 * t * t / 2.0 + 3.0_f64.to_radians() * (1.0 - (11.0 * t).cos());
+    let turned = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), theta);
+    let state = scene.rest(t);
+    let mut picture = Configuration::default();
+    scene.configuration(&state, &mut picture);
+    let (place, rotation): (Vector3<f64>, UnitQuaternion<f64>) = picture.poses[1];
+    let tip: Vector3<f64> = *picture.points.last().expect("the arm");
+    assert!((place + rotation * tip - turned * Vector3::new(0.2 + LENGTH, 0.0, 0.0)).norm() < 1e-12);
+    let centre = scene.masses(&state)[0].centre;
+    assert!((centre - turned * Vector3::new(0.2 + 0.5 * LENGTH, 0.0, 0.0)).norm() < 1e-12);
 }
 
 /// A folder for files of these tests.
