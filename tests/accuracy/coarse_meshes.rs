@@ -184,7 +184,7 @@ fn the_error_of_a_frequency_is_estimated() {
     let told = modes(
         &Reed { n: 4 },
         &EquilibriumSettings {
-            count: 3,
+            count: 4,
             ..EquilibriumSettings::default()
         },
     )
