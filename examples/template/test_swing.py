@@ -35,7 +35,8 @@ def test_params_have_units():
 
 def test_a_run_keeps_its_energy_and_falls_as_a_rope_does():
     shown = []
-    model = swing.Swing()
+    # With 16 elements the force of the hook is 1.5 % off, and the run says so.
+    model = swing.Swing(elements=24)
     run = model.run(t_end=1.0, every=0.01, rtol=1e-7, progress=lambda share, t: shown.append(share))
     assert run.t.shape == (101,) and run["tip"].shape == (101, 2) and run.units["pull.x"] == "N"
     assert run.summary["energy_error"] < 1e-6
