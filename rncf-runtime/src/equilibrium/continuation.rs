@@ -212,13 +212,16 @@ fn angular_velocity(scene: &dyn Scene, at: &Uniform) -> f64 {
     at.speed() * full.unwrap_or_else(|| scene.spin(at.t))
 }
 
-/// Whether the start is no equilibrium without loads, nor near one: a rope that hangs on one end, or is slack.
+/// Whether the start is no equilibrium without loads, nor near one, as a slack rope, or leaves it at the least load, as a rope
+/// that lies straight and hangs on one end: its stiffness there is round-off, and need not be found singular.
 fn rests_nowhere(scene: &mut dyn Scene, newton: &mut Newton, at: &Uniform) -> bool {
-    let mut state = scene.uniform_guess(at);
-    newton
-        .solve(scene, &at.scaled(0.0), &mut state, Patience::Strict)
-        .0
-        .is_err()
+    let start = scene.uniform_guess(at);
+    let mut stays = |part: f64| {
+        let mut state = start.clone();
+        let (result, _) = newton.solve(scene, &at.scaled(part * at.scale), &mut state, Patience::Strict);
+        result.is_ok() && (part == 0.0 || !newton.has_moved_far())
+    };
+    !stays(0.0) || !stays(SMALLEST)
 }
 
 /// The equilibrium at rest under the loads of `at` to which the start settles, if it is none without loads and none is near.
