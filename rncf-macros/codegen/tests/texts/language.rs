@@ -74,7 +74,7 @@ fn models(text: &str) -> Vec<TokenStream> {
 }
 
 /// Messages of the mistakes of a declaration.
-fn messages(tokens: TokenStream) -> Vec<String> {
+pub fn messages(tokens: TokenStream) -> Vec<String> {
     let files = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/files");
     match expand::text_beside(tokens, &Library::standard(), Some(&files)) {
         Ok(_) => Vec::new(),
@@ -114,7 +114,7 @@ fn items(content: TokenStream) -> Vec<(String, String, TokenStream)> {
 }
 
 /// `example` and, of the first model of the document, what it does not declare itself.
-fn completed(tutorial: &TokenStream, example: &str) -> TokenStream {
+pub fn completed(tutorial: &TokenStream, example: &str) -> TokenStream {
     let example: TokenStream = example.parse().unwrap_or_else(|error| panic!("{error} in\n{example}"));
     let content = tutorial.clone().into_iter().find_map(|token| match token {
         TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => Some(group.stream()),
@@ -182,7 +182,7 @@ fn documents() -> Vec<Page> {
 }
 
 /// The model that the examples of a page take from what they do not declare: its own first one, else that of the index.
-fn example_model(of: &Page) -> TokenStream {
+pub fn example_model(of: &Page) -> TokenStream {
     let own = models(&of.text).into_iter().next();
     own.unwrap_or_else(|| models(&page("docs/language.md").text)[0].clone())
 }

@@ -1,6 +1,7 @@
 //! Texts of models through the whole generator, and the documents.
 
 mod documents;
+mod errors;
 mod influence;
 mod language;
 mod needs;
