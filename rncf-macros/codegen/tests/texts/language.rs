@@ -53,7 +53,7 @@ const BRACED: &[&str] = &[
 ];
 
 /// The tokens between the parentheses or braces of every `model!` in a document.
-fn models(text: &str) -> Vec<TokenStream> {
+pub fn models(text: &str) -> Vec<TokenStream> {
     let mut models = Vec::new();
     for block in blocks(text, "rust").iter().filter(|block| block.contains("model!")) {
         let file = syn::parse_file(block).unwrap_or_else(|error| panic!("{error} in\n{block}"));
