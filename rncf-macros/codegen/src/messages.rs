@@ -9,6 +9,8 @@ macro_rules! messages {
     };
 }
 
+pub const POWER: &str = "a power is written with `^`: `a^2`";
+
 messages! {
     index_outside(name) = "`{name}` is the index of a loop and known between its braces only";
     duplicate(name, kind, line) = "`{name}` is already declared as `{kind}` in line {line}";

@@ -27,7 +27,6 @@ pub const ANGLE_IN_HERTZ: &str = "hertz counts cycles, and this is an angle or a
 pub const CYCLES_AS_ANGLE: &str =
     "this counts cycles, and a cycle is no unit of angle: tell it in `Hz`, or multiply it by `2*pi`";
 pub const DAMPING_TIME: &str = "no solid answers so slowly: `damping` is the time c of the stress `E (strain + c rate)`, for metals about 1e-6 s to 1e-3 s";
-pub const POWER_METHOD: &str = "a power is written with `^`: `a^2`";
 pub const NOT_A_COUNT: &str =
     "a number of elements is a whole number of at least 1: write e.g. `6`, or a `param n: count = 6;`";
 pub const CONDITION: &str = "a condition must not depend on the state: `t`, params and constants decide, e.g. `t <= T` or `sin(omega*t) > 0`; a force on one side is written with `max`, e.g. `stiffness * max(0 m, -ball.y)`";

@@ -74,7 +74,7 @@ impl<'a> Check<'a> {
         };
         let name = field.text.as_str();
         let message = match name {
-            "pow" | "powi" | "powf" | "squared" => say::POWER_METHOD.to_string(),
+            "pow" | "powi" | "powf" | "squared" => crate::messages::POWER.to_string(),
             _ if function(name).is_some() || is_function(name) => say::method(name),
             _ => return Some(()),
         };

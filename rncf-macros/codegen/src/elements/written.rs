@@ -16,6 +16,16 @@ pub struct When {
 }
 
 impl When {
+    /// Whether both apply with some values of the options.
+    pub fn overlaps(&self, other: &When) -> bool {
+        let is_any_space = self.dimension.is_none() || other.dimension.is_none();
+        let excludes = |&(place, value): &(usize, usize)| {
+            let others = other.options.iter();
+            others.clone().any(|one| one.0 == place) && !others.clone().any(|&one| one == (place, value))
+        };
+        (is_any_space || self.dimension == other.dimension) && !self.options.iter().any(excludes)
+    }
+
     /// Whether it applies with these values of the options.
     pub fn applies(&self, dimension: usize, options: &[usize]) -> bool {
         self.dimension.is_none_or(|own| own == dimension)

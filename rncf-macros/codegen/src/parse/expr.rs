@@ -163,7 +163,7 @@ fn product(cursor: &mut Cursor, depth: usize) -> Parsed<Expr> {
             () => return Ok(left),
         };
         if operator == Binary::Multiply && cursor.is_punct('*') {
-            return Err(Mistake::new(cursor.here(), say::STAR_STAR));
+            return Err(Mistake::new(cursor.here(), say::POWER));
         }
         let right = signed(cursor, depth)?;
         left = binary(operator, left, right)?;

@@ -1,10 +1,9 @@
 //! What is said about text that cannot be read: what is wrong, and what would be right.
 
-pub use crate::messages::{meaning_of_its_own, not_a_number, not_ascii};
+pub use crate::messages::{POWER, meaning_of_its_own, not_a_number, not_ascii};
 pub use crate::suggest::unknown;
 
 pub const TOO_DEEP: &str = "this is nested too deeply: give parts of it names with `const` or `motion`";
-pub const STAR_STAR: &str = "a power is written with `^`: `a^2`";
 pub const PLUS_SIGN: &str = "a leading `+` has no meaning here: leave it out";
 pub const MISSING_ELSE: &str = "an `if` is a value and needs both cases: `if t < T { .. } else { .. }`";
 pub const NO_EQUALITY: &str =

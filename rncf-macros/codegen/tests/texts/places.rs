@@ -49,7 +49,12 @@ fn the_summary_lists_every_page_once() {
     let mut listed = links(&page("docs/SUMMARY.md").text);
     listed.retain(|target| target != "../README.md");
     listed.sort();
-    let folders = [("docs", ""), ("docs/guide", "guide/"), ("docs/language", "language/"), ("docs/errors", "errors/")];
+    let folders = [
+        ("docs", ""),
+        ("docs/guide", "guide/"),
+        ("docs/language", "language/"),
+        ("docs/errors", "errors/"),
+    ];
     let all = folders.iter().flat_map(|(folder, before)| {
         let names = pages(folder)
             .into_iter()

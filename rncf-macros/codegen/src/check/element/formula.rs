@@ -124,7 +124,14 @@ impl<'a> Check<'a> {
                 self.errors.at(value.area, message);
                 return;
             }
-            Some(number) => number,
+            Some(number) => {
+                let mut before = draft.written.definitions.iter().filter(|one| one.name == number);
+                if before.any(|one| one.when.overlaps(&when)) {
+                    self.errors.at(name.span, say::defined_already(text));
+                    return;
+                }
+                number
+            }
             None => {
                 draft.names.push((text, typed.dimension));
                 draft.definitions.push(name);

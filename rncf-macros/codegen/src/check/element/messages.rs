@@ -31,6 +31,7 @@ messages! {
     coefficient_unit(name, own, declared) = "`{name}` is {own}, and its declared unit is that of {declared}";
     coefficient_si(unit, si) = "coefficients are in SI units: write `{si}` instead of `{unit}`";
     inertia_unit(of, wanted, found) = "the mass per length that moves with `{of}` is {wanted}, this is {found}";
+    defined_already(name) = "`{name}` is defined above for the same case: leave one out, or tell the cases apart by `in plane`, `in space` or `when`";
     unlike_definition(name, own, before) = "`{name}` is {own} here, and {before} above";
     energy_unit(found) = "an energy per length is a force (N), this is {found}";
     stress_factor(coefficient) = "the stress has the same factor `{coefficient}` as its energy";
