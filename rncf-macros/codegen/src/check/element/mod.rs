@@ -5,7 +5,7 @@ mod messages;
 mod shapes;
 mod sound;
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use super::expr::Scope;
@@ -188,6 +188,7 @@ impl<'a> Check<'a> {
         let mut draft = Draft::new(&item.name);
         let mut names = vec![word(&item.name.text)];
         self.own_names(statements);
+        self.said_once(statements);
         for statement in statements {
             match &statement.kind {
                 ElementKind::Domain { coordinate } if draft.coordinate.is_none() => draft.coordinate = Some(coordinate),
@@ -301,6 +302,26 @@ impl<'a> Check<'a> {
                 self.errors.at(name.span, say::taken(text));
             }
             seen.push((text, is_definition));
+        }
+    }
+
+    /// What an element has once: a second one would be added, or ignored, without a word.
+    fn said_once(&mut self, statements: &'a [ElementStatement]) {
+        let mut seen: HashSet<(&str, &str)> = HashSet::new();
+        for statement in statements {
+            let (word, list): (&Name, &[Name]) = match &statement.kind {
+                ElementKind::Inertia { of, .. } => (&statement.word, std::slice::from_ref(of)),
+                ElementKind::Damping(_) | ElementKind::Points(_) => {
+                    (&statement.word, std::slice::from_ref(&statement.word))
+                }
+                ElementKind::Option { name, values } => (name, values),
+                _ => continue,
+            };
+            for one in list {
+                if !seen.insert((&word.text, &one.text)) {
+                    self.errors.at(one.span, common::twice(&one.text));
+                }
+            }
         }
     }
 
