@@ -1,6 +1,9 @@
 //! LU factorization of a small full matrix, equilibrated, with complete pivoting: for matrices that
 //! are neither definite nor well scaled, such as Schur complements of saddle points.
 
+use pulp::Arch;
+
+use super::block_kernels::{Vectorised, dispatch};
 use super::scalar::Scalar;
 
 /// Pivots of the equilibrated matrix up to here are round-off, as are left null vectors' parts.
@@ -9,6 +12,8 @@ const SMALLEST_PIVOT: f64 = 64.0 * f64::EPSILON;
 const TAKES_PART: f64 = 1e-2;
 /// Rounds of equilibration; each about halves the exponents of what is left.
 const ROUNDS: usize = 6;
+/// Maxima that are taken beside each other.
+const LANES: usize = 4;
 
 /// LU factorization with complete pivoting of a full square matrix, in the field `T` (`f64` or
 /// `c64`). Filled by [`Dense::add`], then factored in place.
@@ -24,6 +29,8 @@ pub struct Dense<T> {
     /// Row and column at every place of the elimination.
     rows: Vec<usize>,
     columns: Vec<usize>,
+    /// Largest size in every row of what is left to eliminate.
+    peaks: Vec<f64>,
     work: Vec<T>,
 }
 
@@ -38,6 +45,7 @@ impl<T: Scalar> Dense<T> {
             column_scale: vec![1.0; size],
             rows: (0..size).collect(),
             columns: (0..size).collect(),
+            peaks: vec![0.0; size],
             work: vec![T::default(); size],
         }
     }
@@ -76,17 +84,23 @@ impl<T: Scalar> Dense<T> {
     }
 
     fn factor_scaled(&mut self) -> Result<(), usize> {
-        self.equilibrate()?;
+        dispatch(Arch::new(), Factored(self))
+    }
+
+    #[inline(always)]
+    fn eliminate(&mut self) -> Result<(), usize> {
         let n = self.size;
         for k in 0..n {
             self.rows[k] = k;
             self.columns[k] = k;
         }
         for k in 0..n {
-            let (row, column, size) = self.largest(k);
+            let (row, size) = self.largest(k);
             if !size.is_finite() {
                 return Err(self.rows[row]);
             }
+            let left = &self.values[row * n + k..(row + 1) * n];
+            let column = k + left.iter().position(|value| value.size() == size).unwrap_or(0);
             self.exchange(k, row, column);
             if size <= SMALLEST_PIVOT {
                 return Err(self.dependent(k));
@@ -95,58 +109,60 @@ impl<T: Scalar> Dense<T> {
             let top = &mut upper[k * n..];
             let inverse = top[k].inverse();
             top[k] = inverse;
-            for row in lower.chunks_exact_mut(n) {
+            let above = &top[k + 1..];
+            for (row, peak) in lower.chunks_exact_mut(n).zip(&mut self.peaks[k + 1..]) {
+                // Nothing changes in the row, nor did its largest leave it.
+                if row[k] == T::default() {
+                    continue;
+                }
                 let factor = row[k] * inverse;
                 row[k] = factor;
-                if factor != T::default() {
-                    for (value, &above) in row[k + 1..].iter_mut().zip(&top[k + 1..]) {
-                        *value -= factor * above;
-                    }
-                }
+                *peak = subtract(factor, above, &mut row[k + 1..]);
             }
         }
         Ok(())
     }
 
     /// Scales rows and columns such that the largest terms of each are near 1; a row or column
-    /// without any is the error.
+    /// without any is the error. Leaves the largest of every row.
+    #[inline(always)]
     fn equilibrate(&mut self) -> Result<(), usize> {
         let n = self.size;
         for _ in 0..ROUNDS {
+            // The largest of the columns, row by row.
+            self.peaks.fill(0.0);
             for i in 0..n {
                 let row = &self.terms[i * n..(i + 1) * n];
-                let scaled = row.iter().zip(&self.column_scale).map(|(term, scale)| term * scale);
-                self.row_scale[i] = near(self.row_scale[i], scaled.fold(0.0, larger)).ok_or(i)?;
+                let largest = peak(n, |j| row[j] * self.column_scale[j]);
+                let scale = near(self.row_scale[i], largest).ok_or(i)?;
+                self.row_scale[i] = scale;
+                for (largest, term) in self.peaks.iter_mut().zip(row) {
+                    *largest = larger(*largest, term * scale);
+                }
             }
-            for j in 0..n {
-                let scaled = (0..n).map(|i| self.terms[i * n + j] * self.row_scale[i]);
-                self.column_scale[j] = near(self.column_scale[j], scaled.fold(0.0, larger)).ok_or(j)?;
+            for (j, (scale, &largest)) in self.column_scale.iter_mut().zip(&self.peaks).enumerate() {
+                *scale = near(*scale, largest).ok_or(j)?;
             }
         }
         for i in 0..n {
-            for j in 0..n {
-                let value = &mut self.values[i * n + j];
-                *value = value.times(self.row_scale[i] * self.column_scale[j]);
+            let (row, row_scale) = (&mut self.values[i * n..(i + 1) * n], self.row_scale[i]);
+            for (value, column_scale) in row.iter_mut().zip(&self.column_scale) {
+                *value = value.times(row_scale * column_scale);
             }
+            self.peaks[i] = peak(n, |j| row[j].size());
         }
         Ok(())
     }
 
-    /// Place and size of the largest entry of what is left at step `k`; NaN is larger than all.
-    fn largest(&self, k: usize) -> (usize, usize, f64) {
-        let mut best = (k, k, -1.0);
-        for row in k..self.size {
-            for (column, value) in self.values[row * self.size..(row + 1) * self.size]
-                .iter()
-                .enumerate()
-                .skip(k)
-            {
-                let size = value.size();
-                if size > best.2 {
-                    best = (row, column, size);
-                } else if size.is_nan() {
-                    return (row, column, size);
-                }
+    /// Row and size of the largest entry of what is left at step `k`; NaN is larger than all.
+    #[inline(always)]
+    fn largest(&self, k: usize) -> (usize, f64) {
+        let mut best = (k, -1.0);
+        for (row, &size) in self.peaks.iter().enumerate().skip(k) {
+            if size > best.1 {
+                best = (row, size);
+            } else if size.is_nan() {
+                return (row, size);
             }
         }
         best
@@ -158,6 +174,7 @@ impl<T: Scalar> Dense<T> {
             let (upper, lower) = self.values.split_at_mut(row * n);
             upper[k * n..(k + 1) * n].swap_with_slice(&mut lower[..n]);
             self.rows.swap(k, row);
+            self.peaks.swap(k, row);
         }
         if column != k {
             for row in self.values.chunks_exact_mut(n) {
@@ -193,15 +210,15 @@ impl<T: Scalar> Dense<T> {
         for k in 0..n {
             let row = self.rows[k];
             let mut sum = x[row].times(self.row_scale[row]);
-            for j in 0..k {
-                sum -= self.values[k * n + j] * work[j];
+            for (&value, &known) in self.values[k * n..k * n + k].iter().zip(&*work) {
+                sum -= value * known;
             }
             work[k] = sum;
         }
         for k in (0..n).rev() {
             let mut sum = work[k];
-            for j in k + 1..n {
-                sum -= self.values[k * n + j] * work[j];
+            for (&value, &known) in self.values[k * n + k + 1..(k + 1) * n].iter().zip(&work[k + 1..]) {
+                sum -= value * known;
             }
             work[k] = sum * self.values[k * n + k];
         }
@@ -211,7 +228,54 @@ impl<T: Scalar> Dense<T> {
     }
 }
 
+/// A matrix to be equilibrated and factored.
+struct Factored<'a, T>(&'a mut Dense<T>);
+
+impl<T: Scalar> Vectorised for Factored<'_, T> {
+    type Output = Result<(), usize>;
+
+    #[inline(always)]
+    fn run<const F: bool>(self) -> Self::Output {
+        self.0.equilibrate()?;
+        self.0.eliminate()
+    }
+}
+
+/// Subtracts `factor` times `above` from what is left of a row: the largest size of the difference.
+#[inline(always)]
+fn subtract<T: Scalar>(factor: T, above: &[T], row: &mut [T]) -> f64 {
+    let (mut largest, n) = ([0.0; LANES], row.len() / LANES * LANES);
+    let (tops, last_top) = above.split_at(n);
+    let (values, last) = row.split_at_mut(n);
+    for (values, tops) in values.chunks_exact_mut(LANES).zip(tops.chunks_exact(LANES)) {
+        for lane in 0..LANES {
+            values[lane] -= factor * tops[lane];
+            largest[lane] = larger(largest[lane], values[lane].size());
+        }
+    }
+    let mut largest = largest.into_iter().fold(0.0, larger);
+    for (value, &top) in last.iter_mut().zip(last_top) {
+        *value -= factor * top;
+        largest = larger(largest, value.size());
+    }
+    largest
+}
+
+/// The largest of `n` values that are not negative; NaN if any is.
+#[inline(always)]
+fn peak(n: usize, value: impl Fn(usize) -> f64) -> f64 {
+    let (mut largest, whole) = ([0.0; LANES], n / LANES * LANES);
+    for first in (0..whole).step_by(LANES) {
+        for (lane, largest) in largest.iter_mut().enumerate() {
+            *largest = larger(*largest, value(first + lane));
+        }
+    }
+    let largest = largest.into_iter().fold(0.0, larger);
+    (whole..n).fold(largest, |largest, i| larger(largest, value(i)))
+}
+
 /// The larger one; NaN if any is.
+#[inline(always)]
 fn larger(a: f64, b: f64) -> f64 {
     if a >= b || a.is_nan() { a } else { b }
 }
