@@ -14,25 +14,52 @@ impl Pattern {
     /// # Panics
     /// If an entry lies outside: a defect of the caller, not of a user's model.
     pub fn new(rows: usize, columns: usize, entries: impl IntoIterator<Item = (usize, usize)>) -> Self {
-        let mut entries: Vec<(usize, usize)> = entries.into_iter().map(|(row, column)| (column, row)).collect();
-        entries.sort_unstable();
-        entries.dedup();
-        let mut starts = vec![0; columns + 1];
-        for &(column, row) in &entries {
+        // Sorted by counting, by rows and then by columns: large scenes have millions of entries, most of them several
+        // times.
+        let entries: Vec<(usize, usize)> = entries.into_iter().collect();
+        let mut row_starts = vec![0; rows + 1];
+        for &(row, column) in &entries {
             assert!(
                 row < rows && column < columns,
                 "entry ({row}, {column}) outside {rows} x {columns}"
             );
-            starts[column + 1] += 1;
+            row_starts[row + 1] += 1;
         }
-        for column in 0..columns {
-            starts[column + 1] += starts[column];
+        accumulate(&mut row_starts);
+        let mut places = row_starts.clone();
+        let mut by_row = vec![0; entries.len()];
+        for (row, column) in entries {
+            by_row[places[row]] = column;
+            places[row] += 1;
         }
-        Self {
-            rows,
-            starts,
-            indices: entries.into_iter().map(|(_, row)| row).collect(),
+        // Each entry once: its column has not seen its row, which would be the last that it saw.
+        let mut last = vec![usize::MAX; columns];
+        let mut starts = vec![0; columns + 1];
+        let mut kept = 0;
+        for row in 0..rows {
+            let first = kept;
+            for place in row_starts[row]..row_starts[row + 1] {
+                let column = by_row[place];
+                if last[column] != row {
+                    last[column] = row;
+                    starts[column + 1] += 1;
+                    by_row[kept] = column;
+                    kept += 1;
+                }
+            }
+            row_starts[row] = first;
         }
+        row_starts[rows] = kept;
+        accumulate(&mut starts);
+        let mut places = starts.clone();
+        let mut indices = vec![0; kept];
+        for row in 0..rows {
+            for &column in &by_row[row_starts[row]..row_starts[row + 1]] {
+                indices[places[column]] = row;
+                places[column] += 1;
+            }
+        }
+        Self { rows, starts, indices }
     }
 
     /// Number of rows.
@@ -89,5 +116,34 @@ impl Pattern {
             }
             out[column] += alpha * sum;
         }
+    }
+}
+
+/// Of counts behind a leading zero: the sums up to each.
+fn accumulate(counts: &mut [usize]) {
+    for place in 1..counts.len() {
+        counts[place] += counts[place - 1];
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn entries_ascend_and_occur_once() {
+        let entries = [(2, 1), (0, 3), (2, 1), (0, 1), (3, 0), (2, 3), (0, 1), (2, 1), (0, 3)];
+        let pattern = Pattern::new(4, 5, entries);
+        assert_eq!(pattern.starts(), [0, 1, 3, 3, 5, 5]);
+        assert_eq!(pattern.indices(), [3, 0, 2, 0, 2]);
+        assert_eq!((pattern.rows(), pattern.columns(), pattern.entries()), (4, 5, 5));
+        assert_eq!(Pattern::new(3, 0, []).starts(), [0]);
+        assert_eq!(Pattern::new(0, 2, []).starts(), [0, 0, 0]);
+    }
+
+    #[test]
+    #[should_panic(expected = "entry (4, 1) outside 4 x 5")]
+    fn entries_outside_are_refused() {
+        Pattern::new(4, 5, [(0, 0), (4, 1)]);
     }
 }
