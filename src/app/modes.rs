@@ -212,6 +212,7 @@ pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Mod
         .collect();
     let errors = modes::mesh_errors(scene, &at, &state, &shapes);
     let mut warnings = cautions::cautioned(model.as_ref(), scene.warnings(&state));
+    warnings.extend(crate::equilibrium::untied(scene, &at, &state));
     warnings.extend(coarse::of_equilibrium(scene, &at, &state));
     warnings.extend(coarse::of_modes(scene, &errors));
     Ok(Modes {

@@ -67,6 +67,20 @@ pub fn static_equilibria(model: &dyn AnyModel, settings: &EquilibriumSettings) -
     equilibria(model, Kind::Static, settings, |_| ControlFlow::Continue(()))
 }
 
+/// That the last equilibria at rest are unstable.
+fn unstable(line: &Line) -> Option<String> {
+    let (before, last) = line.last_two();
+    let negative = last.negative?.min(before?.negative?);
+    let directions = match negative {
+        0 => return None,
+        1 => "one direction of its stiffness is".to_string(),
+        more => format!("{more} directions of its stiffness are"),
+    };
+    Some(format!(
+        "The last equilibrium is unstable: {directions} negative, and the least disturbance leads away from it"
+    ))
+}
+
 /// As [`steady`] or [`static_equilibria`]; `watch` is called after every step, and ends the way by
 /// [`ControlFlow::Break`].
 ///
@@ -100,13 +114,16 @@ pub fn equilibria(
     }
     let newton_iterations = line.iterations;
     let leaps = line.warnings();
+    let unstable = (kind == Kind::Static).then(|| unstable(&line)).flatten();
     let station = line.station();
     let cautions = super::continuation::at_the_end(model, settings).cautions(0.0);
     let mut warnings = cautions::sentences(model, &cautions);
     warnings.extend(cautions::texts(station.scene.warnings(station.state)));
+    warnings.extend(equilibrium::untied(station.scene, &station.at, station.state));
     warnings.extend(envelopes.warning());
     warnings.extend(coarse::of_equilibrium(station.scene, &station.at, station.state));
     warnings.extend(leaps);
+    warnings.extend(unstable);
     let result = Equilibria {
         kind,
         settings: *settings,

@@ -10,6 +10,7 @@ mod esail;
 mod free_flight;
 mod free_frames;
 mod gravity;
+mod hanging;
 mod heavy_top;
 mod judged_forces;
 mod kinks;

@@ -213,7 +213,8 @@ fn angular_velocity(scene: &dyn Scene, at: &Uniform) -> f64 {
 }
 
 /// Whether the start is no equilibrium without loads, nor near one, as a slack rope, or leaves it at the least load, as a rope
-/// that lies straight and hangs on one end: its stiffness there is round-off, and need not be found singular.
+/// that lies straight and hangs on one end: its stiffness there is round-off, and need not be found singular. Nor does it stay
+/// where a load acts along a motion that nothing ties.
 fn rests_nowhere(scene: &mut dyn Scene, newton: &mut Newton, at: &Uniform) -> bool {
     let start = scene.uniform_guess(at);
     let mut stays = |part: f64| {
@@ -221,7 +222,11 @@ fn rests_nowhere(scene: &mut dyn Scene, newton: &mut Newton, at: &Uniform) -> bo
         let (result, _) = newton.solve(scene, &at.scaled(part * at.scale), &mut state, Patience::Strict);
         result.is_ok() && (part == 0.0 || !newton.has_moved_far())
     };
-    !stays(0.0) || !stays(SMALLEST)
+    if !stays(0.0) || !stays(SMALLEST) {
+        return true;
+    }
+    let (result, _) = newton.solve(scene, at, &mut start.clone(), Patience::Strict);
+    matches!(result, Err(Failure::Unbalanced(_)))
 }
 
 /// The equilibrium at rest under the loads of `at` to which the start settles, if it is none without loads and none is near.

@@ -5,10 +5,12 @@
 mod continuation;
 mod critical;
 mod newton;
+mod untied;
 
 pub use crate::model::{Kind, Spin, Uniform};
 pub use continuation::{CUTS, Continued, Equilibrium, continue_from, follow, goes_back, settle, static_load, steady};
 pub use critical::{Critical, critical_factor};
+pub use untied::untied;
 
 #[cfg(test)]
 mod tests;

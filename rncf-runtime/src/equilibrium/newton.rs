@@ -23,6 +23,8 @@ const FLOWS: u32 = 400;
 const FLOW_START: f64 = 1e-2;
 const FLOWN: f64 = 1e-4;
 const FLOW_LEAST: f64 = 1e-10;
+/// Increments of a flow below this that shrink no more are round-off.
+const STILL: f64 = 1e-9;
 /// Part of the acting forces that a phase condition may carry.
 const UNBALANCED: f64 = 1e-6;
 /// Most rows of a matrix whose eigenvalues are counted.
@@ -31,6 +33,8 @@ const LARGEST_COUNTED: usize = 400;
 const SKEW: f64 = 1e-9;
 /// Part of the stiffness times the sizes that forces are resolved to.
 const RESOLVED: f64 = 1e-11;
+/// The same of what was found to be untied, on the way of whose forces no frame lies.
+const RESOLVED_UNTIED: f64 = 1e-13;
 /// Part of its first increment by which an iteration may miss it, if that is larger than this, relative to the sizes.
 const MISSED: f64 = 0.25;
 const FAR: f64 = 1e-3;
@@ -91,21 +95,23 @@ pub(super) enum Patience {
 
 /// The iteration and its memory.
 pub(super) struct Newton {
-    lu: Lu<f64>,
+    pub(super) lu: Lu<f64>,
     /// Places in the whole matrix of the entries of K, of `C_x^T` and of `C_x`.
     block: Vec<usize>,
     border: Vec<[usize; 2]>,
     /// Row and column of the entries of K.
-    columns: Vec<(usize, usize)>,
+    pub(super) columns: Vec<(usize, usize)>,
     /// Phase conditions, and the places in the whole matrix of their columns and rows by unknown.
     phases: Vec<Vec<f64>>,
+    /// Motions that nothing ties where the iteration came to last.
+    untied: Vec<Vec<f64>>,
     phase_places: Vec<Vec<(usize, [usize; 2])>>,
     constraint_pattern: Pattern,
-    values: Vec<f64>,
+    pub(super) values: Vec<f64>,
     jacobian: Vec<f64>,
-    tangent: Tangent,
+    pub(super) tangent: Tangent,
     increments: Vec<f64>,
-    inverse_sizes: Vec<f64>,
+    pub(super) inverse_sizes: Vec<f64>,
     /// Multipliers of the phase conditions.
     held: Vec<f64>,
     /// Largest energy of a force over the size of its unknown, J.
@@ -164,13 +170,15 @@ impl Newton {
             first: Vec::new(),
             moved: Vec::new(),
             wandered: false,
+            untied: Vec::new(),
             lu: Lu::new(&whole),
         }
     }
 
-    /// Holds what is neutral at the state.
-    fn hold(&mut self, scene: &mut dyn Scene, at: &Uniform, state: &State) {
+    /// Holds what is neutral at the state, and what nothing ties.
+    pub(super) fn hold(&mut self, scene: &mut dyn Scene, at: &Uniform, state: &State) {
         let mut phases = scene.neutral_motions(at, state);
+        phases.extend(self.untied.iter().cloned());
         for phase in &mut phases {
             // In the metric of the sizes, so that a phase condition depends on no unit.
             for (value, factor) in phase.iter_mut().zip(&self.inverse_sizes) {
@@ -183,7 +191,9 @@ impl Newton {
         if phases.iter().map(is_zero).eq(self.phases.iter().map(is_zero)) {
             self.phases = phases;
         } else {
+            let untied = std::mem::take(&mut self.untied);
             *self = Self::with_phases(scene, phases);
+            self.untied = untied;
         }
         self.held.fill(0.0);
     }
@@ -197,11 +207,67 @@ impl Newton {
         state: &mut State,
         patience: Patience,
     ) -> (Result<(), Failure>, u32) {
-        state.rebase(scene.turns());
-        self.hold(scene, at, state);
-        let (result, iterations) = self.iterate(scene, at, state, patience);
+        let start = state.clone();
+        let (mut result, mut iterations) = self.iterate_holding(scene, at, state, patience);
+        if result.is_err() || !self.untied.is_empty() || self.is_doubtful() {
+            let more;
+            (result, more) = self.hold_untied(scene, at, (&start, state), patience, result);
+            iterations += more;
+        }
         scene.uniform_state(at, state);
         (result.and_then(|()| self.check_phases()), iterations)
+    }
+
+    fn iterate_holding(
+        &mut self,
+        scene: &mut dyn Scene,
+        at: &Uniform,
+        state: &mut State,
+        patience: Patience,
+    ) -> (Result<(), Failure>, u32) {
+        state.rebase(scene.turns());
+        self.hold(scene, at, state);
+        self.iterate(scene, at, state, patience)
+    }
+
+    /// The same where the stiffness is singular, or may be: from the start anew with what nothing ties there held, then with
+    /// what nothing ties where that came to.
+    fn hold_untied(
+        &mut self,
+        scene: &mut dyn Scene,
+        at: &Uniform,
+        (start, state): (&State, &mut State),
+        patience: Patience,
+        result: Result<(), Failure>,
+    ) -> (Result<(), Failure>, u32) {
+        let mut iterations = 0;
+        if result.is_err() || self.untied.is_empty() {
+            let untied = Self::untied(scene, at, start);
+            let is_new = !untied.is_empty() || !self.untied.is_empty();
+            if is_new {
+                self.untied = untied;
+                state.clone_from(start);
+                let (result, taken) = self.iterate_holding(scene, at, state, patience);
+                iterations += taken;
+                // What acts along such a motion leads away from the start.
+                let result = result.and_then(|()| self.check_phases());
+                if result.is_err() {
+                    return (result, iterations);
+                }
+            } else if result.is_err() {
+                return (result, iterations);
+            }
+        }
+        let untied = Self::untied(scene, at, state);
+        if untied.len() != self.untied.len() {
+            // How the iteration came here is that of the one before.
+            let way = (self.first.clone(), self.moved.clone(), self.wandered);
+            self.untied = untied;
+            let (result, taken) = self.iterate_holding(scene, at, state, patience);
+            (self.first, self.moved, self.wandered) = way;
+            return (result, iterations + taken);
+        }
+        (Ok(()), iterations)
     }
 
     /// Flows towards an equilibrium in a viscous medium, `M dx/ds = -R`, by implicit steps that grow until they are those of
@@ -211,6 +277,7 @@ impl Newton {
         if speed.is_nan() || speed <= 0.0 {
             return Err(Failure::NotFinite);
         }
+        self.untied.clear();
         state.rebase(scene.turns());
         self.hold(scene, at, state);
         let bordering = self.lu.pattern().columns() - self.inverse_sizes.len();
@@ -252,11 +319,16 @@ impl Newton {
             }
             state.rebase(scene.turns());
             let size = self.size();
-            if size <= FLOWN && step * speed * speed > 1.0 / FLOWN {
+            // What nothing ties is known only where all else is still.
+            let is_there = size <= ROUND_OFF || size <= STILL && size > STAGNANT * last;
+            if is_there && step * speed * speed > 1.0 / FLOWN {
                 return Ok(());
             }
             step *= if size < last { 2.0 } else { 1.1 };
             last = size;
+        }
+        if last <= FLOWN {
+            return Ok(());
         }
         Err(Failure::Slow(self.largest(&self.increments)))
     }
@@ -314,7 +386,7 @@ impl Newton {
     }
 
     /// Matrix and right side (the negative residual, in `increments`) at `state`.
-    fn linearize(&mut self, scene: &mut dyn Scene, at: &Uniform, state: &mut State) {
+    pub(super) fn linearize(&mut self, scene: &mut dyn Scene, at: &Uniform, state: &mut State) {
         let (n, m) = (state.x.len(), state.lambda.len());
         scene.uniform_state(at, state);
         let (forces, others) = self.increments.split_at_mut(n);
@@ -352,11 +424,13 @@ impl Newton {
 
     /// Along a neutral motion nothing may act.
     fn check_phases(&self) -> Result<(), Failure> {
-        for (phase, held) in self.phases.iter().zip(&self.held) {
+        let known = self.phases.len() - self.untied.len();
+        for (place, (phase, held)) in self.phases.iter().zip(&self.held).enumerate() {
             let energy = |row: usize| (held * phase[row] / self.inverse_sizes[row]).abs();
             let rows = 0..phase.len();
             let worst = rows.max_by(|&i, &j| energy(i).total_cmp(&energy(j))).unwrap_or(0);
-            if energy(worst) > UNBALANCED * self.acting + RESOLVED * self.stiffest(phase) {
+            let resolved = if place < known { RESOLVED } else { RESOLVED_UNTIED };
+            if energy(worst) > UNBALANCED * self.acting + resolved * self.stiffest(phase) {
                 return Err(Failure::Unbalanced(worst));
             }
         }

@@ -164,6 +164,12 @@ pub trait Scene: System + Send {
         Vec::new()
     }
 
+    /// A direction of the unknowns at the state along which nothing is stiff, in the user's words; `None` where it deforms a
+    /// body, or where the scene does not know: such a direction is a fault of the model, or a body buckles.
+    fn untied_motion(&mut self, _at: &Uniform, _state: &State, _motion: &[f64]) -> Option<String> {
+        None
+    }
+
     /// Sense in which the points of the bodies circulate about the axis of the rotation in a mode with
     /// complex increments `shape` of the unknowns that grow as exp(i |im| t), seen in co-rotating axes: 1
     /// where all go round with the spin on circles, -1 against it, 0 on straight lines or without a common

@@ -176,6 +176,10 @@ impl Scene for MeshScene {
         self.neutral(at, state)
     }
 
+    fn untied_motion(&mut self, at: &Uniform, state: &State, motion: &[f64]) -> Option<String> {
+        self.moved_as_wholes(at, state, motion)
+    }
+
     fn spin(&self, t: f64) -> f64 {
         let frames = self.motions(t);
         let prescribed = self.bodies.iter().map(|body| body.spec.frame);

@@ -7,3 +7,4 @@ pub(crate) mod steady;
 pub(crate) mod symmetry;
 pub(crate) mod uniform;
 pub(crate) mod whirl;
+pub(crate) mod wholes;

@@ -1,0 +1,182 @@
+//! Motions that nothing ties and that no force resists at a state: the spin of a rod that hangs on a ball joint. They are found
+//! as the null space of the stiffness on what the constraints leave free, by inverse iteration, and count where they
+//! move every body as a whole.
+
+use super::newton::Newton;
+use crate::model::{Scene, Uniform};
+use crate::system::State;
+
+/// Shift of the inverse iteration, in parts of the stiffness of the rows: above round-off, below what is soft.
+const SHIFT: f64 = 1e-13;
+/// Part of the amplification by the shift alone from which on a direction has no stiffness.
+const NULL: f64 = 0.1;
+/// Amplification of a load from which on the stiffness is looked at.
+const DOUBTFUL: f64 = 1e11;
+const ITERATIONS: usize = 6;
+/// Directions that are looked at together first.
+const BLOCK: usize = 8;
+/// Entries of a direction below this, relative to the largest one, are round-off.
+const NEGLIGIBLE: f64 = 1e-9;
+
+impl Newton {
+    /// Whether the matrix that was factored last may be singular.
+    pub(super) fn is_doubtful(&mut self) -> bool {
+        let mut image = vec![0.0; self.lu.pattern().columns()];
+        for (row, stiffness) in self.stiffnesses().into_iter().enumerate() {
+            image[row] = sign(row, 0) * stiffness / self.inverse_sizes[row];
+        }
+        self.lu.solve(&mut image);
+        let parts = image.iter().zip(&self.inverse_sizes);
+        let largest = parts.fold(0.0, |largest: f64, (x, inverse)| largest.max((x * inverse).abs()));
+        largest.is_nan() || largest > DOUBTFUL
+    }
+
+    /// Unit directions of the unknowns at the state that nothing ties or resists, beside those that the scene knows as neutral.
+    pub(super) fn untied(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Vec<Vec<f64>> {
+        let mut newton = Newton::new(scene);
+        let mut state = state.clone();
+        state.rebase(scene.turns());
+        newton.hold(scene, at, &state);
+        newton.linearize(scene, at, &mut state);
+        let metric = newton.stiffnesses();
+        for (row, stiffness) in metric.iter().enumerate() {
+            if let Some(place) = newton.lu.pattern().find(row, row) {
+                newton.values[place] += SHIFT * stiffness;
+            }
+        }
+        if !newton.values.iter().all(|value| value.is_finite()) || newton.lu.factor(&newton.values).is_err() {
+            return Vec::new();
+        }
+        let n = metric.len();
+        let mut count = BLOCK.min(n);
+        loop {
+            let found = newton.null_space(&metric, count);
+            if found.len() < count || count == n {
+                let found = apart(found, &newton.inverse_sizes).into_iter();
+                return found
+                    .filter(|motion| scene.untied_motion(at, &state, motion).is_some())
+                    .collect();
+            }
+            count = (2 * count).min(n);
+        }
+    }
+
+    /// Among `count` directions those without stiffness, orthonormal in the metric.
+    fn null_space(&mut self, metric: &[f64], count: usize) -> Vec<Vec<f64>> {
+        let n = metric.len();
+        let start = |k: usize| (0..n).map(|row| sign(row, k) / metric[row].sqrt()).collect();
+        let mut directions: Vec<Vec<f64>> = (0..count).map(start).collect();
+        let mut amplified = Vec::new();
+        for _ in 0..ITERATIONS {
+            for direction in &mut directions {
+                let mut image: Vec<f64> = direction.iter().zip(metric).map(|(x, weight)| x * weight).collect();
+                image.resize(self.lu.pattern().columns(), 0.0);
+                self.lu.solve(&mut image);
+                direction.copy_from_slice(&image[..n]);
+            }
+            amplified = orthonormalise(&mut directions, metric);
+        }
+        let is_null = amplified.iter().map(|factor| factor * SHIFT > NULL);
+        let found = directions.into_iter().zip(is_null);
+        found
+            .filter(|(_, is_null)| *is_null)
+            .map(|(direction, _)| direction)
+            .collect()
+    }
+
+    /// Stiffness of every row relative to the sizes of the unknowns, at least a small part of the largest one.
+    fn stiffnesses(&self) -> Vec<f64> {
+        let inverse = &self.inverse_sizes;
+        let mut energies = vec![0.0_f64; inverse.len()];
+        for (&(row, column), value) in self.columns.iter().zip(&self.tangent.stiffness) {
+            energies[row] = energies[row].max((value / (inverse[row] * inverse[column])).abs());
+        }
+        let largest = energies
+            .iter()
+            .fold(f64::MIN_POSITIVE, |largest, &energy| largest.max(energy));
+        let floored = energies.iter().zip(inverse);
+        floored
+            .map(|(energy, inverse)| energy.max(1e-6 * largest) * inverse * inverse)
+            .collect()
+    }
+}
+
+/// The motions at the state that nothing ties, one sentence each.
+pub fn untied(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Vec<String> {
+    let motions = Newton::untied(scene, at, state);
+    let told = motions
+        .iter()
+        .filter_map(|motion| scene.untied_motion(at, state, motion));
+    told.map(|motion| format!("{motion}: it stays where it was at the start, and outputs that see it are as arbitrary"))
+        .collect()
+}
+
+/// 1 or -1, the same on every machine, without a pattern in the row.
+fn sign(row: usize, k: usize) -> f64 {
+    let mut bits =
+        (row as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ (k as u64 + 1).wrapping_mul(0xD1B5_4A32_D192_ED03);
+    bits = (bits ^ (bits >> 29)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    if (bits >> 40) & 1 == 0 { 1.0 } else { -1.0 }
+}
+
+/// Makes directions orthonormal in a metric; returns what was left of each.
+fn orthonormalise(directions: &mut [Vec<f64>], metric: &[f64]) -> Vec<f64> {
+    let dot =
+        |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).zip(metric).map(|((a, b), weight)| a * b * weight).sum() };
+    let mut left = Vec::new();
+    for k in 0..directions.len() {
+        let (known, rest) = directions.split_at_mut(k);
+        let direction = &mut rest[0];
+        for _ in 0..2 {
+            for other in known.iter() {
+                let part = dot(other, direction);
+                direction
+                    .iter_mut()
+                    .zip(other)
+                    .for_each(|(x, other)| *x -= part * other);
+            }
+        }
+        let length = dot(direction, direction).sqrt();
+        if length > 0.0 && length.is_finite() {
+            direction.iter_mut().for_each(|x| *x /= length);
+        }
+        left.push(length);
+    }
+    left
+}
+
+/// The same space in directions of as few unknowns as can be: what moves independently stands in one each.
+fn apart(mut directions: Vec<Vec<f64>>, inverse_sizes: &[f64]) -> Vec<Vec<f64>> {
+    let count = directions.len();
+    for k in 0..count {
+        let weighted =
+            |directions: &[Vec<f64>], row: usize, place: usize| (directions[row][place] * inverse_sizes[place]).abs();
+        let entries = (k..count).flat_map(|row| (0..inverse_sizes.len()).map(move |place| (row, place)));
+        let largest =
+            entries.max_by(|&(i, a), &(j, b)| weighted(&directions, i, a).total_cmp(&weighted(&directions, j, b)));
+        let Some((row, pivot)) = largest else { break };
+        directions.swap(k, row);
+        let own = directions[k].clone();
+        for (other, direction) in directions.iter_mut().enumerate() {
+            if other != k && own[pivot] != 0.0 {
+                let part = direction[pivot] / own[pivot];
+                direction.iter_mut().zip(&own).for_each(|(x, own)| *x -= part * own);
+            }
+        }
+    }
+    for direction in &mut directions {
+        let size = |x: f64, inverse: f64| (x * inverse).abs();
+        let largest = direction
+            .iter()
+            .zip(inverse_sizes)
+            .fold(0.0, |largest: f64, (&x, &inverse)| largest.max(size(x, inverse)));
+        for (x, &inverse) in direction.iter_mut().zip(inverse_sizes) {
+            *x = if size(*x, inverse) <= NEGLIGIBLE * largest {
+                0.0
+            } else {
+                *x / largest
+            };
+        }
+    }
+    directions
+}

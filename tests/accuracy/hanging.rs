@@ -1,0 +1,134 @@
+//! Bodies that hang on ball joints: nothing holds their spin, and equilibria at rest must not depend on how they start.
+
+use rncf::app::{Equilibria, EquilibriumSettings, static_equilibria};
+
+use super::closed_forms::assert_near;
+
+rncf::model! {
+    /// A rod on a ball joint, in a wind.
+    pub model Rod {
+        param a = 30 deg;
+        param b = 20 deg;
+        param wind = 0 N/m;
+        param n: count = 3;
+        const length = 0.6 m;
+        material rubber { density = 1300 kg/m^3; young = 100 MPa; poisson = 0.3; }
+        section flat = rectangle(y = 30 mm, z = 20 mm);
+        body rod {
+            spatial;
+            line from [0, 0, 0] m to [length * cos(a) * cos(b), length * sin(a) * cos(b), length * sin(b)];
+            section_y [0.1, 0.9, 0.3];
+            mesh n * beam(flat, rubber);
+        }
+        joint top = spherical(rod.start, inertial.at([0, 0, 0] m));
+        load push = density(rod, [wind, 0, 0]);
+        load weight = gravity([0, 0, -9.81] m/s^2);
+        output tip = rod.end;
+        output reaction = top.force;
+    }
+}
+
+rncf::model! {
+    /// Two rods and a rigid bob, ball joint below ball joint.
+    pub model Links {
+        material rubber { density = 1300 kg/m^3; young = 100 MPa; poisson = 0.3; }
+        section flat = rectangle(y = 30 mm, z = 20 mm);
+        body upper { spatial; line from [0, 0, 0] m to [0.5, 0.2, 0.1] m; mesh 2 * beam(flat, rubber); }
+        body lower { spatial; line from [0.5, 0.2, 0.1] m to [0.5, 0.7, 0.2] m; mesh 2 * beam(flat, rubber); }
+        rigid bob { mass = 1 kg; inertia = [1, 2, 2.5] g*m^2; center = [0.1, 0, 0] m; origin = [0.5, 0.7, 0.2] m; }
+        joint top = spherical(upper.start, inertial.at([0, 0, 0] m));
+        joint middle = spherical(lower.start, upper.end);
+        joint last = spherical(bob, lower.end);
+        load weight = gravity([0, 0, -9.81] m/s^2);
+        output end = lower.end;
+        output center = bob.center;
+        output reaction = top.force;
+    }
+}
+
+/// Weight of a metre of the section, N/m, and its axial stiffness, N.
+const WEIGHT: f64 = 1300.0 * 6e-4 * 9.81;
+const STIFFNESS: f64 = 1e8 * 6e-4;
+
+fn ending(found: &Equilibria) -> Vec<f64> {
+    let columns = 0..found.history.columns.len();
+    columns
+        .map(|column| found.history.column(column).last().unwrap())
+        .collect()
+}
+
+fn told<'a>(found: &'a Equilibria, words: &str) -> Vec<&'a String> {
+    found.warnings.iter().filter(|text| text.contains(words)).collect()
+}
+
+#[test]
+fn a_rod_hangs_from_a_ball_joint_wherever_it_starts() {
+    let starts = [
+        (30.0, 20.0, 3),
+        (31.0, 20.0, 3),
+        (77.0, -10.0, 2),
+        (0.0, 0.0, 1),
+        (0.0, 0.0, 3),
+        (200.0, 45.0, 2),
+        (0.0, -90.0, 3),
+    ];
+    for (a, b, n) in starts {
+        for wind in [0.0, 3.0] {
+            let rod = Rod {
+                a: f64::to_radians(a),
+                b: f64::to_radians(b),
+                wind,
+                n,
+            };
+            let found = static_equilibria(&rod, &EquilibriumSettings::default())
+                .unwrap_or_else(|error| panic!("{a} {b} {n} {wind}: {error}"));
+            let [tip, reaction] = [0, 3].map(|first| [0, 1, 2].map(|axis| ending(&found)[first + axis]));
+            // It lies along the load, stretched by half of it.
+            let load = f64::hypot(WEIGHT, wind);
+            let length = 0.6 * (1.0 + 0.5 * 0.6 * load / STIFFNESS);
+            assert_near(-tip[2], length * WEIGHT / load, 1e-7);
+            assert!(
+                (tip[0] - length * wind / load).abs() < 1e-7,
+                "{a} {b} {n} {wind}: {tip:?}"
+            );
+            assert!(tip[1].abs() < 1e-9, "{a} {b} {n} {wind}: {tip:?}");
+            assert_near(reaction[2].abs(), 0.6 * WEIGHT, 1e-9);
+            assert!(found.critical.is_empty(), "{a} {b} {n} {wind}: {:?}", found.critical);
+            assert_eq!(
+                told(&found, "nothing holds body `rod` against turning").len(),
+                1,
+                "{:?}",
+                found.warnings
+            );
+            assert!(told(&found, "unstable").is_empty(), "{:?}", found.warnings);
+        }
+    }
+}
+
+#[test]
+fn a_rod_that_stands_on_a_ball_joint_is_told_to_be_unstable() {
+    let rod = Rod {
+        a: 0.0,
+        b: f64::to_radians(90.0),
+        ..Rod::default()
+    };
+    let found = static_equilibria(&rod, &EquilibriumSettings::default()).unwrap();
+    assert_near(ending(&found)[2], 0.6 * (1.0 - 0.5 * 0.6 * WEIGHT / STIFFNESS), 1e-7);
+    assert_eq!(told(&found, "unstable: 2 directions").len(), 1, "{:?}", found.warnings);
+}
+
+#[test]
+fn links_and_a_bob_hang_below_each_other() {
+    let found = static_equilibria(&Links {}, &EquilibriumSettings::default()).unwrap();
+    let at = ending(&found);
+    let lengths = [f64::sqrt(0.25 + 0.04 + 0.01), f64::sqrt(0.25 + 0.01)];
+    // Each is stretched by half of its weight and by all below.
+    let below = [9.81 + lengths[1] * WEIGHT, 9.81];
+    let stretched = [0, 1].map(|link| lengths[link] * (1.0 + (below[link] + 0.5 * lengths[link] * WEIGHT) / STIFFNESS));
+    assert_near(-at[2], stretched[0] + stretched[1], 1e-6);
+    assert_near(-at[5], stretched[0] + stretched[1] + 0.1, 1e-6);
+    assert_near(at[8].abs(), 9.81 + (lengths[0] + lengths[1]) * WEIGHT, 1e-9);
+    assert!([0, 1, 3, 4].iter().all(|&place| at[place].abs() < 1e-8), "{at:?}");
+    assert!(found.critical.is_empty(), "{:?}", found.critical);
+    assert_eq!(told(&found, "nothing holds").len(), 3, "{:?}", found.warnings);
+}
