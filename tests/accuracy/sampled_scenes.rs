@@ -98,7 +98,7 @@ fn scene_4() {
 
 #[test]
 fn scene_12() {
-    agrees(12, compiled::<s12::A>(), None, &["at rest"]);
+    agrees(12, compiled::<s12::A>(), None, &["at rest: ANCF"]);
 }
 
 #[test]

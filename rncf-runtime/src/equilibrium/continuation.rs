@@ -214,7 +214,7 @@ fn angular_velocity(scene: &dyn Scene, at: &Uniform) -> f64 {
 
 /// Whether the start is no equilibrium without loads, nor near one, as a slack rope, or leaves it at the least load, as a rope
 /// that lies straight and hangs on one end: its stiffness there is round-off, and need not be found singular. Nor does it stay
-/// where a load acts along a motion that nothing ties.
+/// where the whole load leads away along a motion that nothing ties.
 fn rests_nowhere(scene: &mut dyn Scene, newton: &mut Newton, at: &Uniform) -> bool {
     let start = scene.uniform_guess(at);
     let mut stays = |part: f64| {
@@ -226,7 +226,7 @@ fn rests_nowhere(scene: &mut dyn Scene, newton: &mut Newton, at: &Uniform) -> bo
         return true;
     }
     let (result, _) = newton.solve(scene, at, &mut start.clone(), Patience::Strict);
-    matches!(result, Err(Failure::Unbalanced(_)))
+    result.is_err() && newton.holds_untied()
 }
 
 /// The equilibrium at rest under the loads of `at` to which the start settles, if it is none without loads and none is near.

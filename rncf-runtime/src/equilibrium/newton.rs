@@ -23,8 +23,10 @@ const FLOWS: u32 = 400;
 const FLOW_START: f64 = 1e-2;
 const FLOWN: f64 = 1e-4;
 const FLOW_LEAST: f64 = 1e-10;
-/// Increments of a flow below this that shrink no more are round-off.
-const STILL: f64 = 1e-9;
+/// The largest one, likewise: along what nothing ties round-off flows with it.
+const FLOW_MOST: f64 = 1e8;
+/// Increments of a flow at which all is still.
+const STILL: f64 = 1e-8;
 /// Part of the acting forces that a phase condition may carry.
 const UNBALANCED: f64 = 1e-6;
 /// Most rows of a matrix whose eigenvalues are counted.
@@ -34,7 +36,7 @@ const SKEW: f64 = 1e-9;
 /// Part of the stiffness times the sizes that forces are resolved to.
 const RESOLVED: f64 = 1e-11;
 /// The same of what was found to be untied, on the way of whose forces no frame lies.
-const RESOLVED_UNTIED: f64 = 1e-13;
+const RESOLVED_UNTIED: f64 = 1e-15;
 /// Part of its first increment by which an iteration may miss it, if that is larger than this, relative to the sizes.
 const MISSED: f64 = 0.25;
 const FAR: f64 = 1e-3;
@@ -320,11 +322,12 @@ impl Newton {
             state.rebase(scene.turns());
             let size = self.size();
             // What nothing ties is known only where all else is still.
-            let is_there = size <= ROUND_OFF || size <= STILL && size > STAGNANT * last;
-            if is_there && step * speed * speed > 1.0 / FLOWN {
+            let long = step * speed * speed;
+            if size <= STILL && long > 1.0 / FLOWN || size <= FLOWN && long >= 0.5 * FLOW_MOST {
                 return Ok(());
             }
             step *= if size < last { 2.0 } else { 1.1 };
+            step = step.min(FLOW_MOST / (speed * speed));
             last = size;
         }
         if last <= FLOWN {
@@ -500,6 +503,11 @@ impl Newton {
             largest.max((change * inverse).abs())
         });
         (STRIDE / largest).min(1.0)
+    }
+
+    /// Whether the last solution held motions that nothing ties.
+    pub fn holds_untied(&self) -> bool {
+        !self.untied.is_empty()
     }
 
     /// Unknown that moved most in the last iteration.

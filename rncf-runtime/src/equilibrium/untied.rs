@@ -91,12 +91,12 @@ impl Newton {
         for (&(row, column), value) in self.columns.iter().zip(&self.tangent.stiffness) {
             energies[row] = energies[row].max((value / (inverse[row] * inverse[column])).abs());
         }
-        let largest = energies
-            .iter()
-            .fold(f64::MIN_POSITIVE, |largest, &energy| largest.max(energy));
+        let largest = energies.iter().fold(0.0, |largest: f64, &energy| largest.max(energy));
+        // Where nothing is stiff any scale will do.
+        let least = if largest > 0.0 { 1e-6 * largest } else { 1.0 };
         let floored = energies.iter().zip(inverse);
         floored
-            .map(|(energy, inverse)| energy.max(1e-6 * largest) * inverse * inverse)
+            .map(|(energy, inverse)| energy.max(least) * inverse * inverse)
             .collect()
     }
 }
