@@ -316,11 +316,11 @@ fn a_hinged_blade_starts_at_the_speed_asked_for() {
     )
     .unwrap();
     assert_eq!(whole.history.keys.last(), Some(&30.0));
-    assert!(
-        whole.warnings.iter().any(|text| text.contains("no equilibrium")),
-        "{:?}",
-        whole.warnings
-    );
+    // Spin and loads grow together; while both are small the blade is rigid on its hinge.
+    let rigid = -9.81 * 5.7 / 2.0 / (900.0 * (0.3 / 2.0 + 5.7 / 3.0));
+    let least = whole.history.column(0).nth(1).unwrap();
+    assert!((least / rigid - 1.0).abs() < 1e-4, "{least} {rigid}");
+    assert!((whole.history.column(0).last().unwrap() / droop - 1.0).abs() < 3e-3);
     let from_rest = over_speed(&blade, [0.0, 40.0], 4, 8);
     assert_eq!(from_rest.keys.last(), Some(&40.0));
     assert!(from_rest.critical.is_empty(), "{:?}", from_rest.critical);
