@@ -35,7 +35,7 @@ const LARGEST_COUNTED: usize = 400;
 const SKEW: f64 = 1e-9;
 /// Part of the stiffness times the sizes that forces are resolved to.
 const RESOLVED: f64 = 1e-11;
-/// The same of what was found to be untied, on the way of whose forces no frame lies.
+/// The same along what was found to be untied: a force that is lost there would let a body stand that falls.
 const RESOLVED_UNTIED: f64 = 1e-15;
 /// Part of its first increment by which an iteration may miss it, if that is larger than this, relative to the sizes.
 const MISSED: f64 = 0.25;
@@ -95,6 +95,14 @@ pub(super) enum Patience {
     Patient,
 }
 
+/// A motion that nothing ties.
+pub(super) struct Untied {
+    /// Increments of the unknowns, the largest one as large as its size.
+    pub direction: Vec<f64>,
+    /// What it is, in the user's words.
+    pub told: String,
+}
+
 /// The iteration and its memory.
 pub(super) struct Newton {
     pub(super) lu: Lu<f64>,
@@ -105,9 +113,9 @@ pub(super) struct Newton {
     pub(super) columns: Vec<(usize, usize)>,
     /// Phase conditions, and the places in the whole matrix of their columns and rows by unknown.
     phases: Vec<Vec<f64>>,
-    /// Motions that nothing ties where the iteration came to last.
-    untied: Vec<Vec<f64>>,
     phase_places: Vec<Vec<(usize, [usize; 2])>>,
+    /// Motions that nothing ties where the iteration came to last: the last ones of the phase conditions.
+    untied: Vec<Vec<f64>>,
     constraint_pattern: Pattern,
     pub(super) values: Vec<f64>,
     jacobian: Vec<f64>,
@@ -210,7 +218,7 @@ impl Newton {
         patience: Patience,
     ) -> (Result<(), Failure>, u32) {
         let start = state.clone();
-        let (mut result, mut iterations) = self.iterate_holding(scene, at, state, patience);
+        let (mut result, mut iterations) = self.iterate(scene, at, state, patience);
         if result.is_err() || !self.untied.is_empty() || self.is_doubtful() {
             let more;
             (result, more) = self.hold_untied(scene, at, (&start, state), patience, result);
@@ -218,18 +226,6 @@ impl Newton {
         }
         scene.uniform_state(at, state);
         (result.and_then(|()| self.check_phases()), iterations)
-    }
-
-    fn iterate_holding(
-        &mut self,
-        scene: &mut dyn Scene,
-        at: &Uniform,
-        state: &mut State,
-        patience: Patience,
-    ) -> (Result<(), Failure>, u32) {
-        state.rebase(scene.turns());
-        self.hold(scene, at, state);
-        self.iterate(scene, at, state, patience)
     }
 
     /// The same where the stiffness is singular, or may be: from the start anew with what nothing ties there held, then with
@@ -245,11 +241,10 @@ impl Newton {
         let mut iterations = 0;
         if result.is_err() || self.untied.is_empty() {
             let untied = Self::untied(scene, at, start);
-            let is_new = !untied.is_empty() || !self.untied.is_empty();
-            if is_new {
-                self.untied = untied;
+            if !untied.is_empty() || !self.untied.is_empty() {
+                self.untied = directions(untied);
                 state.clone_from(start);
-                let (result, taken) = self.iterate_holding(scene, at, state, patience);
+                let (result, taken) = self.iterate(scene, at, state, patience);
                 iterations += taken;
                 // What acts along such a motion leads away from the start.
                 let result = result.and_then(|()| self.check_phases());
@@ -264,8 +259,8 @@ impl Newton {
         if untied.len() != self.untied.len() {
             // How the iteration came here is that of the one before.
             let way = (self.first.clone(), self.moved.clone(), self.wandered);
-            self.untied = untied;
-            let (result, taken) = self.iterate_holding(scene, at, state, patience);
+            self.untied = directions(untied);
+            let (result, taken) = self.iterate(scene, at, state, patience);
             (self.first, self.moved, self.wandered) = way;
             return (result, iterations + taken);
         }
@@ -336,6 +331,7 @@ impl Newton {
         Err(Failure::Slow(self.largest(&self.increments)))
     }
 
+    /// Newton's iteration with what is held at the state; also the number of iterations.
     fn iterate(
         &mut self,
         scene: &mut dyn Scene,
@@ -343,6 +339,8 @@ impl Newton {
         state: &mut State,
         patience: Patience,
     ) -> (Result<(), Failure>, u32) {
+        state.rebase(scene.turns());
+        self.hold(scene, at, state);
         let n = state.x.len();
         let mut last = f64::INFINITY;
         let mut taken = 0;
@@ -576,6 +574,10 @@ impl Newton {
         let sum: f64 = parts.map(|(change, factor)| (change * factor).powi(2)).sum();
         (sum / self.inverse_sizes.len().max(1) as f64).sqrt()
     }
+}
+
+fn directions(untied: Vec<Untied>) -> Vec<Vec<f64>> {
+    untied.into_iter().map(|motion| motion.direction).collect()
 }
 
 /// Row and column of every entry, in the order of the values.

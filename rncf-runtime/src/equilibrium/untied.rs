@@ -2,7 +2,8 @@
 //! as the null space of the stiffness on what the constraints leave free, by inverse iteration, and count where they
 //! move every body as a whole.
 
-use super::newton::Newton;
+use super::newton::{Newton, Untied};
+use crate::linalg::{normalise, reduce};
 use crate::model::{Scene, Uniform};
 use crate::system::State;
 
@@ -31,8 +32,8 @@ impl Newton {
         largest.is_nan() || largest > DOUBTFUL
     }
 
-    /// Unit directions of the unknowns at the state that nothing ties or resists, beside those that the scene knows as neutral.
-    pub(super) fn untied(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Vec<Vec<f64>> {
+    /// What nothing ties or resists at the state, beside what the scene knows as neutral.
+    pub(super) fn untied(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Vec<Untied> {
         let mut newton = Newton::new(scene);
         let mut state = state.clone();
         state.rebase(scene.turns());
@@ -53,34 +54,41 @@ impl Newton {
             let found = newton.null_space(&metric, count);
             if found.len() < count || count == n {
                 let found = apart(found, &newton.inverse_sizes).into_iter();
-                return found
-                    .filter(|motion| scene.untied_motion(at, &state, motion).is_some())
-                    .collect();
+                let told = |direction: Vec<f64>| {
+                    let told = scene.untied_motion(at, &state, &direction)?;
+                    Some(Untied { direction, told })
+                };
+                return found.filter_map(told).collect();
             }
             count = (2 * count).min(n);
         }
     }
 
-    /// Among `count` directions those without stiffness, orthonormal in the metric.
+    /// Among `count` directions those without stiffness.
     fn null_space(&mut self, metric: &[f64], count: usize) -> Vec<Vec<f64>> {
-        let n = metric.len();
-        let start = |k: usize| (0..n).map(|row| sign(row, k) / metric[row].sqrt()).collect();
-        let mut directions: Vec<Vec<f64>> = (0..count).map(start).collect();
-        let mut amplified = Vec::new();
+        let (n, rows) = (metric.len(), self.lu.pattern().columns());
+        let roots: Vec<f64> = metric.iter().map(|weight| weight.sqrt()).collect();
+        let weighted = |x: &[f64]| -> Vec<f64> { x.iter().zip(&roots).map(|(x, root)| x * root).collect() };
+        // In coordinates in which the metric is the identity.
+        let mut directions: Vec<Vec<f64>> = (0..count).map(|k| (0..n).map(|row| sign(row, k)).collect()).collect();
+        let mut amplified = vec![0.0; count];
         for _ in 0..ITERATIONS {
-            for direction in &mut directions {
-                let mut image: Vec<f64> = direction.iter().zip(metric).map(|(x, weight)| x * weight).collect();
-                image.resize(self.lu.pattern().columns(), 0.0);
+            for k in 0..count {
+                let mut image = weighted(&directions[k]);
+                image.resize(rows, 0.0);
                 self.lu.solve(&mut image);
-                direction.copy_from_slice(&image[..n]);
+                directions[k] = weighted(&image[..n]);
             }
-            amplified = orthonormalise(&mut directions, metric);
+            for k in 0..count {
+                let (known, rest) = directions.split_at_mut(k);
+                amplified[k] = reduce(&mut rest[0], known);
+                normalise(&mut rest[0]);
+            }
         }
         let is_null = amplified.iter().map(|factor| factor * SHIFT > NULL);
-        let found = directions.into_iter().zip(is_null);
+        let found = directions.iter().zip(is_null).filter(|(_, is_null)| *is_null);
         found
-            .filter(|(_, is_null)| *is_null)
-            .map(|(direction, _)| direction)
+            .map(|(direction, _)| direction.iter().zip(&roots).map(|(x, root)| x / root).collect())
             .collect()
     }
 
@@ -103,12 +111,13 @@ impl Newton {
 
 /// The motions at the state that nothing ties, one sentence each.
 pub fn untied(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Vec<String> {
-    let motions = Newton::untied(scene, at, state);
-    let told = motions
-        .iter()
-        .filter_map(|motion| scene.untied_motion(at, state, motion));
-    told.map(|motion| format!("{motion}: it stays where it was at the start, and outputs that see it are as arbitrary"))
-        .collect()
+    let sentence = |motion: Untied| {
+        format!(
+            "{}: it stays where it was at the start, and outputs that see it are as arbitrary",
+            motion.told
+        )
+    };
+    Newton::untied(scene, at, state).into_iter().map(sentence).collect()
 }
 
 /// 1 or -1, the same on every machine, without a pattern in the row.
@@ -117,32 +126,6 @@ fn sign(row: usize, k: usize) -> f64 {
         (row as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ (k as u64 + 1).wrapping_mul(0xD1B5_4A32_D192_ED03);
     bits = (bits ^ (bits >> 29)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
     if (bits >> 40) & 1 == 0 { 1.0 } else { -1.0 }
-}
-
-/// Makes directions orthonormal in a metric; returns what was left of each.
-fn orthonormalise(directions: &mut [Vec<f64>], metric: &[f64]) -> Vec<f64> {
-    let dot =
-        |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).zip(metric).map(|((a, b), weight)| a * b * weight).sum() };
-    let mut left = Vec::new();
-    for k in 0..directions.len() {
-        let (known, rest) = directions.split_at_mut(k);
-        let direction = &mut rest[0];
-        for _ in 0..2 {
-            for other in known.iter() {
-                let part = dot(other, direction);
-                direction
-                    .iter_mut()
-                    .zip(other)
-                    .for_each(|(x, other)| *x -= part * other);
-            }
-        }
-        let length = dot(direction, direction).sqrt();
-        if length > 0.0 && length.is_finite() {
-            direction.iter_mut().for_each(|x| *x /= length);
-        }
-        left.push(length);
-    }
-    left
 }
 
 /// The same space in directions of as few unknowns as can be: what moves independently stands in one each.

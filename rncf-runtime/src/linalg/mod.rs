@@ -17,6 +17,7 @@ mod order;
 mod pattern;
 mod saddle;
 mod scalar;
+mod span;
 mod sparse;
 
 pub(crate) use block_kernels::{Vectorised, dispatch};
@@ -30,3 +31,4 @@ pub use lu::Lu;
 pub use pattern::Pattern;
 pub use saddle::{Saddle, Singular};
 pub use scalar::{Scalar, c64};
+pub(crate) use span::{clear, norm, normalise, reduce};

@@ -10,7 +10,7 @@
 
 use super::pair::{Failure, Pair, better_shift, scattered};
 use super::pencil::Pencil;
-use crate::linalg::{Lu, c64, general_eigen};
+use crate::linalg::{Lu, c64, clear, general_eigen, norm};
 
 /// Residual of an eigenpair of the inverse, relative to the eigenvalue, at which it is locked.
 const CONVERGED: f64 = 1e-10;
@@ -124,23 +124,6 @@ fn lock(locked: &mut Vec<Vec<f64>>, mut vector: Vec<f64>) {
         vector.iter_mut().for_each(|value| *value /= length);
         locked.push(vector);
     }
-}
-
-/// Removes the parts along orthonormal vectors, twice, and adds them up in `parts` as far as it goes.
-fn clear(vector: &mut [f64], basis: &[Vec<f64>], parts: &mut [f64]) {
-    for _ in 0..2 {
-        for (index, other) in basis.iter().enumerate() {
-            let part: f64 = other.iter().zip(&*vector).map(|(a, b)| a * b).sum();
-            vector.iter_mut().zip(other).for_each(|(value, of)| *value -= part * of);
-            if let Some(sum) = parts.get_mut(index) {
-                *sum += part;
-            }
-        }
-    }
-}
-
-fn norm(vector: &[f64]) -> f64 {
-    vector.iter().map(|value| value * value).sum::<f64>().sqrt()
 }
 
 /// The inverse of the pencil at a shift.

@@ -2,8 +2,8 @@
 //! and shifting along it, turning about the own axis of a symmetric rigid body. Each is told from
 //! what acts on the frames, at the loaded state.
 
-use super::symmetry::{normalise, reduce};
 use crate::emitted::LoadKind;
+use crate::linalg::{normalise, reduce};
 use crate::model::{Spin, Uniform};
 use crate::scene::MeshScene;
 use crate::scene::pieces::displacement::Displacement;

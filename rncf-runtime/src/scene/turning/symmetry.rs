@@ -2,6 +2,7 @@
 //! frames are displaced rigidly (THEORY 8.1). Relative equilibria need those of the rotation;
 //! motions that change nothing make a stiffness singular.
 
+use crate::linalg::{norm, normalise, reduce};
 use crate::scene::MeshScene;
 use crate::scene::pieces::displacement::Displacement;
 use crate::scene::pieces::marker::{Linked, Marker};
@@ -188,7 +189,7 @@ impl MeshScene {
         let values = before.values.iter().zip(&after.values);
         for (row, (value, changed)) in before.derivatives.iter().zip(values) {
             let mut row = sized(row);
-            let size = length(&row);
+            let size = norm(&row);
             if differ(&[*value], &[*changed], size + value.abs()) {
                 return true;
             }
@@ -219,7 +220,7 @@ impl MeshScene {
                 }
             }
             let mut row = sized(&row);
-            let size = length(&row);
+            let size = norm(&row);
             reduce(&mut row, &basis) > 10.0 * ROUND_OFF * size
         })
     }
@@ -281,27 +282,4 @@ impl MeshScene {
             })
         })
     }
-}
-
-fn length(values: &[f64]) -> f64 {
-    values.iter().map(|value| value * value).sum::<f64>().sqrt()
-}
-
-pub(crate) fn normalise(values: &mut [f64]) {
-    let size = length(values);
-    values.iter_mut().for_each(|value| *value /= size);
-}
-
-/// Takes away what lies in the span of orthonormal vectors; returns the length of the rest.
-pub(crate) fn reduce(row: &mut [f64], basis: &[Vec<f64>]) -> f64 {
-    // Twice, since the first time leaves round-off of what was large.
-    for _ in 0..2 {
-        for known in basis {
-            let part: f64 = known.iter().zip(row.iter()).map(|(a, b)| a * b).sum();
-            row.iter_mut()
-                .zip(known)
-                .for_each(|(value, known)| *value -= part * known);
-        }
-    }
-    length(row)
 }

@@ -1,0 +1,32 @@
+//! Vectors and what orthonormal ones span.
+
+/// Euclidean length.
+pub(crate) fn norm(vector: &[f64]) -> f64 {
+    vector.iter().map(|value| value * value).sum::<f64>().sqrt()
+}
+
+/// Makes a vector one of length 1.
+pub(crate) fn normalise(vector: &mut [f64]) {
+    let length = norm(vector);
+    vector.iter_mut().for_each(|value| *value /= length);
+}
+
+/// Removes the parts along orthonormal vectors, and adds them up in `parts` as far as it goes; twice, since the first time leaves
+/// round-off of what was large.
+pub(crate) fn clear(vector: &mut [f64], basis: &[Vec<f64>], parts: &mut [f64]) {
+    for _ in 0..2 {
+        for (index, other) in basis.iter().enumerate() {
+            let part: f64 = other.iter().zip(&*vector).map(|(a, b)| a * b).sum();
+            vector.iter_mut().zip(other).for_each(|(value, of)| *value -= part * of);
+            if let Some(sum) = parts.get_mut(index) {
+                *sum += part;
+            }
+        }
+    }
+}
+
+/// Removes the parts along orthonormal vectors; returns the length of the rest.
+pub(crate) fn reduce(vector: &mut [f64], basis: &[Vec<f64>]) -> f64 {
+    clear(vector, basis, &mut []);
+    norm(vector)
+}
