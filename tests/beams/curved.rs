@@ -7,7 +7,7 @@ use rncf_tests::section_beam::{Properties, Section};
 use rncf_tests::section_chain::{Chain, Hold, Shape, Slot, Supports};
 use rncf_tests::section_statics::Problem;
 
-use crate::scenes::{distance, outputs, referenced, short};
+use crate::scenes::{at_rest, distance, outputs, referenced, short};
 
 /// When the hub has reached its speed, s.
 const LATE: f64 = 20.0;
@@ -93,4 +93,83 @@ fn steady_deflections() {
         assert!(distance(&down, &[up[0], -up[1], 0.0]) < 1e-10 && up[2] == 0.0);
         assert!(out[1].abs() < 1e-10, "{out:?}");
     }
+}
+
+rncf::model! {
+    /// A helical spring under a force along its axis, on a plate that may turn and tilt.
+    model Coil {
+        param radius = 20 mm;
+        param pitch = 8 mm;
+        param turns = 8;
+        param thickness = 1 mm;
+        param force = 1 mN;
+        param n: count = 96;
+        material steel { density = 7850 kg/m^3; young = 210 GPa; poisson = 0.3; }
+        section wire = circle(radius = thickness);
+        body coil {
+            spatial;
+            curve [radius * cos(phi), radius * sin(phi), pitch * phi / (2*pi)] for phi from 0 to 2*pi*turns;
+            section_y [0, 0, 1];
+            mesh n * beam(wire, steel);
+        }
+        rigid plate { mass = 1 g; inertia = [1, 1, 1] g*mm^2; origin = [0 m, 0 m, pitch * turns]; }
+        joint seat = clamp(coil.start, inertial);
+        joint head = weld(coil.end, plate);
+        load pull = force(plate, [0 N, 0 N, force]);
+        output stretch = plate.z - pitch * turns;
+    }
+}
+
+/// A force along the axis twists and bends the wire by the same moments everywhere: Castigliano's theorem with the torsion
+/// F R cos a, the bending F R sin a, the normal force F sin a and the shear force F cos a.
+#[test]
+fn a_helical_spring_has_the_stiffness_of_its_wire() {
+    // What the formula leaves out of a curved wire is of the order of the square of its thickness over the coil's radius.
+    for (thickness, pitch, turns, n, allowed) in [
+        (1e-3, 0.008, 8.0, 192, 1e-5),
+        (1e-3, 0.06, 3.0, 72, 2e-4),
+        (2e-4, 0.06, 3.0, 144, 1e-5),
+    ] {
+        let coil = Coil {
+            thickness,
+            pitch,
+            turns,
+            n,
+            force: 1e-4 * (1e3 * thickness).powi(4),
+            ..Coil::default()
+        };
+        let radius = coil.radius;
+        let round = 2.0 * std::f64::consts::PI * radius;
+        let length = turns * round.hypot(pitch);
+        let (sine, cosine) = (turns * pitch / length, turns * round / length);
+        let (young, shear) = (210e9, 210e9 / 2.6);
+        let area = std::f64::consts::PI * thickness * thickness;
+        let second = area * thickness * thickness / 4.0;
+        // Cowper's factor of a full circle.
+        let factor = 6.0 * 1.3 / (7.0 + 6.0 * 0.3);
+        let turned = (radius * cosine).powi(2) / (shear * 2.0 * second) + (radius * sine).powi(2) / (young * second);
+        let moved = cosine * cosine / (factor * shear * area) + sine * sine / (young * area);
+        let wanted = coil.force * length * (turned + moved);
+        let found = at_rest(&coil, 1.0)[0];
+        println!("{thickness} {pitch} {turns} {n}: {:.2e}", found / wanted - 1.0);
+        assert!((found / wanted - 1.0).abs() < allowed);
+    }
+}
+
+/// One element that follows a whole winding would see a straight line between its ends.
+#[test]
+fn an_element_that_spans_a_winding_is_refused() {
+    let coil = Coil {
+        n: 8,
+        ..Coil::default()
+    };
+    let refused = coil
+        .build(rncf::Formulation::Rncf, rncf::Joints::Eliminated)
+        .err()
+        .map(|error| error.to_string());
+    assert!(
+        refused.is_some_and(
+            |text| text.contains("each of its 8 element(s) is bent by 3") && text.contains("take at least 3")
+        )
+    );
 }

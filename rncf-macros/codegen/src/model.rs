@@ -376,6 +376,13 @@ pub enum Line {
         /// Points, m, frame axes.
         points: Vec<[Expr; 3]>,
     },
+    /// A smooth curve along a function.
+    Path {
+        /// Position, m, frame axes, as a function of a parameter, which stands as [`Expr::Arclength`].
+        position: [Expr; 3],
+        /// The parameter at the start and at the end.
+        range: [Expr; 2],
+    },
 }
 
 /// A body from files of a finite-element program.

@@ -1,66 +1,118 @@
-//! Space curves through points: cubic splines with continuous curvature, by arclength.
+//! Smooth space curves by arclength: through points, or along a function.
+
+use std::fmt;
+use std::sync::Arc;
 
 use super::gauss::FIVE;
+use super::spline::Spline;
 use crate::space::Vector;
 
-/// Pieces of one span of the spline in the table of its arclength.
+/// Pieces of one span of a spline in the table of its arclength.
 const PIECES: usize = 16;
-/// A natural cubic spline through points, with the sum of the chords as parameter; its second derivative vanishes at both
-/// ends.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Spline {
-    /// Parameters of the points, m.
-    knots: Vec<f64>,
-    points: Vec<Vector>,
-    /// Second derivatives at the points, 1/m.
-    bends: Vec<Vector>,
-    /// Arclength (m) at parameters that divide every span evenly.
+/// Pieces of a function's parameter in that table: the fewest and the most.
+const OF_FUNCTION: [usize; 2] = [256, 1 << 16];
+/// Relative difference of the lengths by one number of pieces and by half of it, below which the length is known.
+const KNOWN: f64 = 1e-13;
+
+/// A smooth curve in space, m.
+#[derive(Clone)]
+pub struct Curve {
+    /// Position (m) and its derivative by the parameter.
+    path: Arc<dyn Fn(f64) -> [Vector; 2] + Send + Sync>,
+    /// Parameters that divide the curve into pieces.
+    places: Vec<f64>,
+    /// Arclength (m) at each of them.
     lengths: Vec<f64>,
     /// Why there is no such curve.
     mistake: Option<String>,
 }
 
-impl Spline {
-    /// Through points (m), at least two, no two neighbours at one place: [`Spline::mistake`] tells where they are not.
+impl Curve {
+    /// The natural cubic spline through points (m), at least two, no two neighbours at one place: [`Curve::mistake`] tells
+    /// where they are not.
     pub fn through(points: &[[f64; 3]]) -> Self {
-        let points: Vec<Vector> = points.iter().copied().map(Vector::from).collect();
-        let mut knots = vec![0.0];
-        let mut mistake = (points.len() < 2).then(|| "needs at least two points".to_string());
-        for (at, pair) in points.windows(2).enumerate() {
-            let chord = (pair[1] - pair[0]).norm();
-            if !(chord > 0.0 && chord.is_finite()) {
-                let (next, place) = (at + 1, pair[1].as_slice());
-                let text = format!("has its points {at} and {next} at one place, or not at finite ones: {place:?} m");
-                mistake = mistake.or(Some(text));
-            }
-            knots.push(knots[at] + chord);
-        }
-        if mistake.is_some() {
-            knots = vec![0.0, 1.0];
-        }
-        let points = if mistake.is_some() {
-            vec![Vector::zeros(), Vector::x()]
-        } else {
-            points
+        let spline = match Spline::through(points) {
+            Ok(spline) => spline,
+            Err(mistake) => return Self::none(mistake),
         };
-        let mut spline = Self {
-            bends: bends(&knots, &points),
-            lengths: vec![0.0],
-            points,
-            knots,
-            mistake,
-        };
-        for place in 0..PIECES * (spline.points.len() - 1) {
-            let (span, from) = (place / PIECES, (place % PIECES) as f64);
-            let width = (spline.knots[span + 1] - spline.knots[span]) / PIECES as f64;
-            let start = spline.knots[span] + from * width;
-            let length = spline.length_between(start, start + width);
-            spline.lengths.push(spline.lengths[place] + length);
-        }
-        spline
+        let pieces = spline.knots().windows(2).flat_map(|ends| {
+            let width = (ends[1] - ends[0]) / PIECES as f64;
+            let start = ends[0];
+            (0..PIECES).map(move |piece| start + piece as f64 * width)
+        });
+        let places = pieces.chain(spline.knots().last().copied()).collect();
+        Self::divided(Arc::new(move |at| spline.at(at)), places)
     }
 
-    /// Why there is no curve through the points, a sentence without its subject.
+    /// Along a function: position (m) and its derivative at a parameter that goes from one number to another.
+    /// [`Curve::mistake`] tells where the curve has no direction, no finite place, or no length that can be measured.
+    pub fn along(from: f64, to: f64, path: impl Fn(f64) -> [[f64; 3]; 2] + Send + Sync + 'static) -> Self {
+        let range = to - from;
+        if !(range != 0.0 && range.is_finite()) {
+            return Self::none(format!("has no length: its parameter goes from {from} to {to}"));
+        }
+        // By the part of the range, so that the curve runs forwards where the parameter goes down.
+        let whole = move |part: f64| {
+            let [position, slope] = path(from + part * range);
+            [Vector::from(position), range * Vector::from(slope)]
+        };
+        for at in 0..=OF_FUNCTION[0] {
+            let part = at as f64 / OF_FUNCTION[0] as f64;
+            let [position, slope] = whole(part);
+            let place = from + part * range;
+            if !(position.iter().chain(&slope).all(|value| value.is_finite())) {
+                return Self::none(format!(
+                    "has no finite place, or no tangent there, where its parameter is {place}"
+                ));
+            }
+            if slope.norm() <= f64::EPSILON * position.norm() {
+                return Self::none(format!(
+                    "has no direction where its parameter is {place}: its derivative vanishes there"
+                ));
+            }
+        }
+        let path: Arc<dyn Fn(f64) -> [Vector; 2] + Send + Sync> = Arc::new(whole);
+        let evenly = |count: usize| (0..=count).map(|at| at as f64 / count as f64).collect();
+        let mut count = OF_FUNCTION[0];
+        let mut curve = Self::divided(path.clone(), evenly(count));
+        while count < OF_FUNCTION[1] {
+            count *= 2;
+            let finer = Self::divided(path.clone(), evenly(count));
+            let change = (finer.length() - curve.length()).abs();
+            if change <= KNOWN * finer.length() {
+                return curve;
+            }
+            curve = finer;
+        }
+        Self::none(
+            "is not smooth: its length cannot be measured; take pieces that are, as bodies that share nodes".into(),
+        )
+    }
+
+    /// No curve: a straight line of one metre stands for it.
+    fn none(mistake: String) -> Self {
+        let straight = |at: f64| [at * Vector::x(), Vector::x()];
+        Self {
+            mistake: Some(mistake),
+            ..Self::divided(Arc::new(straight), vec![0.0, 1.0])
+        }
+    }
+
+    fn divided(path: Arc<dyn Fn(f64) -> [Vector; 2] + Send + Sync>, places: Vec<f64>) -> Self {
+        let mut curve = Self {
+            path,
+            places,
+            lengths: vec![0.0],
+            mistake: None,
+        };
+        for piece in 0..curve.places.len() - 1 {
+            let length = curve.length_between(curve.places[piece], curve.places[piece + 1]);
+            curve.lengths.push(curve.lengths[piece] + length);
+        }
+        curve
+    }
+
+    /// Why there is no such curve, a sentence without its subject.
     pub fn mistake(&self) -> Option<&str> {
         self.mistake.as_deref()
     }
@@ -72,28 +124,26 @@ impl Spline {
 
     /// Position (m) and unit tangent at the fraction `u` in [0, 1] of the arclength.
     pub fn at(&self, u: f64) -> (Vector, Vector) {
-        let (place, slope, _) = self.evaluate(self.parameter(u));
+        let [place, slope] = (self.path)(self.parameter(u));
         (place, 1.0 / slope.norm() * slope)
     }
 
     /// The parameter where the arclength is a fraction of the whole: Newton's iteration in the piece of the table.
     fn parameter(&self, u: f64) -> f64 {
         let wanted = u.clamp(0.0, 1.0) * self.length();
-        let place = self
+        let piece = self
             .lengths
             .partition_point(|&length| length <= wanted)
             .clamp(1, self.lengths.len() - 1)
             - 1;
-        let (span, from) = (place / PIECES, (place % PIECES) as f64);
-        let width = (self.knots[span + 1] - self.knots[span]) / PIECES as f64;
-        let start = self.knots[span] + from * width;
-        let share = (wanted - self.lengths[place]) / (self.lengths[place + 1] - self.lengths[place]);
-        let mut at = start + share * width;
+        let [start, end] = [self.places[piece], self.places[piece + 1]];
+        let share = (wanted - self.lengths[piece]) / (self.lengths[piece + 1] - self.lengths[piece]);
+        let mut at = start + share * (end - start);
         for _ in 0..8 {
-            let missing = wanted - self.lengths[place] - self.length_between(start, at);
-            let change = missing / self.evaluate(at).1.norm();
-            at = (at + change).clamp(start, start + width);
-            if change.abs() <= 1e-15 * self.length() {
+            let missing = wanted - self.lengths[piece] - self.length_between(start, at);
+            let change = missing / (self.path)(at)[1].norm();
+            at = (at + change).clamp(start, end);
+            if change.abs() <= 1e-15 * end.abs() {
                 break;
             }
         }
@@ -101,55 +151,22 @@ impl Spline {
     }
 
     fn length_between(&self, from: f64, to: f64) -> f64 {
-        let speed = |(place, weight): (f64, f64)| weight * self.evaluate(from + place * (to - from)).1.norm();
+        let speed = |(place, weight): (f64, f64)| weight * (self.path)(from + place * (to - from))[1].norm();
         (to - from) * FIVE.map(speed).iter().sum::<f64>()
-    }
-
-    /// Position, and first and second derivative by the parameter.
-    fn evaluate(&self, at: f64) -> (Vector, Vector, Vector) {
-        let span = self
-            .knots
-            .partition_point(|&knot| knot <= at)
-            .clamp(1, self.knots.len() - 1)
-            - 1;
-        let width = self.knots[span + 1] - self.knots[span];
-        let right = (at - self.knots[span]) / width;
-        let left = 1.0 - right;
-        let [p, q] = [self.points[span], self.points[span + 1]];
-        let [a, b] = [self.bends[span], self.bends[span + 1]];
-        let square = width * width / 6.0;
-        let combine = |of: [f64; 4]| {
-            let ends = of[0] * p + of[1] * q;
-            ends + (of[2] * a + of[3] * b)
-        };
-        let cubic = |t: f64| square * (t * t * t - t);
-        let slope = |t: f64| width / 6.0 * (3.0 * t * t - 1.0);
-        (
-            combine([left, right, cubic(left), cubic(right)]),
-            combine([-1.0 / width, 1.0 / width, -slope(left), slope(right)]),
-            combine([0.0, 0.0, left, right]),
-        )
     }
 }
 
-/// Second derivatives of the natural spline: Thomas's elimination of a tridiagonal system.
-fn bends(knots: &[f64], points: &[Vector]) -> Vec<Vector> {
-    let count = points.len();
-    let mut bends = vec![Vector::zeros(); count];
-    let mut factors = vec![0.0; count];
-    let chord = |at: usize| 1.0 / (knots[at + 1] - knots[at]) * (points[at + 1] - points[at]);
-    for at in 1..count.saturating_sub(1) {
-        let (before, after) = (knots[at] - knots[at - 1], knots[at + 1] - knots[at]);
-        let pivot = 2.0 * (before + after) - before * factors[at - 1];
-        factors[at] = after / pivot;
-        let right = 6.0 * (chord(at) - chord(at - 1));
-        bends[at] = 1.0 / pivot * (right - before * bends[at - 1]);
+impl fmt::Debug for Curve {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [start, end] = [0.0, 1.0].map(|u| self.at(u).0);
+        write!(
+            f,
+            "Curve({:?} .. {:?}, {} m)",
+            start.as_slice(),
+            end.as_slice(),
+            self.length()
+        )
     }
-    for at in (1..count.saturating_sub(1)).rev() {
-        let next = bends[at + 1];
-        bends[at] -= factors[at] * next;
-    }
-    bends
 }
 
 #[cfg(test)]
@@ -164,21 +181,20 @@ mod tests {
             [10.0 * angle.sin(), 10.0 * (1.0 - angle.cos()), 0.0]
         };
         let points: Vec<[f64; 3]> = (0..=count).map(point).collect();
-        let spline = Spline::through(&points);
+        let spline = Curve::through(&points);
         assert!((spline.length() - 10.0).abs() < 1e-5, "{}", spline.length());
         let (place, tangent) = spline.at(0.5);
         let wanted = Vector::new(10.0 * 0.5_f64.sin(), 10.0 * (1.0 - 0.5_f64.cos()), 0.0);
         assert!((place - wanted).norm() < 1e-5, "{place:?}");
         assert!((tangent[0] - 0.5_f64.cos()).abs() < 1e-5, "{tangent:?}");
-        let (_, slope, bend) = spline.evaluate(spline.parameter(0.5));
-        let curvature = slope.cross(&bend).norm() / slope.norm().powi(3);
-        assert!((curvature - 0.1).abs() < 1e-5);
+        let turn = (spline.at(0.51).1 - spline.at(0.49).1).norm() / (0.02 * spline.length());
+        assert!((turn - 0.1).abs() < 1e-5, "{turn}");
     }
 
     #[test]
     fn a_spline_through_points_of_a_line_is_the_line() {
         let points = [[0.0; 3], [1.0, 2.0, 0.0], [3.0, 6.0, 0.0], [3.5, 7.0, 0.0]];
-        let spline = Spline::through(&points);
+        let spline = Curve::through(&points);
         let end = Vector::from(points[3]);
         let whole = end.norm();
         assert!((spline.length() - whole).abs() < 1e-14 * whole);
@@ -191,7 +207,42 @@ mod tests {
 
     #[test]
     fn points_at_one_place_are_refused_by_their_number() {
-        let refused = Spline::through(&[[0.0; 3], [1.0, 0.0, 0.0], [1.0, 0.0, 0.0]]);
+        let refused = Curve::through(&[[0.0; 3], [1.0, 0.0, 0.0], [1.0, 0.0, 0.0]]);
         assert!(refused.mistake().is_some_and(|text| text.contains("points 1 and 2")));
+    }
+
+    #[test]
+    fn a_parabola_has_the_length_of_its_closed_form_in_both_directions() {
+        let parabola = |s: f64| [[s, s * s, 0.0], [1.0, 2.0 * s, 0.0]];
+        let wanted = 5.0_f64.sqrt() / 2.0 + 2.0_f64.asinh() / 4.0;
+        for (from, to, way) in [(0.0, 1.0, 1.0), (1.0, 0.0, -1.0)] {
+            let curve = Curve::along(from, to, parabola);
+            assert_eq!(curve.mistake(), None);
+            assert!((curve.length() - wanted).abs() < 1e-14);
+            let (place, tangent) = curve.at(0.3);
+            assert!((place[1] - place[0] * place[0]).abs() < 1e-15);
+            assert!((tangent[1] / tangent[0] - 2.0 * place[0]).abs() < 1e-14);
+            assert_eq!(tangent[0].signum(), way);
+        }
+    }
+
+    #[test]
+    fn functions_without_direction_place_or_length_are_refused() {
+        let cusp = Curve::along(-1.0, 1.0, |s| [[s * s, s * s * s, 0.0], [2.0 * s, 3.0 * s * s, 0.0]]);
+        assert!(
+            cusp.mistake()
+                .is_some_and(|text| text.contains("no direction where its parameter is 0"))
+        );
+        let pole = Curve::along(0.0, 1.0, |s| [[s, 1.0 / s, 0.0], [1.0, -1.0 / (s * s), 0.0]]);
+        assert!(pole.mistake().is_some_and(|text| text.contains("no finite place")));
+        let jump = Curve::along(0.0, 1.0, |s| {
+            [[s, 0.0, 0.0], [if s < 1.0 / 3.0 { 1.0 } else { 2.0 }, 0.0, 0.0]]
+        });
+        assert!(jump.mistake().is_some_and(|text| text.contains("not smooth")));
+        assert!(
+            Curve::along(1.0, 1.0, |_| [[0.0; 3]; 2])
+                .mistake()
+                .is_some_and(|text| text.contains("no length"))
+        );
     }
 }

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-use super::curve::Spline;
+use super::curve::Curve;
 use super::nodes::{Held, Nodes};
 use crate::space::Vector;
 
@@ -35,7 +35,7 @@ impl fmt::Debug for Twist {
 }
 
 /// Stress-free axis of a body, in its declared frame.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub enum Line {
     /// From a point to a point, m.
     Straight {
@@ -58,8 +58,8 @@ pub enum Line {
         /// Subtended angle, rad.
         angle: f64,
     },
-    /// A smooth curve through points.
-    Curve(Arc<Spline>),
+    /// A smooth curve through points, or along a function.
+    Curve(Curve),
     /// The interfaces of a body from elsewhere: no line, places of nodes alone.
     Nodes(Nodes),
 }
@@ -70,7 +70,7 @@ impl Line {
         match *self {
             Line::Straight { from, to } => (Vector::from(to) - Vector::from(from)).norm(),
             Line::Arc { radius, angle, .. } => radius * angle.abs(),
-            Line::Curve(ref spline) => spline.length(),
+            Line::Curve(ref curve) => curve.length(),
             Line::Nodes(ref nodes) => nodes.body().map_or(f64::NAN, |body| body.extent()),
         }
     }
@@ -108,7 +108,7 @@ impl Line {
                 let here = cosine * tangent + sine * side;
                 (Vector::from(from) + (along + across), here)
             }
-            Line::Curve(ref spline) => spline.at(u),
+            Line::Curve(ref curve) => curve.at(u),
             Line::Nodes(ref nodes) => {
                 let node = (u * (nodes.count() - 1) as f64).round() as usize;
                 let interface = match nodes.at(node) {

@@ -26,6 +26,7 @@ mod relaxed;
 mod repeated;
 mod section_energy;
 mod section_spec;
+mod spline;
 mod table;
 
 pub use crate::import::{Imported, ImportedSpec};
@@ -34,7 +35,7 @@ pub use crate::system::ConstraintLevel;
 pub use body_spec::{BodySpec, Fidelity, FrameTie, Interpolant, NodalSpec, Place};
 pub use checks::{array, array_mut, finite, inertia, non_negative, part, poisson, positive, section};
 pub use conditions::{JointConditions, MarkerConstraints, WithoutJointConditions, WithoutMarkerConstraints};
-pub use curve::Spline;
+pub use curve::Curve;
 pub use distributed::DistributedSpec;
 pub use elements::{
     Bodies, ConservingForces, WithoutBodies, WithoutConservingForces, elastic_force_one_by_one,

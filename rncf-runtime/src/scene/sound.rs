@@ -8,6 +8,9 @@ use crate::error::ModelError;
 /// Elements of one body that are surely not meant: their vectors alone would fill the memory.
 const MOST_ELEMENTS: usize = 10_000_000;
 
+/// Parts of an element over which a curve's turn is summed; a prime, so that no winding of a coil hides in one.
+const PARTS: usize = 31;
+
 /// A joint may tie a body to its own free frame; everything else between free frames is a constraint.
 pub(crate) fn check_joint(
     parts: &dyn Parts,
@@ -73,8 +76,10 @@ pub(crate) fn check_body(spec: &BodySpec) -> Result<(), ModelError> {
         Line::Straight { .. } | Line::Nodes(_) => 0.0,
         Line::Curve(_) => {
             let bent = |element: usize| {
-                let [start, end] = [element, element + 1].map(|node| spec.line.at(spec.fraction(node, 0)).1);
-                start.dot(&end).clamp(-1.0, 1.0).acos()
+                let [start, end] = [element, element + 1].map(|node| spec.fraction(node, 0));
+                let tangent = |part: usize| spec.line.at(start + part as f64 / PARTS as f64 * (end - start)).1;
+                let turn = |part: usize| tangent(part).dot(&tangent(part + 1)).clamp(-1.0, 1.0).acos();
+                (0..PARTS).map(turn).sum::<f64>()
             };
             (0..spec.count).map(bent).fold(0.0, f64::max) * spec.count as f64
         }

@@ -1,12 +1,80 @@
-//! Natural cubic splines through points, as the run time has them: what the check of starts needs to know of a curve.
+//! Smooth curves as the run time has them: what the check of starts needs to know of them.
 
 use super::start::{Vector, add, norm, scale, subtract};
 
 /// Parts of a span in the sum of its arclength.
 const PARTS: usize = 64;
 
+/// Parts of a function in that sum.
+const OF_FUNCTION: usize = 1024;
+
+/// A smooth curve by its arclength.
+pub struct Curve<'a> {
+    /// Place and slope at a parameter.
+    path: Box<dyn Fn(f64) -> (Vector, Vector) + 'a>,
+    /// Where the parts begin that its length is the sum of, and where the last one ends.
+    starts: Vec<f64>,
+}
+
+impl<'a> Curve<'a> {
+    /// Along a function of a parameter that goes from one number to another.
+    pub fn along([from, to]: [f64; 2], path: impl Fn(f64) -> [Vector; 2] + 'a) -> Self {
+        let range = to - from;
+        let path = move |part: f64| {
+            let [place, slope] = path(from + part * range);
+            (place, scale(range, slope))
+        };
+        Self {
+            path: Box::new(path),
+            starts: (0..=OF_FUNCTION).map(|at| at as f64 / OF_FUNCTION as f64).collect(),
+        }
+    }
+
+    /// The natural cubic spline through points, no two neighbours at one place.
+    pub fn through(points: &[Vector]) -> Self {
+        let spline = Spline::through(points);
+        let starts = spline.knots.windows(2).flat_map(|knots| {
+            let (start, width) = (knots[0], (knots[1] - knots[0]) / PARTS as f64);
+            (0..PARTS).map(move |part| start + part as f64 * width)
+        });
+        Self {
+            starts: starts.chain(spline.knots.last().copied()).collect(),
+            path: Box::new(move |at| spline.evaluate(at)),
+        }
+    }
+
+    /// Arclength.
+    pub fn length(&self) -> f64 {
+        self.lengths().sum()
+    }
+
+    /// Place and unit tangent at an arclength.
+    pub fn at(&self, x: f64) -> (Vector, Vector) {
+        let mut rest = x;
+        let mut found = self.starts[self.starts.len() - 1];
+        for (ends, length) in self.starts.windows(2).zip(self.lengths()) {
+            if rest <= length {
+                found = ends[0] + (ends[1] - ends[0]) * rest / length;
+                break;
+            }
+            rest -= length;
+        }
+        let (place, slope) = (self.path)(found);
+        (place, scale(1.0 / norm(slope), slope))
+    }
+
+    /// Lengths of the parts by Simpson's rule.
+    fn lengths(&self) -> impl Iterator<Item = f64> {
+        self.starts.windows(2).map(|ends| {
+            let width = ends[1] - ends[0];
+            let speed = |share: f64| norm((self.path)(ends[0] + share * width).1);
+            width / 6.0 * (speed(0.0) + 4.0 * speed(0.5) + speed(1.0))
+        })
+    }
+}
+
 /// A natural cubic spline with the sum of the chords as parameter.
-pub struct Spline {
+struct Spline {
     knots: Vec<f64>,
     points: Vec<Vector>,
     /// Second derivatives at the points.
@@ -14,8 +82,7 @@ pub struct Spline {
 }
 
 impl Spline {
-    /// Through points, no two neighbours at one place.
-    pub fn through(points: &[Vector]) -> Self {
+    fn through(points: &[Vector]) -> Self {
         let mut knots = vec![0.0];
         for pair in points.windows(2) {
             knots.push(knots[knots.len() - 1] + norm(subtract(pair[1], pair[0])));
@@ -38,45 +105,6 @@ impl Spline {
             knots,
             bends,
         }
-    }
-
-    /// Arclength.
-    pub fn length(&self) -> f64 {
-        self.steps().map(|(_, length)| length).sum()
-    }
-
-    /// Place and unit tangent at an arclength.
-    pub fn at(&self, x: f64) -> (Vector, Vector) {
-        let mut rest = x;
-        let mut found = 0.0;
-        for (start, length) in self.steps() {
-            let width = self.width(start);
-            if rest <= length {
-                found = start + width * rest / length;
-                break;
-            }
-            rest -= length;
-            found = start + width;
-        }
-        let (place, slope) = self.evaluate(found);
-        (place, scale(1.0 / norm(slope), slope))
-    }
-
-    /// Starts of the parts of all spans, and their lengths by Simpson's rule.
-    fn steps(&self) -> impl Iterator<Item = (f64, f64)> {
-        let spans = self.knots.windows(2).flat_map(|knots| {
-            let width = (knots[1] - knots[0]) / PARTS as f64;
-            (0..PARTS).map(move |part| (knots[0] + part as f64 * width, width))
-        });
-        spans.map(|(start, width)| {
-            let speed = |share: f64| norm(self.evaluate(start + share * width).1);
-            (start, width / 6.0 * (speed(0.0) + 4.0 * speed(0.5) + speed(1.0)))
-        })
-    }
-
-    fn width(&self, at: f64) -> f64 {
-        let span = self.span(at);
-        (self.knots[span + 1] - self.knots[span]) / PARTS as f64
     }
 
     fn span(&self, at: f64) -> usize {

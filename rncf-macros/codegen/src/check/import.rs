@@ -73,7 +73,7 @@ impl<'a> Check<'a> {
                 Statement::Space { area, .. } => (*area, "planar"),
                 Statement::Line { area, .. } => (*area, "line"),
                 Statement::Arc { area, .. } => (*area, "arc"),
-                Statement::Curve { area, .. } => (*area, "curve"),
+                Statement::Curve { area, .. } | Statement::Path { area, .. } => (*area, "curve"),
                 Statement::SectionY { area, .. } => (*area, "section_y"),
                 Statement::Twist { area, .. } => (*area, "twist"),
                 Statement::Mesh { area, .. } => (*area, "mesh"),

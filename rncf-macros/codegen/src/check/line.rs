@@ -3,7 +3,7 @@
 use super::body::Known;
 use super::expr::Scope;
 use super::plane::{AXES, is_zero, normal, plane};
-use super::quantity::{Vector, Wanted};
+use super::quantity::{Typed, Vector, Wanted};
 use super::start::{cross, norm};
 use super::{Check, fold, say};
 use crate::elements::Element;
@@ -19,6 +19,11 @@ const FROM: Wanted = Wanted {
 };
 const TO: Wanted = Wanted {
     what: "the end of the axis",
+    dimension: [1, 0, 0, 0, 0, 0],
+    unit: "m",
+};
+const POSITION: Wanted = Wanted {
+    what: "the axis",
     dimension: [1, 0, 0, 0, 0, 0],
     unit: "m",
 };
@@ -73,9 +78,10 @@ impl<'a> Check<'a> {
             "`line`, `arc` or `curve`",
             missing,
             |statement| match statement {
-                Statement::Line { area, .. } | Statement::Arc { area, .. } | Statement::Curve { area, .. } => {
-                    Some(*area)
-                }
+                Statement::Line { area, .. }
+                | Statement::Arc { area, .. }
+                | Statement::Curve { area, .. }
+                | Statement::Path { area, .. } => Some(*area),
                 _ => None,
             },
         )?;
@@ -83,6 +89,12 @@ impl<'a> Check<'a> {
             Statement::Line { area, from, to } => self.straight(*area, from, to, known),
             Statement::Arc { .. } => self.arc(statement, known),
             Statement::Curve { table, .. } => self.curve(table, known),
+            Statement::Path {
+                position,
+                parameter,
+                range,
+                ..
+            } => self.path(position, parameter, range, known),
             _ => None,
         }
     }
@@ -136,6 +148,56 @@ impl<'a> Check<'a> {
         let point = |row: usize| [x[row], y[row], z[row]].map(Value::Number);
         Some(Line::Curve {
             points: (0..x.len()).map(point).collect(),
+        })
+    }
+
+    /// `curve [..] for s from a to b;`
+    fn path(
+        &mut self,
+        position: &'a Expr,
+        parameter: &'a Name,
+        [from, to]: &'a [Expr; 2],
+        known: &Known,
+    ) -> Option<Line> {
+        let (start, end) = (self.expr(from, Scope::Parameter), self.expr(to, Scope::Parameter));
+        let (start, end) = (start?, end?);
+        if start.dimension != end.dimension {
+            self.unlike_terms(from, &start, to, &end);
+            return None;
+        }
+        self.same_turns((from, start.nature), (to, end.nature))?;
+        if let Some(item) = self.names.get(parameter.text.as_str()) {
+            let line = item.name.span.start().line.to_string();
+            self.errors
+                .at(parameter.span, say::curve_parameter(&parameter.text, &line));
+            return None;
+        }
+        let mut typed = Typed::new(Value::Arclength, start.dimension);
+        typed.nature = start.nature.plus(end.nature);
+        self.locals.insert(&parameter.text, typed);
+        let vector = self.vector(position, Scope::Parameter, POSITION);
+        self.locals.clear();
+        let vector = vector?;
+        self.in_space(&vector, known.space, "the axis");
+        let moving = vector.values.iter().zip(vector.areas);
+        let moving = moving.chain([(&start.value, from.area), (&end.value, to.area)]);
+        for (value, area) in moving {
+            if fold::has_motion(value) {
+                self.errors.at(area, say::CURVE_WITHOUT_TIME);
+                return None;
+            }
+        }
+        if fold::constant(&start.value).is_some_and(|start| fold::constant(&end.value) == Some(start)) {
+            self.errors.at(from.area.to(to.area), say::CURVE_RANGE);
+            return None;
+        }
+        if !vector.values.iter().any(fold::has_arclength) {
+            self.errors.at(position.area, say::curve_constant(&parameter.text));
+            return None;
+        }
+        Some(Line::Path {
+            position: vector.values,
+            range: [start.value, end.value],
         })
     }
 
@@ -227,7 +289,7 @@ impl<'a> Check<'a> {
         for statement in statements {
             let (area, normal) = match statement {
                 Statement::Arc { area, normal, .. } => (area, normal.is_some()),
-                Statement::Curve { area, .. } => (area, true),
+                Statement::Curve { area, .. } | Statement::Path { area, .. } => (area, true),
                 _ => continue,
             };
             if !can_be_curved {
@@ -285,15 +347,17 @@ impl<'a> Check<'a> {
 
     fn section_y(&mut self, value: &'a Expr, line: Option<&Line>) -> Option<[Value; 3]> {
         let vector = self.vector(value, Scope::Parameter, SECTION_Y)?;
-        let tangent = line.map(|line| match line {
-            Line::Straight { from, to } => {
-                std::array::from_fn(|axis| algebra::subtract(to[axis].clone(), from[axis].clone()))
-            }
-            Line::Arc { direction, .. } => direction.clone(),
-            Line::Imported(_) => [1.0, 0.0, 0.0].map(Value::Number),
-            Line::Curve { points } => {
-                std::array::from_fn(|axis| algebra::subtract(points[1][axis].clone(), points[0][axis].clone()))
-            }
+        let tangent = line.and_then(|line| match line {
+            Line::Straight { from, to } => Some(std::array::from_fn(|axis| {
+                algebra::subtract(to[axis].clone(), from[axis].clone())
+            })),
+            Line::Arc { direction, .. } => Some(direction.clone()),
+            Line::Imported(_) => Some([1.0, 0.0, 0.0].map(Value::Number)),
+            Line::Curve { points } => Some(std::array::from_fn(|axis| {
+                algebra::subtract(points[1][axis].clone(), points[0][axis].clone())
+            })),
+            // Its sections are checked where they are, when the model is built.
+            Line::Path { .. } => None,
         });
         let message = if is_zero(&vector.values) {
             say::ZERO_DIRECTION

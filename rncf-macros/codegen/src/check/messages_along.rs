@@ -7,6 +7,8 @@ pub const LOOKUP: &str = "a column is looked up at one place: `polar.lift(alpha)
 pub const STEP_AT_END: &str = "the first two or last two rows are at one place: a step stands between other rows";
 pub const DAMPING_ALONG: &str = "`damping` is the same along the whole body: leave out `x` and columns of tables";
 pub const CURVE_TABLE: &str = "a curve goes through points: its table needs the columns `x`, `y` and `z` in m";
+pub const CURVE_RANGE: &str = "this curve has no length: its parameter starts and ends at one value";
+pub const CURVE_WITHOUT_TIME: &str = "the axis of a body is the same at all times: leave out motions";
 pub const VARYING_ENERGY: &str =
     "a material with an `energy` has one section along the whole body: leave out `x` and columns of tables";
 pub const LAW_IN_PLANE: &str = "a section with its own stiffness bends and twists in space: write `spatial;`";
@@ -141,4 +143,12 @@ pub fn no_law_element(element: &str, section: &str) -> String {
 
 pub fn curve_off_plane(plane: &str, axis: &str, value: f64) -> String {
     format!("the body stays in the plane {plane}, and a point of its curve has {axis} = {value} m")
+}
+
+pub fn curve_parameter(name: &str, line: &str) -> String {
+    format!("`{name}` is declared in line {line}: give the curve's parameter another name")
+}
+
+pub fn curve_constant(name: &str) -> String {
+    format!("this is one point: the place on a curve depends on its parameter `{name}`")
 }

@@ -74,6 +74,11 @@ fn of_statement<'a>(statement: &'a Statement, found: &mut Vec<&'a str>) {
         | Statement::Interface { .. }
         | Statement::InterfaceModes { .. } => {}
         Statement::Curve { table, .. } => found.push(&table.text),
+        Statement::Path { position, range, .. } => {
+            std::iter::once(position)
+                .chain(range.iter())
+                .for_each(|expr| names(expr, found));
+        }
         Statement::Line { from, to, .. } => [from, to].into_iter().for_each(|expr| names(expr, found)),
         Statement::Arc {
             from,

@@ -1,9 +1,9 @@
 //! The system at t = 0 with the defaults of the parameters: poses, places, markers.
 
-use super::curve::Spline;
+use super::curve::Curve;
 use crate::model::fold::{self, of_repetition};
 use crate::model::{BodyId, Expr, FrameId, INERTIAL, Line, Location, Marker, MarkerId, Model, Space};
-use crate::symbolic::along_axis;
+use crate::symbolic::{along_axis, path_of};
 
 pub type Vector = [f64; 3];
 
@@ -194,7 +194,9 @@ impl<'m> Start<'m> {
                     add(scale(cosine, direction), scale(sine, inwards)),
                 )
             }
-            Line::Curve { points } => self.curve(points).at(x),
+            line @ (Line::Curve { .. } | Line::Path { .. }) => {
+                self.curve(line).map_or(([0.0; 3], [0.0; 3]), |curve| curve.at(x))
+            }
             Line::Imported(imported) => (imported.places[x as usize], [1.0, 0.0, 0.0]),
         }
     }
@@ -238,7 +240,7 @@ impl<'m> Start<'m> {
             }
         };
         // On a curve every section is oriented by itself.
-        let start = if matches!(body.line, Line::Curve { .. }) {
+        let start = if matches!(body.line, Line::Curve { .. } | Line::Path { .. }) {
             tangent
         } else {
             start
@@ -246,7 +248,7 @@ impl<'m> Start<'m> {
         let first = across(wanted, start).unwrap_or_else(|| normals(start)[0]);
         let part = self.arclength(id, at) / self.length(id);
         let turned = match &body.line {
-            Line::Straight { .. } | Line::Curve { .. } | Line::Imported(_) => first,
+            Line::Straight { .. } | Line::Curve { .. } | Line::Path { .. } | Line::Imported(_) => first,
             Line::Arc {
                 direction,
                 normal,
@@ -292,9 +294,19 @@ impl<'m> Start<'m> {
         }
     }
 
-    fn curve(&self, points: &[[Expr; 3]]) -> Spline {
-        let points: Vec<Vector> = points.iter().map(|point| self.vector(point)).collect();
-        Spline::through(&points)
+    /// The curve that a line is; of a straight line and an arc closed forms are known.
+    fn curve(&self, line: &Line) -> Option<Curve<'_>> {
+        match line {
+            Line::Curve { points } => {
+                let points: Vec<Vector> = points.iter().map(|point| self.vector(point)).collect();
+                Some(Curve::through(&points))
+            }
+            Line::Path { position, range } => {
+                let range = range.each_ref().map(|end| self.value(end));
+                Some(Curve::along(range, path_of(self.model, position, self.index)))
+            }
+            Line::Straight { .. } | Line::Arc { .. } | Line::Imported(_) => None,
+        }
     }
 
     /// Length of a body's axis.
@@ -302,7 +314,7 @@ impl<'m> Start<'m> {
         match &self.model.bodies[body.0].line {
             Line::Straight { from, to } => norm(subtract(self.vector(to), self.vector(from))),
             Line::Arc { radius, angle, .. } => (self.value(radius) * self.value(angle)).abs(),
-            Line::Curve { points } => self.curve(points).length(),
+            line @ (Line::Curve { .. } | Line::Path { .. }) => self.curve(line).map_or(0.0, |curve| curve.length()),
             // Places on it are numbers of its interfaces.
             Line::Imported(imported) => (imported.places.len() - 1) as f64,
         }

@@ -35,8 +35,17 @@ impl Parts<'_> {
             Line::Curve { points } => {
                 let points: Vec<String> = points.iter().map(|point| self.vector(point)).collect();
                 format!(
-                    "::rncf::emitted::Line::Curve(::rncf::emitted::Spline::through(&[{}]).into())",
+                    "::rncf::emitted::Line::Curve(::rncf::emitted::Curve::through(&[{}]))",
                     points.join(", ")
+                )
+            }
+            Line::Path { range: [from, to], .. } => {
+                let index = if body.repeat.is_some() { "instance as f64, " } else { "" };
+                format!(
+                    "::rncf::emitted::Line::Curve({{ let model = model.clone(); ::rncf::emitted::Curve::along({}, {}, move |x| {{ let mut path = [[0.0; 3]; 2]; path_{}(&model, x, {index}&mut path); path }}) }})",
+                    self.expr(from),
+                    self.expr(to),
+                    body.identifier()
                 )
             }
         }

@@ -13,7 +13,7 @@ use crate::lower::field_forces::field_forces_kernel;
 use crate::lower::forces::{ForceKernels, force_kernels};
 use crate::lower::free::free_kernel;
 use crate::lower::inertia::mass_kernel;
-use crate::lower::initial::initial_kernel;
+use crate::lower::initial::{initial_kernel, path_kernel};
 use crate::lower::joints::{JointKernels, joint_kernels};
 pub use crate::lower::loads::Reduced;
 use crate::lower::{ElasticKernels, Kernel, Variant, elastic_kernels, loads, motions};
@@ -81,6 +81,8 @@ pub struct Equations {
     pub free: Vec<(usize, Kernel)>,
     /// Start of every body that has an initial shape, with its index.
     pub initial: Vec<(usize, Kernel)>,
+    /// Axes along functions, with the index of the body.
+    pub paths: Vec<(usize, Kernel)>,
     /// Conditions of every joint: in the body's frame (`None` where that is the inertial one, or
     /// where the two move relative to each other in an unknown way), and in the inertial frame
     /// (`None` where the joint's frame moves freely).
@@ -149,6 +151,9 @@ impl Equations {
         let prescribed = frames.clone().filter(|(_, frame)| frame.free.is_none());
         let free = frames.filter_map(|(index, frame)| Some((index, frame, frame.free.as_ref()?)));
         let bodies = model.bodies.iter().enumerate();
+        let paths = bodies
+            .clone()
+            .filter_map(|(index, body)| Some((index, path_kernel(model, body)?)));
         let initial = bodies.filter_map(|(index, body)| Some((index, initial_kernel(model, body)?)));
         let outputs = loads::outputs_kernel(model);
         let mut constraints = constraint_kernels(model);
@@ -165,6 +170,7 @@ impl Equations {
                 .map(|(index, frame, free)| (index, free_kernel(model, frame, free)))
                 .collect(),
             initial: initial.collect(),
+            paths: paths.collect(),
             joints: model
                 .joints
                 .iter()
@@ -251,7 +257,12 @@ impl Equations {
     /// The functions that belong to no element.
     fn rest(&self) -> Vec<&Kernel> {
         let mut kernels: Vec<&Kernel> = Vec::new();
-        let starts = self.frames.iter().chain(&self.free).chain(&self.initial);
+        let starts = self
+            .frames
+            .iter()
+            .chain(&self.free)
+            .chain(&self.initial)
+            .chain(&self.paths);
         kernels.extend(starts.map(|(_, kernel)| kernel));
         kernels.extend(self.loads.iter().map(|(_, kernel)| kernel));
         for (referenced, absolute) in &self.joints {

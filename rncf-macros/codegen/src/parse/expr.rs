@@ -19,6 +19,7 @@ const STOP: &[&str] = &[
     "angle",
     "radius",
     "direction",
+    "for",
     "normal",
     "to",
     "from",

@@ -444,11 +444,22 @@ fn statement(cursor: &mut Cursor) -> Parsed<Statement> {
                 angle: Box::new(expr::expression(cursor)?),
             }
         }
+        "curve" if cursor.eat_word("through") => Statement::Curve {
+            area,
+            table: expr::reference(cursor, "the name of a table with columns x, y, z")?,
+        },
         "curve" => {
-            cursor.expect_word("through")?;
-            Statement::Curve {
+            let position = expr::expression(cursor)?;
+            cursor.expect_word("for")?;
+            let parameter = cursor.expect_name("the name of the curve's parameter, e.g. `s`")?;
+            cursor.expect_word("from")?;
+            let from = expr::expression(cursor)?;
+            cursor.expect_word("to")?;
+            Statement::Path {
                 area,
-                table: expr::reference(cursor, "the name of a table with columns x, y, z")?,
+                position,
+                parameter,
+                range: Box::new([from, expr::expression(cursor)?]),
             }
         }
         "section_y" | "twist" if cursor.is_punct('=') => {

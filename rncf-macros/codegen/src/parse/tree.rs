@@ -556,6 +556,17 @@ pub enum Statement {
         /// The table with the points.
         table: Name,
     },
+    /// `curve [..] for s from a to b;`
+    Path {
+        /// The word `curve`.
+        area: Area,
+        /// Position.
+        position: Expr,
+        /// Name of its parameter.
+        parameter: Name,
+        /// The parameter at the start and at the end.
+        range: Box<[Expr; 2]>,
+    },
     /// `section_y [..];`
     SectionY {
         /// The word.

@@ -21,7 +21,7 @@ pub use array::Array;
 pub use cost::Cost;
 pub use evaluate::Scalar;
 pub use invariants::{Invariant, Product, invariants};
-pub use time::{Time, along_axis, derived, unit};
+pub use time::{Time, along_axis, derived, path_of, unit};
 
 /// A node of a [`Graph`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

@@ -253,15 +253,25 @@ pub fn unit(axis: [f64; 3]) -> [f64; 3] {
 
 /// A vector at the arclength `x` and its derivative, with the parameters' defaults.
 pub fn along_axis(model: &Model, exprs: &[Expr; 3], x: f64, index: f64) -> [[f64; 3]; 2] {
+    path_of(model, exprs, index)(x)
+}
+
+/// The same as a function of the arclength, derived once.
+pub fn path_of(model: &Model, exprs: &[Expr; 3], index: f64) -> impl Fn(f64) -> [[f64; 3]; 2] + use<> {
     let mut time = Time::new(model);
     let [values, slopes] = derived(&mut time, exprs);
-    let mut inputs = HashMap::from([(time.t, 0.0), (time.x, x), (time.index, index)]);
+    let mut inputs = HashMap::from([(time.t, 0.0), (time.index, index)]);
     for (at, param) in model.params.iter().enumerate() {
         inputs.insert(time.param(at), param.default);
     }
     let roots: Vec<Id> = values.into_iter().chain(slopes).collect();
-    let numbers = time.graph.evaluate(&roots, &inputs);
-    [0, 3].map(|first| std::array::from_fn(|axis| numbers[first + axis]))
+    let (graph, x) = (time.graph, time.x);
+    move |at| {
+        let mut inputs = inputs.clone();
+        inputs.insert(x, at);
+        let numbers = graph.evaluate(&roots, &inputs);
+        [0, 3].map(|first| std::array::from_fn(|axis| numbers[first + axis]))
+    }
 }
 
 /// Components and their derivatives with respect to the arclength.

@@ -348,6 +348,17 @@ impl<'t> Unfold<'t, '_> {
                 area: *area,
                 table: self.name(at, table),
             },
+            Statement::Path {
+                area,
+                position,
+                parameter,
+                range,
+            } => Statement::Path {
+                area: *area,
+                position: self.expr(at, position),
+                parameter: parameter.clone(),
+                range: Box::new(range.each_ref().map(|expr| self.expr(at, expr))),
+            },
             Statement::SectionY { area, value } => Statement::SectionY {
                 area: *area,
                 value: self.expr(at, value),
