@@ -6,13 +6,15 @@ use std::ops::ControlFlow;
 use super::cautions;
 use super::clock::{Clock, Seconds};
 use super::coarse;
-use super::continuation::{EquilibriumProgress, EquilibriumSettings, Line, Measured};
+use super::continuation::{EquilibriumProgress, EquilibriumSettings, Line, Measured, Station};
 use super::envelopes::Envelopes;
 use super::history::History;
+use super::modes::{SeenMode, growth};
+use super::parameters::digits;
 use super::run_error::{Incomplete, RunError};
 use crate::equilibrium::{self, Kind};
 use crate::model::FrameState;
-use crate::modes::Critical;
+use crate::modes::{self, Critical};
 use crate::{AnyModel, Caution, Formulation, Joints, Scene};
 
 /// Equilibria one after the other; always in referenced coordinates with eliminated joints.
@@ -81,6 +83,26 @@ fn unstable(line: &Line) -> Option<String> {
     ))
 }
 
+/// That the last equilibrium under circulatory forces, such as following ones, is unstable though its stiffness is positive.
+fn flutter(station: &mut Station, count: usize) -> Option<String> {
+    let (scene, at, state) = (&mut *station.scene, &station.at, station.state);
+    if !modes::is_circulatory(scene, at, state) {
+        return None;
+    }
+    let Ok(found) = modes::modes(scene, at, state, modes::Wanted { count }) else {
+        return Some(
+            "Whether the last equilibrium is stable is not known: forces that come from no energy act, and its modes were not found"
+                .to_string(),
+        );
+    };
+    let seen: Vec<SeenMode> = found.iter().map(|mode| SeenMode::of(scene, at, state, mode)).collect();
+    let growth = growth(&seen)?;
+    Some(format!(
+        "The last equilibrium is unstable: under forces that come from no energy a disturbance grows by the factor e in {} s (`modes` shows how)",
+        digits(1.0 / growth, 4)
+    ))
+}
+
 /// As [`steady`] or [`static_equilibria`]; `watch` is called after every step, and ends the way by
 /// [`ControlFlow::Break`].
 ///
@@ -114,8 +136,11 @@ pub fn equilibria(
     }
     let newton_iterations = line.iterations;
     let leaps = line.warnings();
-    let unstable = (kind == Kind::Static).then(|| unstable(&line)).flatten();
-    let station = line.station();
+    let mut unstable = (kind == Kind::Static).then(|| unstable(&line)).flatten();
+    let mut station = line.station();
+    if kind == Kind::Static && incomplete.is_none() && unstable.is_none() {
+        unstable = flutter(&mut station, settings.count);
+    }
     let cautions = super::continuation::at_the_end(model, settings).cautions(0.0);
     let mut warnings = cautions::sentences(model, &cautions);
     warnings.extend(cautions::texts(station.scene.warnings(station.state)));

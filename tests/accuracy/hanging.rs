@@ -132,3 +132,28 @@ fn links_and_a_bob_hang_below_each_other() {
     assert!(found.critical.is_empty(), "{:?}", found.critical);
     assert_eq!(told(&found, "nothing holds").len(), 3, "{:?}", found.warnings);
 }
+
+rncf::model! {
+    /// Beck's column: the force on its top follows it.
+    model Beck {
+        param force = 1 N;
+        material steel { density = 7850 kg/m^3; young = 200 GPa; }
+        section bar { area = 1 cm^2; second_moment = 10 mm^4; }
+        body column { planar xy; line from [0, 0, 0] m to [1, 0, 0] m; mesh 8 * cable(bar, steel); }
+        joint foot = clamp(column.start, inertial);
+        load thrust = follower(column.end, [-force, 0]);
+        output y = column.end.y;
+    }
+}
+
+/// The stiffness of the straight column stays positive, and it flutters from 20.05 EI/L^2 on (Beck 1952).
+#[test]
+fn a_column_under_a_force_that_follows_is_told_to_flutter() {
+    for (force, is_unstable) in [(20.0, false), (20.1, true), (60.0, true)] {
+        // EI = 2 N m^2
+        let column = Beck { force: 2.0 * force };
+        let found = static_equilibria(&column, &EquilibriumSettings::default()).unwrap();
+        let told = told(&found, "forces that come from no energy");
+        assert_eq!(told.len(), usize::from(is_unstable), "{force}: {:?}", found.warnings);
+    }
+}

@@ -19,6 +19,7 @@ mod mechanisms;
 mod modal;
 mod models;
 mod multibody;
+mod orbit;
 mod orders;
 mod pendulum;
 mod pictures;

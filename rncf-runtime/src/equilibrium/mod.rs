@@ -11,6 +11,7 @@ pub use crate::model::{Kind, Spin, Uniform};
 pub use continuation::{CUTS, Continued, Equilibrium, continue_from, follow, goes_back, settle, static_load, steady};
 pub use critical::{Critical, critical_factor};
 pub use untied::untied;
+pub(crate) use untied::untied_directions;
 
 #[cfg(test)]
 mod tests;

@@ -120,6 +120,12 @@ pub fn untied(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Vec<String>
     Newton::untied(scene, at, state).into_iter().map(sentence).collect()
 }
 
+/// The motions at the state that nothing ties: directions of the unknowns.
+pub(crate) fn untied_directions(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Vec<Vec<f64>> {
+    let found = Newton::untied(scene, at, state).into_iter();
+    found.map(|motion| motion.direction).collect()
+}
+
 /// 1 or -1, the same on every machine, without a pattern in the row.
 fn sign(row: usize, k: usize) -> f64 {
     let mut bits =

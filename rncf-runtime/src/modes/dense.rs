@@ -8,15 +8,30 @@ use crate::linalg::{c64, general_eigen, negative_eigenvalues, solve_full, symmet
 const DEPENDENT: f64 = 1e-10;
 /// Eigenvalues of the inverse below this part of the largest one stand for infinite frequencies.
 const INFINITE: f64 = 1e-13;
+/// Eigenvalues of a mass matrix of unit diagonal below this are those of motions without inertia.
+const INERT: f64 = 1e-9;
 /// Most rounds in which the shift is chosen.
 const ROUNDS: usize = 8;
 
+/// What full matrices tell.
+pub(super) struct Spectrum {
+    /// The shift at which the pairs were found, 1/s.
+    pub shift: f64,
+    pub pairs: Vec<Pair>,
+    /// Number of motions that have inertia: there are as many modes, or more.
+    pub moving: usize,
+}
+
 /// All finite eigenvalues with the unknowns' vectors, pairs of conjugates both.
-pub(super) fn spectrum(pencil: &Pencil) -> Result<(f64, Vec<Pair>), Failure> {
+pub(super) fn spectrum(pencil: &Pencil) -> Result<Spectrum, Failure> {
     let basis = null_space(pencil)?;
     let k = basis.len();
     if k == 0 {
-        return Ok((1.0, Vec::new()));
+        return Ok(Spectrum {
+            shift: 1.0,
+            pairs: Vec::new(),
+            moving: 0,
+        });
     }
     let [mass, damping, stiffness] = pencil.dense().map(|full| reduced(pencil.unknowns(), &full, &basis));
     let mut shift = pencil.guess();
@@ -56,10 +71,26 @@ pub(super) fn spectrum(pencil: &Pencil) -> Result<(f64, Vec<Pair>), Failure> {
             .collect();
         match better_shift(pencil, shift, pairs.iter().cloned()) {
             Some(next) if round + 1 < ROUNDS => shift = next,
-            _ => return Ok((shift, pairs)),
+            _ => {
+                let moving = moving(k, mass)?;
+                return Ok(Spectrum { shift, pairs, moving });
+            }
         }
     }
     Err(Failure::Singular(None))
+}
+
+/// Number of motions with inertia: the rank of the mass matrix, its rows made alike.
+fn moving(k: usize, mut mass: Vec<f64>) -> Result<usize, Failure> {
+    let roots: Vec<f64> = (0..k).map(|i| mass[i * k + i].max(0.0).sqrt()).collect();
+    for i in 0..k {
+        for j in 0..k {
+            let size = roots[i] * roots[j];
+            mass[i * k + j] = if size > 0.0 { mass[i * k + j] / size } else { 0.0 };
+        }
+    }
+    let (values, _) = symmetric_eigen(k, &mass).map_err(|_| Failure::NotFound)?;
+    Ok(values.into_iter().filter(|&value| value > INERT).count())
 }
 
 /// Number of negative eigenvalues of the symmetric part of K on the null space of the constraints, from

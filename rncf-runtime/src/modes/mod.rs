@@ -23,6 +23,7 @@ pub use pencil::Pencil;
 pub use tracking::{assurance, followed, matched};
 pub use whirl::Whirl;
 
+use crate::equilibrium;
 use crate::error::{SolveError, SolveErrorKind};
 use crate::linalg::Pattern;
 use crate::model::{Scene, Uniform};
@@ -44,7 +45,10 @@ pub struct Wanted {
 /// [`SolveErrorKind::NoModes`]: the matrices are singular (naming the unknown or constraint), a value is
 /// not finite, a mode was not found to the accuracy of the matrices, or none was found though motions are free.
 pub fn modes(scene: &mut dyn Scene, at: &Uniform, state: &State, wanted: Wanted) -> Result<Vec<Mode>, SolveError> {
-    let pencil = pencil(scene, at, state);
+    // What the scene knows to have no stiffness needs not be told from round-off.
+    let mut still = scene.neutral_motions(at, state);
+    still.extend(equilibrium::untied_directions(scene, at, state));
+    let pencil = pencil(scene, at, state).without_stiffness_along(still);
     let sizes = scene.sizes().to_vec();
     let pairs = spectrum::lowest(&pencil, wanted.count).map_err(|failure| error(scene, at, &failure))?;
     Ok(pairs.into_iter().map(|pair| mode(&pencil, &sizes, pair)).collect())
@@ -60,6 +64,35 @@ pub fn modes(scene: &mut dyn Scene, at: &Uniform, state: &State, wanted: Wanted)
 pub fn unstable_directions(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Result<usize, SolveError> {
     dense::negative_stiffness(&pencil(scene, at, state)).map_err(|failure| error(scene, at, &failure))
 }
+
+/// Whether circulatory forces act, the skew part of the stiffness: then an equilibrium may be unstable in growing vibrations
+/// though its stiffness is positive, and [`unstable_directions`] does not tell.
+pub fn is_circulatory(scene: &mut dyn Scene, at: &Uniform, state: &State) -> bool {
+    let stiffness = tangent(scene, at, state).stiffness;
+    let (pattern, sizes) = (scene.pattern(), scene.sizes());
+    let places = (0..pattern.columns()).flat_map(|column| {
+        let range = pattern.starts()[column]..pattern.starts()[column + 1];
+        range.map(move |entry| (entry, pattern.indices()[entry], column))
+    });
+    let scaled = |entry: usize, row: usize, column: usize| stiffness[entry] * sizes[row] * sizes[column];
+    let mut largest = vec![0.0_f64; pattern.columns()];
+    for (entry, row, column) in places.clone() {
+        largest[row] = largest[row].max(scaled(entry, row, column).abs());
+    }
+    places
+        .clone()
+        .filter(|&(_, row, column)| row < column)
+        .any(|(entry, row, column)| {
+            let other = pattern
+                .find(column, row)
+                .map_or(0.0, |other| scaled(other, column, row));
+            let skew = (scaled(entry, row, column) - other).abs();
+            skew > CIRCULATORY * (largest[row] * largest[column]).sqrt()
+        })
+}
+
+/// Part of the stiffness of their rows from which on two entries that differ count as different.
+const CIRCULATORY: f64 = 1e-9;
 
 /// The lowest values mu of `K x = mu M x`, ascending, with the symmetric part of the co-rotating stiffness and constraints
 /// kept, 1/s^2: from `-2 spin^2`, below which turning brings none, to the first `count` positive ones. The number of negative
@@ -240,6 +273,12 @@ fn error(scene: &dyn Scene, at: &Uniform, failure: &Failure) -> SolveError {
         Failure::Nothing(free) => (
             format!(
                 "no mode was found though {free} motions are free, so that nothing is known of the stability: look for masses or stiffnesses that lie too many orders apart"
+            ),
+            None,
+        ),
+        Failure::Lost(found) => (
+            format!(
+                "beyond {found} modes some are lost to round-off: masses or stiffnesses lie too many orders apart; ask for at most {found}"
             ),
             None,
         ),

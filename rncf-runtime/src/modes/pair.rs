@@ -32,6 +32,8 @@ pub(super) enum Failure {
     Slow(usize),
     /// The mode of this number does not satisfy its equation.
     Inexact(usize),
+    /// Beyond this number of modes some were lost to round-off.
+    Lost(usize),
     /// No mode was found though this number of motions is free.
     Nothing(usize),
 }

@@ -1,7 +1,7 @@
 //! The quadratic pencil of small motions with constraints (THEORY 8.2):
 //! `(K + s C + s^2 M) x + C_x^T lambda = 0, C_x x = 0`.
 
-use crate::linalg::{Lu, Pattern, Scalar, c64};
+use crate::linalg::{Lu, Pattern, Scalar, c64, norm, normalise, reduce};
 use crate::system::Tangent;
 
 /// Round-off of the energy of a motion without stiffness, in units of that of its terms.
@@ -9,6 +9,9 @@ const ROUNDED: f64 = 8.0;
 /// Round-off of a diagonal entry of the stiffness over one of the mass, relative to the largest such quotient: what
 /// has cancelled in the row of a frame that turns with its bodies tells no frequency.
 const CANCELLED: f64 = 64.0 * f64::EPSILON;
+
+/// Part of a motion beside those that are known to have no stiffness, below which it is one of them.
+const KNOWN: f64 = 1e-4;
 
 /// Matrices of small motions with constraints, in unknowns and multipliers relative to their sizes.
 ///
@@ -27,6 +30,8 @@ pub struct Pencil {
     whole: Pattern,
     block: Vec<usize>,
     border: Vec<[usize; 2]>,
+    /// Orthonormal motions that are known to have no stiffness.
+    still: Vec<Vec<f64>>,
 }
 
 /// `K x + C_x^T lambda`, `C x` and `M x`, and `C_x x`, each summed with twice the digits.
@@ -90,7 +95,24 @@ impl Pencil {
             constraint_pattern: constraint_pattern.clone(),
             scales,
             whole,
+            still: Vec::new(),
         }
+    }
+
+    /// The same with directions of the unknowns that are known to have no stiffness.
+    pub(super) fn without_stiffness_along(mut self, directions: Vec<Vec<f64>>) -> Self {
+        for mut direction in directions {
+            direction
+                .iter_mut()
+                .zip(&self.scales)
+                .for_each(|(value, scale)| *value /= scale);
+            normalise(&mut direction);
+            if reduce(&mut direction, &self.still) > KNOWN {
+                normalise(&mut direction);
+                self.still.push(direction);
+            }
+        }
+        self
     }
 
     /// Number of unknowns n.
@@ -209,10 +231,30 @@ impl Pencil {
     /// Whether `x^H K x` is what motions slower than `lowest` have, or the round-off of the entries of K: beside a
     /// stiff part that alone is the energy of a motion without stiffness.
     pub(super) fn is_still(&self, x: &[c64], lowest: f64) -> bool {
+        if !self.still.is_empty() && self.beside_known(x.to_vec()).is_none() {
+            return true;
+        }
         let products = self.products(x, &[]);
         let along = |image: &[c64]| x.iter().zip(image).map(|(x, image)| x.conj() * image).sum::<c64>();
         let inertia = lowest * lowest * along(&products.mass).norm();
         along(&products.stiffness).norm() <= inertia + ROUNDED * f64::EPSILON * self.terms(x)
+    }
+
+    /// The motions that are known to have no stiffness.
+    pub(super) fn known_still(&self) -> impl Iterator<Item = Vec<c64>> {
+        let complex = |value: &f64| c64::new(*value, 0.0);
+        self.still
+            .iter()
+            .map(move |motion| motion.iter().map(complex).collect())
+    }
+
+    /// What a motion is beside those that are known to have no stiffness; `None` where it is made of them.
+    pub(super) fn beside_known(&self, x: Vec<c64>) -> Option<Vec<c64>> {
+        let mut re: Vec<f64> = x.iter().map(|value| value.re).collect();
+        let mut im: Vec<f64> = x.iter().map(|value| value.im).collect();
+        let whole = norm(&re).hypot(norm(&im));
+        let rest = reduce(&mut re, &self.still).hypot(reduce(&mut im, &self.still));
+        (rest > KNOWN * whole).then(|| re.into_iter().zip(im).map(|(re, im)| c64::new(re, im)).collect())
     }
 
     /// `|x|^T |K| |x|`

@@ -92,16 +92,18 @@ impl<'a> Refinement<'a> {
         let vectors = self.eigenspace(count, |pencil, x, image| {
             image.copy_from_slice(&pencil.products(x, &[]).mass)
         });
-        let pairs = vectors
+        let lowest = CLOSE * self.shift;
+        let is_still = |x: &Vec<c64>| self.pencil.is_still(x, lowest);
+        let beside = vectors
             .unwrap_or_default()
             .into_iter()
-            .map(|x| Pair { s: c64::default(), x });
-        let lowest = CLOSE * self.shift;
-        let found = independent(pairs.collect());
+            .filter(is_still)
+            .filter_map(|x| self.pencil.beside_known(x));
+        let zero = |x| Pair { s: c64::default(), x };
+        let mut found: Vec<Pair> = self.pencil.known_still().map(zero).collect();
+        found.extend(independent(beside.map(zero).collect()));
+        found.truncate(count);
         found
-            .into_iter()
-            .filter(|pair| self.pencil.is_still(&pair.x, lowest))
-            .collect()
     }
 
     /// Inverse iteration with the present factors from vectors without order, real where the factors are;

@@ -27,13 +27,17 @@ pub(super) fn lowest(pencil: &Pencil, count: usize) -> Result<Vec<Pair>, Failure
     let mut asked = count;
     loop {
         let is_small = n <= SMALL || n <= STILL_SMALL && MANY * asked >= n;
-        let (shift, pairs, is_all) = if is_small {
-            let (shift, pairs) = dense::spectrum(pencil)?;
-            (shift, pairs, true)
+        let (shift, pairs, is_all, moving) = if is_small {
+            let found = dense::spectrum(pencil)?;
+            (found.shift, found.pairs, true, found.moving)
         } else {
-            arnoldi::spectrum(pencil, asked)?
+            let (shift, pairs, is_all) = arnoldi::spectrum(pencil, asked)?;
+            (shift, pairs, is_all, 0)
         };
-        let (mut modes, is_checked) = distinct(pencil, shift, pairs, asked)?;
+        // A motion with inertia has two eigenvalues, and none of them is infinite.
+        let is_lost = pairs.len() < 2 * moving;
+        let finite = farthest(&pairs, 2 * moving);
+        let (mut modes, is_checked) = distinct(pencil, (shift, finite), pairs, asked)?;
         // Of a motion that drifts two eigenvalues make one mode.
         if modes.len() < count && !(is_all && is_checked) {
             if asked >= 2 * n {
@@ -46,15 +50,34 @@ pub(super) fn lowest(pencil: &Pencil, count: usize) -> Result<Vec<Pair>, Failure
         if modes.is_empty() && free > 0 {
             return Err(Failure::Nothing(free));
         }
+        if is_lost && modes.len() < count {
+            return Err(Failure::Lost(modes.len()));
+        }
         modes.truncate(count);
         modes.sort_by(|a, b| a.s.im.total_cmp(&b.s.im).then(a.s.re.total_cmp(&b.s.re)));
         return Ok(modes);
     }
 }
 
+/// The largest of the `count` lowest |s|.
+fn farthest(pairs: &[Pair], count: usize) -> f64 {
+    let mut speeds: Vec<f64> = pairs.iter().map(|pair| pair.s.norm()).collect();
+    speeds.sort_by(f64::total_cmp);
+    count
+        .checked_sub(1)
+        .and_then(|last| speeds.get(last).or(speeds.last()))
+        .copied()
+        .unwrap_or(0.0)
+}
+
 /// Refines the pairs of about `count` modes and joins what is one mode; the lowest |s| first. `true` if
-/// there were no more.
-fn distinct(pencil: &Pencil, shift: f64, mut pairs: Vec<Pair>, count: usize) -> Result<(Vec<Pair>, bool), Failure> {
+/// there were no more. Up to `finite` no eigenvalue stands for an infinite one.
+fn distinct(
+    pencil: &Pencil,
+    (shift, finite): (f64, f64),
+    mut pairs: Vec<Pair>,
+    count: usize,
+) -> Result<(Vec<Pair>, bool), Failure> {
     pairs.sort_by(|a, b| order(a.s, b.s));
     let slow = pairs.partition_point(|pair| pair.s.norm() <= SLOW * shift);
     let mut refinement = Refinement::new(pencil, shift);
@@ -75,7 +98,7 @@ fn distinct(pencil: &Pencil, shift: f64, mut pairs: Vec<Pair>, count: usize) -> 
         match refinement.group(group) {
             Some(group) => modes.extend(group),
             // Infinite eigenvalues come out as very large ones that fit nothing.
-            None if first.norm() >= BEYOND * shift => {}
+            None if first.norm() >= BEYOND * shift && first.norm() > finite => {}
             None if modes.len() + size > count && modes.len() >= count => {}
             None => return Err(Failure::Inexact(modes.len())),
         }
