@@ -12,7 +12,7 @@ use super::modes::{Inertial, SeenMode};
 use super::run_error::{Incomplete, RunError};
 use super::tracker::Tracker;
 use crate::AnyModel;
-use crate::equilibrium::Kind;
+use crate::equilibrium::{self, Kind};
 use crate::modes::{Composition, Critical, Whirl};
 
 /// Modes over the first column.
@@ -188,6 +188,7 @@ pub fn campbell_watched(
     diagram.warnings = cautions::cautioned(model, station.scene.warnings(station.state));
     diagram.warnings.extend(leaps);
     let (at, state) = (station.at, station.state);
+    diagram.warnings.extend(equilibrium::untied(station.scene, &at, state));
     let coarse = coarse::of_equilibrium(station.scene, &at, state);
     diagram.warnings.extend(coarse);
     diagram

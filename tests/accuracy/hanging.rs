@@ -157,3 +157,31 @@ fn a_column_under_a_force_that_follows_is_told_to_flutter() {
         assert_eq!(told.len(), usize::from(is_unstable), "{force}: {:?}", found.warnings);
     }
 }
+
+rncf::model! {
+    /// A rod in modes on a carrier that hangs on a ball joint.
+    model Carried {
+        material rubber { density = 1300 kg/m^3; young = 100 MPa; poisson = 0.3; }
+        section flat = rectangle(y = 30 mm, z = 20 mm);
+        rigid carrier { mass = 0.2 kg; inertia = [1, 1, 1] g*m^2; }
+        body rod in carrier { spatial; line from [0, 0, 0] m to [0.5, 0.2, 0.1] m; mesh 2 * beam(flat, rubber); small(4); }
+        joint grip = clamp(rod.start, carrier);
+        joint top = spherical(carrier.at([0, 0, 0] m), inertial.at([0, 0, 0] m));
+        load weight = gravity([0, 0, -9.81] m/s^2);
+        output tip = rod.end.in(inertial);
+        output reaction = top.force;
+    }
+}
+
+#[test]
+fn a_body_in_modes_that_nothing_ties_hangs_and_is_told() {
+    let found = static_equilibria(&Carried {}, &EquilibriumSettings::default()).unwrap();
+    let row = ending(&found);
+    let length = (0.25_f64 + 0.04 + 0.01).sqrt();
+    // Straight down; its four lowest modes bend it and do not stretch it.
+    assert!(row[0].abs().max(row[1].abs()) < 1e-6 * length, "{row:?}");
+    assert_near(row[2], -length, 1e-9);
+    assert_near(row[5].abs(), length * WEIGHT + 0.2 * 9.81, 1e-9);
+    assert_eq!(told(&found, "nothing holds").len(), 1, "{:?}", found.warnings);
+    assert!(found.critical.is_empty(), "{:?}", found.critical);
+}

@@ -199,6 +199,13 @@ impl Scene for ModalScene {
         restricted.collect()
     }
 
+    fn untied_motion(&mut self, at: &Uniform, state: &State, motion: &[f64]) -> Option<String> {
+        self.expand(state);
+        let shape: Vec<[f64; 2]> = motion.iter().map(|&value| [value, 0.0]).collect();
+        let full: Vec<f64> = self.expanded_shape(&shape).iter().map(|value| value[0]).collect();
+        self.scene.untied_motion(at, &self.full, &full)
+    }
+
     fn spin(&self, t: f64) -> f64 {
         self.scene.spin(t)
     }
