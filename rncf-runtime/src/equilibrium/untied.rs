@@ -4,7 +4,7 @@
 
 use super::newton::{Newton, Untied};
 use crate::linalg::{normalise, reduce};
-use crate::model::{Scene, Uniform};
+use crate::model::{Kind, Scene, Uniform};
 use crate::system::State;
 
 /// Shift of the inverse iteration, in parts of the stiffness of the rows: above round-off, below what is soft.
@@ -109,15 +109,21 @@ impl Newton {
     }
 }
 
-/// The motions at the state that nothing ties, one sentence each.
+/// The motions at the state that nothing ties, one sentence each; at rest also those that the scene knows as neutral. What
+/// turns is expected to have its phase free.
 pub fn untied(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Vec<String> {
-    let sentence = |motion: Untied| {
-        format!(
-            "{}: it stays where it was at the start, and outputs that see it are as arbitrary",
-            motion.told
-        )
+    let neutral = match at.kind {
+        Kind::Static => scene.neutral_motions(at, state),
+        Kind::Steady => Vec::new(),
     };
-    Newton::untied(scene, at, state).into_iter().map(sentence).collect()
+    let mut told: Vec<String> = neutral
+        .iter()
+        .filter_map(|motion| scene.untied_motion(at, state, motion))
+        .collect();
+    told.extend(Newton::untied(scene, at, state).into_iter().map(|motion| motion.told));
+    let sentence =
+        |told| format!("{told}: it stays where it was at the start, and outputs that see it are as arbitrary");
+    told.into_iter().map(sentence).collect()
 }
 
 /// The motions at the state that nothing ties: directions of the unknowns.
