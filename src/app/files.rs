@@ -122,6 +122,22 @@ mod tests {
         fs::remove_dir_all(&folder).unwrap();
     }
 
+    /// Who reads the old file goes on to read it, and who opens it finds the old or the new one, whole.
+    #[test]
+    fn a_file_is_replaced_and_not_written_over() {
+        let folder = temporary_folder("files-replaced");
+        create_folder(&folder).unwrap();
+        write(&folder, "a.csv", "old").unwrap();
+        fs::hard_link(folder.join("a.csv"), folder.join("reader.csv")).unwrap();
+        write(&folder, "a.csv", "new").unwrap();
+        let text = |name: &str| fs::read_to_string(folder.join(name)).unwrap();
+        assert_eq!(
+            (text("a.csv"), text("reader.csv")),
+            ("new".to_string(), "old".to_string())
+        );
+        fs::remove_dir_all(&folder).unwrap();
+    }
+
     #[test]
     fn files_of_an_earlier_result_are_taken_away() {
         let folder = temporary_folder("files-removed");

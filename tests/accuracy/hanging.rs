@@ -185,3 +185,39 @@ fn a_body_in_modes_that_nothing_ties_hangs_and_is_told() {
     assert_eq!(told(&found, "nothing holds").len(), 1, "{:?}", found.warnings);
     assert!(found.critical.is_empty(), "{:?}", found.critical);
 }
+
+rncf::model! {
+    /// A stiff panel on a hinge that leans towards x.
+    model Door {
+        param thick = 20 mm;
+        param n: count = 2;
+        material wood { density = 600 kg/m^3; young = 10 GPa; poisson = 0.3; }
+        section board = rectangle(y = thick, z = 1 m);
+        rigid post { mass = 1 kg; inertia = [1, 1, 1] kg*m^2; }
+        joint hinge = revolute(inertial.at([0, 0, 0] m), post, axis = [0.1, 0, 1]);
+        body panel { spatial; line from [0, 0, 0] m to [0, 0.8, 0] m; section_y [1, 0, 0]; mesh n * beam(board, wood); }
+        joint screws = weld(post, panel.start);
+        load weight = gravity([0, 0, -9.81] m/s^2);
+        output tip = panel.end;
+        output angle = hinge.angle;
+    }
+}
+
+/// The panel ends where it hangs lowest, and sags there a little: less than F L^3 / 8 E I.
+#[test]
+fn a_stiff_panel_swings_to_where_its_hinge_leans() {
+    for thick in [0.02, 0.06] {
+        let weight = 600.0 * 9.81 * thick * 0.8;
+        let sag = weight * 0.1 * 0.8_f64.powi(3) / (8.0 * 10e9 * thick.powi(3) / 12.0);
+        for n in [1, 2, 4] {
+            let found = static_equilibria(&Door { thick, n }, &EquilibriumSettings::default()).unwrap();
+            let row = ending(&found);
+            assert_near(row[2], -0.08 / 1.01_f64.sqrt(), 1e-6 + 0.2 * sag / 0.08);
+            assert!(row[1].abs() < sag, "{thick} {n}: {row:?}");
+            assert!(
+                (row[3] + std::f64::consts::FRAC_PI_2).abs() < 2.0 * sag,
+                "{thick} {n}: {row:?}"
+            );
+        }
+    }
+}

@@ -154,6 +154,21 @@ mod tests {
         assert!((at(0.25) - 1.0).abs() < 1e-14);
     }
 
+    /// Fritsch and Butland's mean of the slopes 1 and 1/2 of spans of 1 and 2: (5 + 4) / (5 / 1 + 4 / (1/2)).
+    #[test]
+    fn slopes_of_smooth_columns_are_weighted_harmonic_means() {
+        static ROWS: Table = Table {
+            name: "rows",
+            places: &[0.0, 1.0, 3.0],
+            is_relative: false,
+            is_smooth: true,
+            columns: &[&[0.0, 1.0, 2.0]],
+        };
+        for place in [1.0, 1.0_f64.next_down()] {
+            assert!((ROWS.look_up(0, 1, place) - 9.0 / 13.0).abs() < 1e-14, "{place}");
+        }
+    }
+
     #[test]
     fn looked_up_columns_have_their_slope_and_end_at_the_last_row() {
         static POLAR: Table = Table {

@@ -20,6 +20,8 @@ pub const CUTS: [f64; 2] = [0.5, 0.25];
 
 /// Distance, relative to the sizes of the unknowns, at which a way back has come to where it began.
 pub(super) const RETURNED: f64 = 1e-6;
+/// Distance over the sizes from where a flow ended that its equilibrium may have.
+const NEAR: f64 = 0.1;
 
 /// An equilibrium and the way to it.
 #[derive(Clone, Debug, PartialEq)]
@@ -183,13 +185,27 @@ pub(super) fn settled(scene: &mut dyn Scene, newton: &mut Newton, at: &Uniform) 
         newton.pace(scene, at, &state)
     };
     newton.flow(scene, at, &mut state, speed).ok()?;
-    let (result, iterations) = newton.solve(scene, at, &mut state, Patience::Strict);
+    let near = state.clone();
+    let (mut result, mut iterations) = newton.solve(scene, at, &mut state, Patience::Strict);
+    let mut negative = newton.count(at);
+    if result.is_err() {
+        // Where a stiff body swings, every third increment swings it and the others only take back how that stretched it:
+        // increments grow and shrink in turns. What is found so must be where the flow ended, and stable.
+        let more;
+        state.clone_from(&near);
+        (result, more) = newton.solve(scene, at, &mut state, Patience::Patient);
+        iterations += more;
+        negative = newton.count(at);
+        if distance(scene, &near, &state) > NEAR || negative.is_some_and(|count| count > 0) {
+            return None;
+        }
+    }
     result.ok()?;
     Some(Continued {
         scale: at.scale,
         state,
         iterations,
-        negative: newton.count(at),
+        negative,
         strayed: false,
         moved_far: true,
     })
