@@ -188,17 +188,20 @@ def asked(folder, tests):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--folder", type=Path)
+    parser.add_argument("--check", action="store_true", help="only whether each text still stands once")
     parser.add_argument("--only", type=lambda text: text.split(","))
     arguments = parser.parse_args()
     root = Path(subprocess.run(["git", "rev-parse", "--show-toplevel"], check=True, capture_output=True, text=True).stdout.strip())
     os.chdir(root)
-    folder = arguments.folder or Path(tempfile.mkdtemp(prefix="rncf-faults-"))
-    copied(folder)
     chosen = {name: fault for name, fault in FAULTS.items() if not arguments.only or name in arguments.only}
     for name, (file, text, _, _) in chosen.items():
-        count = (folder / file).read_text().count(text)
+        count = (root / file).read_text().count(text)
         if count != 1:
             sys.exit(f"{name}: its text stands {count} times in {file}, and it must stand once: renew the fault")
+    if arguments.check:
+        return
+    folder = arguments.folder or Path(tempfile.mkdtemp(prefix="rncf-faults-"))
+    copied(folder)
     missed = 0
     for name, (file, text, replacement, tests) in chosen.items():
         path = folder / file
