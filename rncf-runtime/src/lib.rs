@@ -21,7 +21,7 @@ pub mod system;
 
 pub use equilibrium::{Equilibrium, steady};
 pub use error::{ModelError, SolveError};
-pub use integrate::{Integrator, Method, Options, Statistics, StepSize, Stop};
+pub use integrate::{Integrator, Method, Options, Parameter, Statistics, StepSize, Stop};
 pub use modal::build_as;
 pub use model::{
     Ancf, AnyModel, Caution, Formulated, Formulation, Joints, Model, Output, Param, ParamKind, Rncf, RunDefaults,

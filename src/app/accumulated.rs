@@ -41,8 +41,7 @@ pub(super) fn accumulated(
     goes_on: &mut dyn FnMut() -> bool,
 ) -> Option<String> {
     let Ended { method, options, .. } = run;
-    let is_second = matches!(method, Method::Hht { .. } | Method::GeneralizedAlpha { .. });
-    if !is_second || options.step != StepSize::Adaptive || run.steps < STEPS {
+    if !method.adds_up() || options.step != StepSize::Adaptive || run.steps < STEPS {
         return None;
     }
     let afforded = (AFFORDED / scene.unknowns().max(1)) as u64;

@@ -406,40 +406,30 @@ fn fidelity(matches: &ArgMatches) -> Result<Vec<(String, Fidelity)>, String> {
 }
 
 fn method(matches: &ArgMatches) -> Result<Method, String> {
-    let name = text(matches, "integrator").unwrap_or("radau");
-    let (alpha, rho_inf) = (number(matches, "alpha")?, number(matches, "rho-inf")?);
-    if alpha.is_some() && name != "hht" {
-        return Err(format!("`--alpha` belongs to `--integrator hht`; this run uses {name}"));
+    let name = text(matches, "integrator").unwrap_or(Method::ALL[0].name());
+    let mut method = Method::named(name).unwrap_or(Method::ALL[0]);
+    for other in Method::ALL {
+        let Some(own) = other.parameter() else { continue };
+        let flag = own.name.replace('_', "-");
+        let Some(value) = number(matches, &flag)? else {
+            continue;
+        };
+        if other.name() != name {
+            return Err(format!(
+                "`--{flag}` belongs to `--integrator {}`; this run uses {name}",
+                other.name()
+            ));
+        }
+        if !own.allows(value) {
+            let [low, high] = own.bounds();
+            return Err(format!(
+                "`--{flag} {value}`: {} lies between {low} and {high}, e.g. `--{flag} {}`",
+                own.meaning, own.value
+            ));
+        }
+        method = method.with(value);
     }
-    if rho_inf.is_some() && name != "generalized-alpha" {
-        return Err(format!(
-            "`--rho-inf` belongs to `--integrator generalized-alpha`; this run uses {name}"
-        ));
-    }
-    if let Some(alpha) = alpha
-        && !(-1.0 / 3.0 - 1e-12..=0.0).contains(&alpha)
-    {
-        return Err(format!(
-            "`--alpha {alpha}`: alpha lies between -1/3 and 0, e.g. `--alpha -0.05`"
-        ));
-    }
-    if let Some(rho) = rho_inf
-        && !(0.0..=1.0).contains(&rho)
-    {
-        return Err(format!(
-            "`--rho-inf {rho}`: the spectral radius lies between 0 and 1, e.g. `--rho-inf 0.8`"
-        ));
-    }
-    Ok(match name {
-        "hht" => Method::Hht {
-            alpha: alpha.unwrap_or(-0.05),
-        },
-        "generalized-alpha" => Method::GeneralizedAlpha {
-            rho_inf: rho_inf.unwrap_or(0.8),
-        },
-        "energy" => Method::EnergyMomentum,
-        _ => Method::Radau,
-    })
+    Ok(method)
 }
 
 pub(super) fn text<'m>(matches: &'m ArgMatches, name: &str) -> Option<&'m str> {

@@ -8,7 +8,18 @@ use super::arguments::Program;
 use super::command::{Command, Frequency};
 use super::help::{about, after_help};
 use super::{advise, chart, plan};
-use crate::AnyModel;
+use crate::{AnyModel, Method};
+
+/// Names of the methods of integration.
+static METHODS: [&str; Method::ALL.len()] = {
+    let mut names = [""; Method::ALL.len()];
+    let mut at = 0;
+    while at < names.len() {
+        names[at] = Method::ALL[at].name();
+        at += 1;
+    }
+    names
+};
 
 /// A flag with a value, which may begin with a minus.
 pub(super) fn value(name: &'static str, placeholder: &'static str, help: &'static str) -> Arg {
@@ -49,8 +60,8 @@ pub(super) fn command_line(model: &dyn AnyModel, program: &Program<'_>) -> clap:
         .arg(choice(
             "integrator",
             "METHOD",
-            &["hht", "generalized-alpha", "radau", "energy"],
-            "hht, generalized-alpha, radau (default) or energy (conserves it; ANCF)",
+            &METHODS,
+            "radau (default), hht, generalized-alpha or energy (conserves it; ANCF)",
         ))
         .arg(value(
             "rtol",

@@ -16,7 +16,7 @@ use super::{mass_table, section_table};
 use crate::equilibrium::Kind;
 use crate::model::Fidelity;
 use crate::modes::{Composition, Critical, Whirl};
-use crate::{AnyModel, Joints, Method, ParamKind, Start, StepSize};
+use crate::{AnyModel, Joints, ParamKind, Start, StepSize};
 
 /// Keys in the order in which they are written.
 pub(super) type Summary = Map<String, Value>;
@@ -357,17 +357,9 @@ pub(super) fn settings(summary: &mut Summary, settings: &RunSettings) {
     if !settings.fidelity.is_empty() {
         put(summary, "fidelity", json!(described(&settings.fidelity)));
     }
-    match settings.method {
-        Method::Radau => put(summary, "integrator", json!("radau")),
-        Method::EnergyMomentum => put(summary, "integrator", json!("energy")),
-        Method::Hht { alpha } => {
-            put(summary, "integrator", json!("hht"));
-            put(summary, "alpha", json!(alpha));
-        }
-        Method::GeneralizedAlpha { rho_inf } => {
-            put(summary, "integrator", json!("generalized-alpha"));
-            put(summary, "rho_inf", json!(rho_inf));
-        }
+    put(summary, "integrator", json!(settings.method.name()));
+    if let Some(own) = settings.method.parameter() {
+        put(summary, own.name, json!(own.value));
     }
     put(summary, "stabilised", json!(settings.options.stabilised));
     put(summary, "rtol", json!(settings.options.rtol));

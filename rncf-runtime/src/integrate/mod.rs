@@ -17,6 +17,7 @@ mod energy;
 mod history;
 mod lasting;
 mod levers;
+mod method;
 mod newton;
 mod noise;
 mod options;
@@ -33,7 +34,8 @@ mod watch;
 #[cfg(test)]
 mod tests;
 
-pub use options::{Method, Options, StepSize};
+pub use method::{Method, Parameter};
+pub use options::{Options, StepSize};
 pub use statistics::Statistics;
 
 use crate::error::SolveError;

@@ -1,24 +1,6 @@
-//! Method and options of an integration.
+//! Options of an integration.
 
-/// Integration method.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Method {
-    /// HHT-alpha for index 3 (THEORY 7.1); alpha in [-1/3, 0], default -0.05.
-    Hht {
-        /// Numerical dissipation, [-1/3, 0].
-        alpha: f64,
-    },
-    /// Generalized-alpha (THEORY 7.2); spectral radius at infinite frequency in [0, 1], default 0.8.
-    GeneralizedAlpha {
-        /// Spectral radius at infinite frequency.
-        rho_inf: f64,
-    },
-    /// Radau IIA with three stages, order 5 (THEORY 7.5).
-    Radau,
-    /// Energy and momentum exactly, order 2: elastic forces between the two ends of a step that do the work of the
-    /// change of energy. For models that conserve energy and have a constant mass, see [`crate::System::conserving`].
-    EnergyMomentum,
-}
+use super::method::Method;
 
 /// Step size control.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -76,11 +58,10 @@ impl Options {
     /// `rtol_local = (rtol / C)^(3/2)` with C = 3 makes it about `rtol`. Radau's estimate is of order 4 and so are, with dense
     /// output or stiff motions, its global errors: they follow the tolerance as it is, with a constant near 1.
     pub fn local_tolerance(&self, method: Method) -> f64 {
-        match method {
-            Method::Hht { .. } | Method::GeneralizedAlpha { .. } if self.proportional => {
-                (self.rtol / ALPHA_CONSTANT).powf(1.5)
-            }
-            _ => self.rtol,
+        if self.proportional && method.adds_up() {
+            (self.rtol / ALPHA_CONSTANT).powf(1.5)
+        } else {
+            self.rtol
         }
     }
 }

@@ -28,12 +28,10 @@ pub(super) fn check_settings(t: f64, t_end: f64, method: Method, options: &Optio
         }
     };
     let positive = |value: f64| value > 0.0 && value.is_finite();
-    match method {
-        Method::Hht { alpha } => check((-1.0 / 3.0..=0.0).contains(&alpha), "alpha", alpha, "within [-1/3, 0]")?,
-        Method::GeneralizedAlpha { rho_inf } => {
-            check((0.0..=1.0).contains(&rho_inf), "rho_inf", rho_inf, "within [0, 1]")?
-        }
-        Method::Radau | Method::EnergyMomentum => {}
+    if let Some(own) = method.parameter() {
+        let [low, high] = own.bounds();
+        let is_within = own.range.contains(&own.value);
+        check(is_within, own.name, own.value, &format!("within [{low}, {high}]"))?;
     }
     check(positive(options.rtol), "rtol", options.rtol, "positive and finite")?;
     check(
@@ -57,11 +55,10 @@ pub(super) fn check_settings(t: f64, t_end: f64, method: Method, options: &Optio
 /// Checks that a method on constraints of index 3 has dissipation: without any, errors of the multipliers grow from
 /// step to step, however short the steps are (THEORY 10, T1).
 pub(super) fn check_dissipation(constraints: usize, method: Method, options: &Options) -> Result<(), SolveErrorKind> {
-    let undamped = match method {
-        Method::Hht { alpha: 0.0 } => "alpha = 0",
-        Method::GeneralizedAlpha { rho_inf: 1.0 } => "rho_inf = 1",
-        _ => return Ok(()),
+    let Some(own) = method.parameter().filter(|own| own.value == own.undamped) else {
+        return Ok(());
     };
+    let undamped = format!("{} = {}", own.name, own.value);
     if constraints == 0 || options.stabilised {
         return Ok(());
     }

@@ -84,41 +84,36 @@ pub(super) fn integrators(matches: &ArgMatches) -> Result<Vec<Method>, String> {
     list(matches, "integrators", INTEGRATORS, integrator)
 }
 
-const METHODS: [&str; 4] = ["radau", "hht", "generalized-alpha", "energy"];
-
 /// A method with its parameter behind a colon.
 fn integrator(word: &str) -> Result<Method, String> {
     let (name, parameter) = match word.split_once(':') {
         Some((name, parameter)) => (name, Some(parameter)),
         None => (word, None),
     };
-    let number = |default: f64, low: f64, high: f64, example: &str| match parameter.map(str::parse::<f64>) {
-        None => Ok(default),
-        Some(Ok(value)) if (low - 1e-12..=high).contains(&value) => Ok(value),
-        Some(_) => Err(format!(
-            "`--integrators {word}`: the number lies between {} and {high}, e.g. `{example}`",
-            if low < 0.0 { "-1/3" } else { "0" }
-        )),
+    let Some(method) = Method::named(name) else {
+        return Err(unknown("integrators", name, &Method::ALL.map(Method::name)));
     };
-    match name {
-        "radau" | "energy" if parameter.is_some() => Err(format!("`--integrators {word}`: {name} has no parameter")),
-        "radau" => Ok(Method::Radau),
-        "energy" => Ok(Method::EnergyMomentum),
-        "hht" => number(-0.05, -1.0 / 3.0, 0.0, "hht:-0.3").map(|alpha| Method::Hht { alpha }),
-        "generalized-alpha" => {
-            number(0.8, 0.0, 1.0, "generalized-alpha:0.8").map(|rho_inf| Method::GeneralizedAlpha { rho_inf })
+    let Some(parameter) = parameter else { return Ok(method) };
+    let Some(own) = method.parameter() else {
+        return Err(format!("`--integrators {word}`: {name} has no parameter"));
+    };
+    match parameter.parse::<f64>() {
+        Ok(value) if own.allows(value) => Ok(method.with(value)),
+        _ => {
+            let [low, high] = own.bounds();
+            Err(format!(
+                "`--integrators {word}`: the number lies between {low} and {high}, e.g. `{name}:{}`",
+                own.value
+            ))
         }
-        _ => Err(unknown("integrators", name, &METHODS)),
     }
 }
 
 /// The word that stands for a method in lists, files and charts: `hht:-0.05`.
 pub(in crate::app) fn method_name(method: Method) -> String {
-    match method {
-        Method::Radau => "radau".into(),
-        Method::EnergyMomentum => "energy".into(),
-        Method::Hht { alpha } => format!("hht:{}", short(alpha)),
-        Method::GeneralizedAlpha { rho_inf } => format!("generalized-alpha:{}", short(rho_inf)),
+    match method.parameter() {
+        Some(own) => format!("{}:{}", method.name(), short(own.value)),
+        None => method.name().into(),
     }
 }
 
