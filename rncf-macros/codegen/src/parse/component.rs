@@ -4,6 +4,7 @@ use proc_macro2::Delimiter;
 
 use super::cursor::{Cursor, Parsed};
 use super::messages as say;
+use super::recover::recover;
 use super::tree::{Keyword, Name, Parameter, ParameterKind, Tree};
 use super::{expr, item, unit};
 use crate::errors::Errors;
@@ -46,7 +47,7 @@ pub fn component(cursor: &mut Cursor, doc: String, tree: &mut Tree, is_in_loop: 
         Ok(name) => name,
         Err(mistake) => {
             errors.push(mistake);
-            return item::recover(cursor);
+            return recover(cursor);
         }
     };
     let mut component = Tree {
@@ -59,7 +60,7 @@ pub fn component(cursor: &mut Cursor, doc: String, tree: &mut Tree, is_in_loop: 
     let Some(group) = cursor.eat_group(Delimiter::Brace) else {
         errors.push(cursor.expected("`{` and the items of the component"));
         tree.lost.push(component.name.text);
-        return item::recover(cursor);
+        return recover(cursor);
     };
     item::items(&mut Cursor::of(&group), &mut component, None, errors);
     component.complete = errors.len() == before;

@@ -3,8 +3,10 @@
 use proc_macro2::{Delimiter, TokenTree};
 
 use super::cursor::{Cursor, Parsed};
-use super::item::{check_name, documentation, recover_before};
+use super::documentation::documentation;
+use super::item::check_name;
 use super::messages as say;
+use super::recover::recover_before;
 use super::tree::{ElementKind, ElementStatement, Expr, ItemKind, Name, UnitText, When};
 use super::{expr, unit};
 use crate::errors::{Errors, Mistake};

@@ -11,7 +11,7 @@ use quote::quote;
 use super::cursor::{Cursor, Parsed};
 use super::messages as say;
 use super::tree::{Keyword, Name, Tree};
-use super::{item, visibility};
+use super::{documentation, item, visibility};
 use crate::errors::{Errors, Mistake};
 
 /// What stands in a library beside components.
@@ -38,7 +38,7 @@ pub struct Library {
 /// `[visibility] library name { items }`, all of what is given.
 pub fn library(tokens: TokenStream, errors: &mut Errors) -> Parsed<Library> {
     let mut cursor = Cursor::new(tokens, Span::call_site());
-    item::documentation(&mut cursor, errors);
+    documentation::documentation(&mut cursor, errors);
     let visibility = visibility(&mut cursor);
     if cursor.is_word("use") {
         return Err(Mistake::new(cursor.here(), say::USE_IN_LIBRARY));

@@ -88,14 +88,17 @@
 pub mod ascii;
 pub(crate) mod component;
 pub(crate) mod cursor;
+mod documentation;
 mod element;
 mod expr;
 mod import;
 mod item;
 pub mod library;
 mod messages;
+mod recover;
 mod repeat;
 mod source;
+mod statement;
 mod table;
 pub mod tree;
 pub(crate) mod unit;
@@ -140,7 +143,7 @@ pub fn parse(tokens: TokenStream, errors: &mut Errors) -> Option<Tree> {
 
 /// Documentation, visibility, `model`, name.
 fn head(cursor: &mut Cursor, errors: &mut Errors) -> Parsed<Tree> {
-    let doc = item::documentation(cursor, errors);
+    let doc = documentation::documentation(cursor, errors);
     let visibility = visibility(cursor);
     if !cursor.eat_word("model") {
         return Err(cursor.expected("`model Name { .. }`"));

@@ -4,6 +4,7 @@ use proc_macro2::{Delimiter, Group, Span, TokenTree};
 
 use super::cursor::{Cursor, Parsed};
 use super::messages as say;
+use super::recover::recover;
 use super::tree::{Expr, ExprKind, Item, Keyword, Loop, Name, Reduced, Tree};
 use super::{expr, item};
 use crate::errors::{Errors, Mistake};
@@ -21,7 +22,7 @@ pub fn repeated(cursor: &mut Cursor, tree: &mut Tree, outer: Option<usize>, erro
         None
     });
     let Some(group) = cursor.eat_group(Delimiter::Brace) else {
-        return item::recover(cursor);
+        return recover(cursor);
     };
     let (at, first) = (tree.loops.len(), tree.items.len());
     let items = first..first;

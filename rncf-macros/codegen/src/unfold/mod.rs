@@ -10,6 +10,7 @@ mod messages;
 mod names;
 mod part;
 mod reduce;
+mod statement;
 mod write;
 
 use std::collections::{HashMap, HashSet};

@@ -1,10 +1,11 @@
 //! Items as they are written: with the names and numbers that they refer to.
 
+use super::statement::own_names;
 use super::{Place, Planned, Reached, Step, Unfold, say};
 use crate::errors::Area;
 use crate::parse::tree::{
-    Argument, Call, Caution, ElementKind, ElementStatement, Expr, ExprKind, Field, Fields, Given, If, Item, ItemKind,
-    Keyword, Loop, Name, Parameter, Statement, Tree,
+    Argument, Call, Caution, Expr, ExprKind, Field, Fields, Given, If, Item, ItemKind, Keyword, Loop, Name, Parameter,
+    Tree,
 };
 
 /// Deepest expression that becomes of those that stand for each other.
@@ -235,7 +236,7 @@ impl<'t> Unfold<'t, '_> {
     }
 
     /// A name where no expression stands: of a frame or table.
-    fn name(&mut self, at: &Place, name: &'t Name) -> Name {
+    pub(super) fn name(&mut self, at: &Place, name: &'t Name) -> Name {
         let (reached, area) = match &name.path {
             Some(path) => (self.reach(at, path), path.area),
             None => (self.reach_name(at, name), Area::from(name.span)),
@@ -271,7 +272,7 @@ impl<'t> Unfold<'t, '_> {
         }
     }
 
-    fn arguments(&mut self, at: &Place, arguments: &'t [Argument]) -> Vec<Argument> {
+    pub(super) fn arguments(&mut self, at: &Place, arguments: &'t [Argument]) -> Vec<Argument> {
         let argument = |argument: &'t Argument| Argument {
             name: argument.name.clone(),
             value: self.expr(at, &argument.value),
@@ -280,7 +281,7 @@ impl<'t> Unfold<'t, '_> {
     }
 
     /// A call of something of the language.
-    fn call(&mut self, at: &Place, call: &'t Call) -> Call {
+    pub(super) fn call(&mut self, at: &Place, call: &'t Call) -> Call {
         Call {
             name: call.name.clone(),
             arguments: self.arguments(at, &call.arguments),
@@ -312,132 +313,8 @@ impl<'t> Unfold<'t, '_> {
         }
     }
 
-    fn statement(&mut self, at: &Place, statement: &'t Statement) -> Statement {
-        let mut boxed = |expr: &'t Expr| Box::new(self.expr(at, expr));
-        match statement {
-            Statement::Space { .. }
-            | Statement::FrameTie { .. }
-            | Statement::Import { .. }
-            | Statement::Interface { .. }
-            | Statement::InterfaceModes { .. } => statement.clone(),
-            Statement::Damping { area, value } => Statement::Damping {
-                area: *area,
-                value: self.expr(at, value),
-            },
-            Statement::Line { area, from, to } => Statement::Line {
-                area: *area,
-                from: self.expr(at, from),
-                to: self.expr(at, to),
-            },
-            Statement::Arc {
-                area,
-                from,
-                direction,
-                normal,
-                radius,
-                angle,
-            } => Statement::Arc {
-                area: *area,
-                direction: boxed(direction),
-                normal: normal.as_ref().map(|normal| boxed(normal)),
-                radius: boxed(radius),
-                angle: boxed(angle),
-                from: self.expr(at, from),
-            },
-            Statement::Curve { area, table } => Statement::Curve {
-                area: *area,
-                table: self.name(at, table),
-            },
-            Statement::Path {
-                area,
-                position,
-                parameter,
-                range,
-            } => Statement::Path {
-                area: *area,
-                position: self.expr(at, position),
-                parameter: parameter.clone(),
-                range: Box::new(range.each_ref().map(|expr| self.expr(at, expr))),
-            },
-            Statement::SectionY { area, value } => Statement::SectionY {
-                area: *area,
-                value: self.expr(at, value),
-            },
-            Statement::Twist { area, value } => Statement::Twist {
-                area: *area,
-                value: self.expr(at, value),
-            },
-            Statement::Fidelity { word, count } => Statement::Fidelity {
-                word: word.clone(),
-                count: count.as_ref().map(|count| self.expr(at, count)),
-            },
-            Statement::Initial { word, area, value } => Statement::Initial {
-                word: word.clone(),
-                area: *area,
-                value: self.expr(at, value),
-            },
-            Statement::Mesh {
-                area,
-                count,
-                stations,
-                element,
-            } => Statement::Mesh {
-                area: *area,
-                count: self.expr(at, count),
-                stations: stations.as_ref().map(|table| self.name(at, table)),
-                element: Call {
-                    name: self.element(at, &element.name),
-                    ..self.call(at, element)
-                },
-            },
-        }
-    }
-
-    /// A statement of an element: its formulas may read what stands around it.
-    fn of_element(&mut self, at: &Place, statement: &'t ElementStatement) -> ElementStatement {
-        let kind = match &statement.kind {
-            ElementKind::Coefficient { name, unit, value } => ElementKind::Coefficient {
-                name: name.clone(),
-                unit: unit.clone(),
-                value: self.expr(at, value),
-            },
-            ElementKind::Definition {
-                is_strain,
-                name,
-                when,
-                value,
-            } => ElementKind::Definition {
-                is_strain: *is_strain,
-                name: name.clone(),
-                when: when.clone(),
-                value: self.expr(at, value),
-            },
-            ElementKind::Energy {
-                name,
-                when,
-                value,
-                stress,
-                points,
-                nature,
-            } => ElementKind::Energy {
-                name: name.clone(),
-                when: when.clone(),
-                value: self.expr(at, value),
-                stress: stress.as_ref().map(|stress| self.expr(at, stress)),
-                points: points.clone(),
-                nature: nature.clone(),
-            },
-            other => other.clone(),
-        };
-        ElementStatement {
-            doc: statement.doc.clone(),
-            word: statement.word.clone(),
-            kind,
-        }
-    }
-
     /// The element of a mesh as it is written: that of the component, or of the model.
-    fn element(&mut self, at: &Place, name: &'t Name) -> Name {
+    pub(super) fn element(&mut self, at: &Place, name: &'t Name) -> Name {
         match self.scope_of(at, &name.text) {
             Some(scope) if self.scopes[scope].names[name.text.as_str()].item.keyword == Keyword::Element => {
                 self.renamed(scope, name)
@@ -591,17 +468,4 @@ impl<'t> Unfold<'t, '_> {
         self.depth -= height;
         found
     }
-}
-
-/// Names that an element gives to what is in it, and those of what it is made of.
-fn own_names(statements: &[ElementStatement]) -> Vec<&str> {
-    let own = statements.iter().filter_map(|statement| match &statement.kind {
-        ElementKind::Domain { coordinate: name }
-        | ElementKind::Vector { name, .. }
-        | ElementKind::Field { name, .. }
-        | ElementKind::Coefficient { name, .. }
-        | ElementKind::Definition { name, .. } => Some(name.text.as_str()),
-        _ => None,
-    });
-    own.chain(["material", "section"]).collect()
 }
