@@ -221,3 +221,41 @@ fn a_stiff_panel_swings_to_where_its_hinge_leans() {
         }
     }
 }
+
+rncf::model! {
+    /// The same panel on a vertical hinge, which the wind turns.
+    model Vane {
+        param wind = 10 N/m;
+        material wood { density = 600 kg/m^3; young = 10 GPa; poisson = 0.3; }
+        section board = rectangle(y = 20 mm, z = 1 m);
+        rigid post { mass = 1 kg; inertia = [1, 1, 1] kg*m^2; }
+        joint hinge = revolute(inertial.at([0, 0, 0] m), post, axis = z);
+        body panel { spatial; line from [0, 0, 0] m to [0, 0.8, 0] m; section_y [1, 0, 0]; mesh 2 * beam(board, wood); }
+        joint screws = weld(post, panel.start);
+        load weight = gravity([0, 0, -9.81] m/s^2);
+        load blow = density(panel, [wind, 0, 0]);
+        output tip = panel.end;
+    }
+}
+
+#[test]
+fn a_panel_on_a_vertical_hinge_lies_in_the_wind() {
+    for wind in [10.0, -3.0, 1000.0] {
+        let found = static_equilibria(&Vane { wind }, &EquilibriumSettings::default()).unwrap();
+        // The wind pulls it longer: q l^2 / 2 E A.
+        assert_near(
+            ending(&found)[0],
+            f64::signum(wind) * (0.8 + wind.abs() * 0.32 / 2e8),
+            1e-9,
+        );
+        assert!(ending(&found)[1].abs() < 1e-9);
+        assert!(told(&found, "nothing holds").is_empty(), "{:?}", found.warnings);
+    }
+    let found = static_equilibria(&Vane { wind: 0.0 }, &EquilibriumSettings::default()).unwrap();
+    assert_eq!(
+        told(&found, "nothing holds body `panel` against turning").len(),
+        1,
+        "{:?}",
+        found.warnings
+    );
+}
