@@ -1,4 +1,4 @@
-//! Bodies that hang on ball joints: nothing holds their spin, and equilibria at rest must not depend on how they start.
+//! Bodies that hang on ball joints and hinges: what nothing holds is told, and equilibria at rest must not depend on how they start.
 
 use rncf::app::{Equilibria, EquilibriumSettings, static_equilibria};
 
