@@ -47,3 +47,22 @@ fn report(block: &str) -> Option<Report> {
         message,
     })
 }
+
+/// A report as it stands in the files: without numbers of lines, summary and the empty line at the end.
+pub fn without_numbers(report: &str) -> String {
+    let end = report.find("error: aborting due to").unwrap_or(report.len());
+    let mut text = String::new();
+    for line in report[..end].trim_end().lines() {
+        let rest = line.trim_start_matches(|letter: char| letter == ' ' || letter.is_ascii_digit());
+        match rest.strip_prefix("--> ") {
+            Some(place) => {
+                let file = place.split_once(':').map_or(place, |(file, _)| file);
+                text += &format!(" --> {file}");
+            }
+            None if rest.starts_with('|') => text += &format!("  {rest}"),
+            None => text += line,
+        }
+        text.push('\n');
+    }
+    text
+}

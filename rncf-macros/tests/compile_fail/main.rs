@@ -2,8 +2,8 @@
 //! nothing else.
 //!
 //! Beside each program `name.rs` stands `name.stderr`, what the compiler of `rustc-version.txt` prints. Messages and
-//! underlined words of all of them are checked through the library. That compiler builds one of each folder through
-//! trybuild, and all with `TRYBUILD=wip`. `TRYBUILD=overwrite cargo test -p rncf-macros --test compile_fail` rewrites
+//! underlined words of all of them are checked through the library. That compiler checks one of each folder, against the
+//! library `rncf` that lies there, and all with `ALL=1`. `BLESS=1 cargo test -p rncf-macros --test compile_fail` rewrites
 //! them; read the difference.
 
 mod expected;
