@@ -1,7 +1,7 @@
 //! `advise` on scenes of which it is known how much model they need, and bodies that are described at run time.
 
 mod described;
-#[path = "../../examples/advise/scenes.rs"]
+#[path = "../../models/examples/advise/scenes.rs"]
 mod scenes;
 
 use rncf::Model;
