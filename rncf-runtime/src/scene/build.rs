@@ -21,10 +21,12 @@ use crate::scene::numbering::layout::Layout;
 use crate::scene::numbering::shared::{Shared, numbering};
 use crate::scene::numbering::turned::TurnedColumns;
 use crate::scene::pieces::batches::groups;
-use crate::scene::pieces::buffers::{Buffers, Row};
+use crate::scene::pieces::buffers::Buffers;
 use crate::scene::pieces::fixture::{Fixture, declare_normals};
 use crate::scene::pieces::marker::{Linked, MarkedLoad, Marker};
-use crate::scene::pieces::push::{Law, Push};
+use crate::scene::pieces::push::Push;
+use crate::scene::pieces::rows::Rows;
+use crate::scene::terms::kinds::{CONSTRAINTS, FORCES};
 use crate::scene::terms::linked::markers;
 use crate::scene::terms::moments::turned_by_moments;
 use crate::space::{Vector, matrix};
@@ -155,7 +157,7 @@ impl MeshScene {
             observed: parts.observed(),
             observed_points: Vec::new(),
             constraint_pattern: Pattern::new(layout.unknowns(), 0, []),
-            constraint_rows: Vec::new(),
+            rows: Rows::default(),
             sizes: Vec::new(),
             mass: Vec::new(),
             remarks: Vec::new(),
@@ -303,77 +305,14 @@ impl MeshScene {
         Ok(())
     }
 
-    /// Entries of the pattern: elements, the diagonal, what constraints and forces couple, frames.
+    /// Entries of the pattern: the diagonal, and what forces and constraints couple.
     fn entries(&self) -> Vec<(usize, usize)> {
-        let layout = &self.layout;
-        let mut entries: Vec<(usize, usize)> = (0..layout.unknowns()).map(|unknown| (unknown, unknown)).collect();
-        for body in &self.bodies {
-            entries.extend(body.connectivity.entries(layout));
-        }
-        let of_markers = |markers: &[usize]| {
-            let components = markers
-                .iter()
-                .flat_map(|&marker| self.marker_components(&self.markers[marker]));
-            self.unknowns_of(components)
-        };
-        // A constraint couples what one marker depends on, by its frame, and what markers depend on that it multiplies. Others
-        // meet in its multipliers alone: a row from end to end of a body leaves the matrix as narrow as it is.
-        let mut groups: Vec<Vec<usize>> = Vec::new();
-        for linked in &self.constraints {
-            let markers = linked.spec.markers;
-            groups.extend(markers.iter().map(|&marker| of_markers(&[marker])));
-            let pairs = linked.spec.coupled.iter();
-            groups.extend(pairs.map(|&[first, second]| of_markers(&[markers[first], markers[second]])));
-        }
-        // What acts at points of an element or a frame couples what they couple anyway.
-        let declared = self.forces.iter().filter(|force| matches!(force.law, Law::Force(_)));
-        groups.extend(declared.map(|force| of_markers(&force.markers)));
-        for marked in &self.marked_loads {
-            let turn = Marker::Turn {
-                frame: self.loads[marked.load].frame,
-            };
-            let components = marked
-                .markers
-                .iter()
-                .chain([&turn])
-                .flat_map(|marker| self.marker_components(marker));
-            groups.push(self.unknowns_of(components));
-        }
-        groups.push((layout.unknowns() - layout.border()..layout.unknowns()).collect());
-        for group in groups {
-            entries.extend(group.iter().flat_map(|&i| group.iter().map(move |&j| (i, j))));
-        }
-        for body in &self.bodies {
-            if let Some(free) = self.free_of[body.frame] {
-                let first = layout.unknowns() - layout.border() + self.free[free].first;
-                let own =
-                    self.layout.offset(body.first_vector)..self.layout.offset(body.first_vector + body.spec.vectors());
-                let unknowns = self.unknowns_of(own);
-                for unknown in unknowns {
-                    let frame = first..first + self.free[free].count();
-                    entries.extend(frame.flat_map(|border| [(unknown, border), (border, unknown)]));
-                }
-            }
-        }
-        entries.extend(self.density_entries());
-        entries.extend(self.normal_entries());
+        let mut entries: Vec<(usize, usize)> = (0..self.layout.unknowns()).map(|unknown| (unknown, unknown)).collect();
+        FORCES.iter().for_each(|force| force.couple(self, &mut entries));
+        CONSTRAINTS
+            .iter()
+            .for_each(|constraint| constraint.couple(self, &mut entries));
         entries
-    }
-
-    /// Components that a constraint on markers depends on.
-    fn constraint_components<'s>(&'s self, linked: &'s Linked) -> impl Iterator<Item = usize> + 's {
-        let markers = linked.spec.markers.iter();
-        markers.flat_map(move |&marker| self.marker_components(&self.markers[marker]))
-    }
-
-    /// Unknowns of components, ascending, each once.
-    fn unknowns_of(&self, components: impl Iterator<Item = usize>) -> Vec<usize> {
-        let mut unknowns: Vec<usize> = components
-            .flat_map(|component| self.layout.unknowns_at(component).map(|(unknown, _)| unknown))
-            .collect();
-        unknowns.sort_unstable();
-        unknowns.dedup();
-        unknowns
     }
 
     /// Held components keep the values that are set here: those of joints the undeformed ones, those of chords that they
@@ -423,47 +362,17 @@ impl MeshScene {
     }
 
     fn number_constraints(&mut self) {
-        let mut entries = Vec::new();
-        for (index, condition) in self.conditions.iter_mut().enumerate() {
+        for condition in &mut self.conditions {
             let dimension = self.bodies[self.joints[condition.joint].body].spec.dimension();
             let layout = &self.layout;
             let of = |vector: usize| (0..dimension).map(move |component| layout.offset(vector) + component);
             condition.components = condition.vectors.iter().flat_map(|&vector| of(vector)).collect();
-            for &row in &condition.rows {
-                let column = self.constraint_rows.len();
-                self.constraint_rows.push(Row::Condition { condition: index, row });
-                for &component in &condition.components {
-                    for (unknown, _) in self.layout.unknowns_at(component) {
-                        entries.push((unknown, column));
-                    }
-                }
-            }
         }
-        for (index, tie) in self.ties.iter().enumerate() {
-            for row in &tie.rows {
-                let unknowns = self.unknowns_of(tie.entries(row).map(|(component, _)| component));
-                let column = self.constraint_rows.len();
-                entries.extend(unknowns.into_iter().map(|unknown| (unknown, column)));
-                self.constraint_rows.push(Row::Tie { tie: index });
-            }
-        }
-        for (index, section) in self.rigid_sections.iter().enumerate() {
-            for row in 0..section.rows() {
-                let unknowns = self.unknowns_of(section.components(row));
-                let column = self.constraint_rows.len();
-                entries.extend(unknowns.into_iter().map(|unknown| (unknown, column)));
-                self.constraint_rows.push(Row::Rigid { section: index, row });
-            }
-        }
-        for (index, linked) in self.constraints.iter().enumerate() {
-            let unknowns = self.unknowns_of(self.constraint_components(linked));
-            for row in 0..linked.spec.rows.len() {
-                let column = self.constraint_rows.len();
-                entries.extend(unknowns.iter().map(|&unknown| (unknown, column)));
-                self.constraint_rows.push(Row::Linked { linked: index, row });
-            }
-        }
-        self.constraint_pattern = Pattern::new(self.layout.unknowns(), self.constraint_rows.len(), entries);
+        let rows = CONSTRAINTS.map(|constraint| constraint.rows(self));
+        self.rows = Rows::new(std::array::from_fn(|kind| rows[kind].len()));
+        let columns = rows.into_iter().flatten().enumerate();
+        let entries = columns.flat_map(|(column, row)| row.into_iter().map(move |unknown| (unknown, column)));
+        self.constraint_pattern = Pattern::new(self.layout.unknowns(), self.rows.count(), entries);
     }
 
     pub(crate) fn assemble_mass(&mut self) {

@@ -2,7 +2,7 @@
 
 use crate::scene::bodies::mesh_body::MeshBody;
 use crate::scene::bodies::place::{MeshPoint, PlaceVector, place_on};
-use crate::scene::pieces::buffers::{Buffers, Row};
+use crate::scene::pieces::buffers::Buffers;
 use std::sync::Arc;
 
 use crate::emitted::{JointSpec, LoadKind, LoadSpec, ObservedSpec, Parts, Place, label};
@@ -22,6 +22,7 @@ use crate::scene::pieces::fixture::Fixture;
 use crate::scene::pieces::marker::{Linked, MarkedLoad, Marker};
 use crate::scene::pieces::push::{Push, Spread};
 use crate::scene::pieces::rigid_section::RigidSection;
+use crate::scene::pieces::rows::{LINKS, RIGID_SECTIONS, Rows};
 use crate::space::Vector;
 
 /// The scene of a model with emitted parts. They stand behind a pointer, so that the runtime is compiled once and
@@ -78,8 +79,8 @@ pub struct MeshScene {
     pub(crate) layout: Layout,
     pub(crate) pattern: Pattern,
     pub(crate) constraint_pattern: Pattern,
-    /// What every constraint is.
-    pub(crate) constraint_rows: Vec<Row>,
+    /// Where the rows of every kind of constraint stand.
+    pub(crate) rows: Rows,
     pub(crate) sizes: Vec<f64>,
     /// Mass matrix of the nodal vectors.
     pub(crate) mass: Vec<f64>,
@@ -111,17 +112,12 @@ impl MeshScene {
 
     /// Place of the first row of the sections below rigid fixtures.
     pub(crate) fn first_rigid(&self) -> usize {
-        let before = |row: &&Row| matches!(row, Row::Condition { .. } | Row::Tie { .. });
-        self.constraint_rows.iter().take_while(before).count()
+        self.rows.first(RIGID_SECTIONS)
     }
 
     /// Place of the first row of the constraints on markers.
     pub(crate) fn first_linked(&self) -> usize {
-        let linked = |row: &Row| matches!(row, Row::Linked { .. });
-        self.constraint_rows
-            .iter()
-            .position(linked)
-            .unwrap_or(self.constraint_rows.len())
+        self.rows.first(LINKS)
     }
 
     /// Body, node and local number (of the start node) of a nodal vector.

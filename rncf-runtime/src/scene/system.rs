@@ -1,13 +1,11 @@
 //! A scene as the integrators see it.
 
-use super::evaluate::MOST;
 use super::mesh_scene::MeshScene;
-use crate::emitted::{Interpolant, JointKind};
 use crate::linalg::Pattern;
-use crate::scene::numbering::conditions::{Condition, row_count, width};
 use crate::scene::numbering::layout::VectorKind;
-use crate::scene::pieces::buffers::{Regime, Row};
+use crate::scene::pieces::buffers::Regime;
 use crate::scene::pieces::combination::Combination;
+use crate::scene::terms::kinds::CONSTRAINTS;
 use crate::system::{Branch, Conserving, ConstraintLevel, Jump, Lever, State, System, Tangent};
 
 /// Letters of the components.
@@ -19,7 +17,7 @@ impl System for MeshScene {
     }
 
     fn constraints(&self) -> usize {
-        self.constraint_rows.len()
+        self.rows.count()
     }
 
     fn pattern(&self) -> &Pattern {
@@ -59,9 +57,7 @@ impl System for MeshScene {
     fn tangent(&mut self, state: &State, out: &mut Tangent) {
         self.load_state(state);
         self.full_tangent(state.t, 1.0, out);
-        // Conditions on nodes and ties of frames are linear in the unknowns: they add nothing.
-        self.marker_constraint_stiffness(state.t, &state.lambda, out);
-        self.rigid_section_stiffness(&state.lambda, out);
+        self.add_constraint_stiffness(state.t, &state.lambda, out);
     }
 
     fn iteration_matrix(&mut self, state: &State, factors: [f64; 3], values: &mut [f64]) {
@@ -71,85 +67,41 @@ impl System for MeshScene {
     }
 
     fn constraint(&mut self, level: ConstraintLevel, state: &State, out: &mut [f64]) {
-        if self.constraint_rows.is_empty() {
+        if self.constraints() == 0 {
             return;
         }
         self.load_level(level, state);
-        let mut column = 0;
-        for condition in self.conditions.iter().filter(|condition| !condition.rows.is_empty()) {
-            let joint = &self.joints[condition.joint];
-            let spec = &self.bodies[joint.body].spec;
-            let (count, width) = (row_count(joint.kind, spec), width(joint.kind, spec));
-            let mut rows = [0.0; MOST];
-            let [q, v, a] = [&self.buffers.q, &self.buffers.v, &self.buffers.a].map(|full| self.node(condition, full));
-            self.parts.condition(
-                condition.joint,
-                condition.absolute,
-                level,
-                state.t,
-                &condition.data,
-                &q[..width],
-                &v[..width],
-                &a[..width],
-                &mut rows[..count],
-            );
-            for &row in &condition.rows {
-                out[column] = rows[row];
-                column += 1;
-            }
+        for (constraint, rows) in CONSTRAINTS.iter().zip(self.rows.ranges()) {
+            constraint.values(self, level, state.t, &mut out[rows]);
         }
-        self.tie_rows(level, &mut out[column..]);
-        self.rigid_section_rows(level, &mut out[self.first_rigid()..]);
-        let first = self.first_linked();
-        self.marker_constraints(level, state.t, &mut out[first..]);
     }
 
     fn constraint_noise(&mut self, state: &State, out: &mut [f64]) {
-        if !self.constraints.is_empty() {
+        if CONSTRAINTS.iter().any(|constraint| constraint.is_curved(self)) {
             self.load_state(state);
-            let first = self.first_linked();
-            self.marker_constraint_noise(state.t, &mut out[first..]);
+            for (constraint, rows) in CONSTRAINTS.iter().zip(self.rows.ranges()) {
+                constraint.noise(self, state.t, &mut out[rows]);
+            }
         }
     }
 
     fn constraint_jacobian(&mut self, state: &State, values: &mut [f64]) {
         values.fill(0.0);
-        let mut column = 0;
-        for condition in self.conditions.iter().filter(|condition| !condition.rows.is_empty()) {
-            let joint = &self.joints[condition.joint];
-            let spec = &self.bodies[joint.body].spec;
-            let (count, width) = (row_count(joint.kind, spec), width(joint.kind, spec));
-            let mut jacobian = [0.0; MOST * MOST];
-            let entries = &mut jacobian[..count * width];
-            self.parts
-                .condition_jacobian(condition.joint, condition.absolute, state.t, &condition.data, entries);
-            for &row in &condition.rows {
-                for (place, &component) in condition.components.iter().enumerate() {
-                    for (unknown, factor) in self.layout.unknowns_at(component) {
-                        if let Some(entry) = self.constraint_pattern.find(unknown, column) {
-                            values[entry] += factor * jacobian[row * width + place];
-                        }
-                    }
-                }
-                column += 1;
-            }
-        }
-        self.tie_jacobian(column, values);
-        if !self.constraints.is_empty() || !self.rigid_sections.is_empty() {
+        if CONSTRAINTS.iter().any(|constraint| constraint.is_curved(self)) {
             self.load_state(state);
-            self.rigid_section_jacobian(values);
-            self.marker_jacobians(state.t, self.first_linked(), values);
+        }
+        for (constraint, rows) in CONSTRAINTS.iter().zip(self.rows.ranges()) {
+            constraint.add_jacobian(self, state.t, rows.start, values);
         }
     }
 
     fn constraint_rate_tangent(&mut self, state: &State, values: &mut [f64]) {
-        // Ties of frames are linear in the unknowns with constant coefficients.
         values.fill(0.0);
-        self.condition_rate_tangents(state.t, values);
-        if !self.constraints.is_empty() || !self.rigid_sections.is_empty() {
+        if CONSTRAINTS.iter().any(|constraint| constraint.is_curved(self)) {
             self.load_state(state);
-            self.rigid_section_rate_tangent(values);
-            self.marker_rate_tangents(state.t, self.first_linked(), values);
+        }
+        for (constraint, rows) in CONSTRAINTS.iter().zip(self.rows.ranges()) {
+            constraint.add_rate_tangent(self, state.t, rows.start, values);
         }
     }
 
@@ -188,46 +140,8 @@ impl System for MeshScene {
     }
 
     fn describe_constraint(&self, index: usize) -> String {
-        match self.constraint_rows[index] {
-            Row::Condition { condition, row } => {
-                let index = self.conditions[condition].joint;
-                let joint = &self.joints[index];
-                let spec = &self.bodies[joint.body].spec;
-                let dimension = spec.dimension();
-                let what = match joint.kind {
-                    JointKind::Hold { of, order, .. } => match (of, order) {
-                        (Interpolant::Position, 0) => "held position",
-                        (Interpolant::Position, _) => "held slope",
-                        (Interpolant::SectionY, _) => "held section y axis",
-                        (Interpolant::SectionZ, _) => "held section z axis",
-                    },
-                    _ if row < dimension => "position",
-                    _ if !spec.has_section() => "direction",
-                    JointKind::ClampFull if row < 2 * dimension => "section y axis",
-                    JointKind::ClampFull => "section z axis",
-                    _ if row == dimension => "direction of the section y axis",
-                    _ if row == dimension + 1 => "direction of the section z axis",
-                    _ => "twist of the section",
-                };
-                format!("joint `{}`, {what}", self.joint_label(index))
-            }
-            Row::Tie { tie } => {
-                let spec = &self.bodies[self.ties[tie].body].spec;
-                format!("body `{}`, {}", spec.label(), spec.tie.describe())
-            }
-            Row::Rigid { section, row } => {
-                let section = &self.rigid_sections[section];
-                format!("fixture `{}`, {}", section.name, section.describe(row))
-            }
-            Row::Linked { linked, row } => {
-                let spec = &self.constraints[linked].spec;
-                let owner = match spec.kind {
-                    "constraint" => format!("constraint `{}`", spec.name),
-                    kind => format!("joint `{}` ({kind})", spec.name),
-                };
-                format!("{owner}, {}", spec.rows[row])
-            }
-        }
+        let (kind, row) = self.rows.locate(index);
+        CONSTRAINTS[kind].describe(self, row)
     }
 
     fn loose_tie(&self, worst: &str) -> Option<String> {
@@ -288,51 +202,5 @@ impl MeshScene {
             ConstraintLevel::Acceleration => (&state.v, &zeros),
         };
         self.load(state.t, &state.turns, [&state.x, v, a], Regime::Moving);
-    }
-
-    /// Rates of the coefficients of conditions on nodes, which turn with their frames. The conditions are linear
-    /// in the nodal vectors, so that a coefficient is the difference of two values.
-    fn condition_rate_tangents(&self, t: f64, values: &mut [f64]) {
-        let none = [0.0; MOST];
-        for (column, row, condition) in self.condition_columns() {
-            let joint = &self.joints[condition.joint];
-            let spec = &self.bodies[joint.body].spec;
-            let (count, width) = (row_count(joint.kind, spec), width(joint.kind, spec));
-            let rate = |q: &[f64]| {
-                let mut rows = [0.0; MOST];
-                self.parts.condition(
-                    condition.joint,
-                    condition.absolute,
-                    ConstraintLevel::Velocity,
-                    t,
-                    &condition.data,
-                    q,
-                    &none[..width],
-                    &none[..width],
-                    &mut rows[..count],
-                );
-                rows[row]
-            };
-            let still = rate(&none[..width]);
-            for (place, &component) in condition.components.iter().enumerate() {
-                for (unknown, factor) in self.layout.unknowns_at(component) {
-                    if let Some(entry) = self.constraint_pattern.find(unknown, column) {
-                        let mut unit = none;
-                        unit[place] = 1.0;
-                        values[entry] += factor * (rate(&unit[..width]) - still);
-                    }
-                }
-            }
-        }
-    }
-
-    /// The conditions on nodes that are kept as constraints: column, row of the condition, condition.
-    fn condition_columns(&self) -> impl Iterator<Item = (usize, usize, &Condition)> {
-        let rows = self
-            .conditions
-            .iter()
-            .flat_map(|condition| condition.rows.iter().map(move |&row| (row, condition)));
-        rows.enumerate()
-            .map(|(column, (row, condition))| (column, row, condition))
     }
 }

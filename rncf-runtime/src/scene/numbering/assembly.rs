@@ -9,6 +9,11 @@ use crate::linalg::Pattern;
 /// Fewer elements than this are evaluated by the calling thread alone.
 pub const PARALLEL_FROM: usize = 256;
 
+/// Couples all of some unknowns with each other.
+pub fn couple_all(unknowns: &[usize], entries: &mut Vec<(usize, usize)>) {
+    entries.extend(unknowns.iter().flat_map(|&i| unknowns.iter().map(move |&j| (i, j))));
+}
+
 /// Where the components of the elements of one body are.
 #[derive(Clone, Debug)]
 pub struct Connectivity {

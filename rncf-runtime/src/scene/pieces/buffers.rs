@@ -75,16 +75,3 @@ pub(crate) enum Regime {
     /// they prescribe rests in its frame. Free frames move as the state says.
     Uniform(f64),
 }
-
-/// A row of the constraints.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Row {
-    /// Of a joint's conditions on a node.
-    Condition { condition: usize, row: usize },
-    /// Of a body that its frame follows.
-    Tie { tie: usize },
-    /// Of the section below a rigid fixture.
-    Rigid { section: usize, row: usize },
-    /// Of a constraint on markers.
-    Linked { linked: usize, row: usize },
-}

@@ -5,7 +5,6 @@
 
 use crate::emitted::MAX_SIZE;
 use crate::scene::mesh_scene::MeshScene;
-use crate::scene::pieces::buffers::Row;
 use crate::space::Matrix;
 use crate::system::{Conserving, State, System};
 
@@ -42,12 +41,7 @@ impl MeshScene {
                 "energy-momentum integration has no conserving form of force `{name}`: take another integrator"
             ));
         }
-        let linked = self
-            .constraint_rows
-            .iter()
-            .filter(|row| matches!(row, Row::Linked { .. }));
-        let border = self.layout.border();
-        if linked.count() != border {
+        if self.constraints() - self.first_linked() != self.layout.border() {
             let name = self.constraints.first().map_or("", |linked| linked.spec.name);
             return Some(format!(
                 "energy-momentum integration has no multipliers for constraints between bodies, as `{name}` is: let ends \

@@ -3,20 +3,43 @@
 //! the rows with Q).
 
 use super::density_sums::{Axes, Total};
+use super::force::{At, Force};
 use crate::emitted::{DensitySpec, Fidelity, LANES, MAX_SIZE};
 use crate::error::ModelError;
 use crate::scene::bodies::mesh_body::MeshBody;
 use crate::scene::mesh_scene::MeshScene;
 use crate::scene::numbering::units::Units;
 use crate::scene::pieces::batches::in_order;
+use crate::scene::pieces::combined::Combined;
 use crate::scene::pieces::density::{Batches, Density, ROWS};
 use crate::space::{Matrix, Vector, three};
-use crate::system::Sums;
+use crate::system::{Sums, Tangent};
 
 /// Unknowns that are dealt with at a time; a frame has fewer.
 const TOGETHER: usize = 8;
 /// Marks an entry that belongs to no unknown.
 const NOWHERE: u32 = u32::MAX;
+
+/// Loads per length that the elements' kernels integrate.
+pub(crate) struct Densities;
+
+impl Force for Densities {
+    fn couple(&self, scene: &MeshScene, entries: &mut Vec<(usize, usize)>) {
+        scene.couple_densities(entries);
+    }
+
+    fn add(&self, scene: &mut MeshScene, at: &At) {
+        scene.add_density_forces(at.t, at.load_scale);
+    }
+
+    fn add_tangent(&self, scene: &mut MeshScene, at: &At, out: &mut Tangent) {
+        scene.add_density_tangents(at.t, at.load_scale, out);
+    }
+
+    fn add_combined(&self, scene: &mut MeshScene, at: &At, out: &mut Combined) {
+        scene.add_density_tangents(at.t, at.load_scale, out);
+    }
+}
 
 impl MeshScene {
     /// Finds what densities act on.
@@ -145,9 +168,7 @@ impl MeshScene {
         all
     }
 
-    /// Entries of the pattern that densities need.
-    pub(crate) fn density_entries(&self) -> Vec<(usize, usize)> {
-        let mut entries = Vec::new();
+    fn couple_densities(&self, entries: &mut Vec<(usize, usize)>) {
         for density in &self.densities {
             let components = density.components.iter();
             let own = components.flat_map(|&component| self.layout.unknowns_at(component));
@@ -158,7 +179,6 @@ impl MeshScene {
                 entries.extend(density.outer.iter().flat_map(|&outer| [(row, outer), (outer, row)]));
             }
         }
-        entries
     }
 
     /// Looks up all places on the pattern.
@@ -299,7 +319,7 @@ impl MeshScene {
 
     /// Adds the densities at the loaded state (to the left side, where they are negative) to the forces of nodal
     /// vectors and free frames.
-    pub(crate) fn add_density_forces(&mut self, t: f64, load_scale: f64) {
+    fn add_density_forces(&mut self, t: f64, load_scale: f64) {
         if self.densities.is_empty() {
             return;
         }
@@ -383,7 +403,7 @@ impl MeshScene {
     }
 
     /// Adds the derivatives of [`MeshScene::add_density_forces`] at the loaded state.
-    pub(crate) fn add_density_tangents(&mut self, t: f64, load_scale: f64, out: &mut (impl Sums + ?Sized)) {
+    fn add_density_tangents(&mut self, t: f64, load_scale: f64, out: &mut impl Sums) {
         if self.densities.is_empty() {
             return;
         }

@@ -1,17 +1,41 @@
 //! Rigid fixtures on flexible bodies (THEORY 5.4): constants on position and slope of their place, with a
 //! section also on its axes. Of a section that they make rigid the normal stands for the slope, which shears.
 
+use super::force::{At, Force};
 use crate::model::Warning;
 use crate::scene::bodies::nodal_mass::Transport;
 use crate::scene::bodies::place::weighted;
 use crate::scene::mesh_scene::MeshScene;
 use crate::scene::pieces::combination::Combination;
+use crate::scene::pieces::combined::Combined;
 use crate::scene::pieces::fixture::{Fixture, MOST};
 use crate::space::{Matrix, Vector};
+use crate::system::Tangent;
 
 /// Largest strain of the section below a rigid fixture of which nothing is said: its moments of inertia are then off
 /// by two times as much.
 const RIGID_ENOUGH: f64 = 1e-4;
+
+/// Inertia of fixtures on nodal vectors: what turning frames make of their constant masses. Their forces are in the one
+/// product of [`Inertia`](super::inertia::Inertia).
+pub(crate) struct Fixtures;
+
+impl Force for Fixtures {
+    /// Nothing beside what their elements and the normals of rigid sections couple.
+    fn couple(&self, _: &MeshScene, _: &mut Vec<(usize, usize)>) {}
+
+    fn add(&self, _: &mut MeshScene, _: &At) {}
+
+    fn add_tangent(&self, scene: &mut MeshScene, _: &At, out: &mut Tangent) {
+        for (place, values) in [(1, &mut out.damping), (2, &mut out.stiffness)] {
+            scene.add_fixture_tangents(&Combination::only(place), values);
+        }
+    }
+
+    fn add_combined(&self, scene: &mut MeshScene, _: &At, out: &mut Combined) {
+        scene.add_fixture_tangents(out.combination, out.values);
+    }
+}
 
 impl MeshScene {
     /// The vectors of a fixture's place.
@@ -47,7 +71,7 @@ impl MeshScene {
 
     /// Adds the derivatives of the inertia forces of all fixtures on nodal vectors, but for their mass, which is
     /// constant.
-    pub(crate) fn add_fixture_tangents(&self, combination: &Combination, values: &mut [f64]) {
+    fn add_fixture_tangents(&self, combination: &Combination, values: &mut [f64]) {
         for fixture in &self.fixtures {
             let body = &self.bodies[fixture.point.body];
             let axes = body.spec.axes;

@@ -7,18 +7,60 @@
 //! A^T R_r = sum_a c_a R_a,   R_pi = sum_a q_a x R_a               (11), (12), over all vectors
 //! ```
 //!
-//! The sums run over eliminated vectors, too, and hold before elastic forces are added, which drop out of them.
+//! The sums run over eliminated vectors, too; elastic forces drop out of them.
 //! Planar bodies are taken in space, with vectors in their plane.
 
-use crate::scene::bodies::nodal_mass::{NodalMass, Transport, add_scaled};
 use pulp::Arch;
 
+use super::force::{At, Force};
 use crate::emitted::Fidelity;
 use crate::linalg::{Vectorised, dispatch};
+use crate::scene::bodies::nodal_mass::{NodalMass, Transport, add_scaled};
 use crate::scene::frames::free_frames::SPATIAL;
 use crate::scene::mesh_scene::MeshScene;
+use crate::scene::numbering::assembly::couple_all;
 use crate::scene::pieces::buffers::Buffers;
+use crate::scene::pieces::combination::Combination;
+use crate::scene::pieces::combined::Combined;
 use crate::space::{Matrix, Vector};
+use crate::system::Tangent;
+
+/// Inertia and gravity of elements, fixtures and rigid parts.
+pub(crate) struct Inertia;
+
+impl Force for Inertia {
+    fn couple(&self, scene: &MeshScene, entries: &mut Vec<(usize, usize)>) {
+        let layout = &scene.layout;
+        let border = layout.unknowns() - layout.border()..layout.unknowns();
+        couple_all(&border.clone().collect::<Vec<_>>(), entries);
+        for body in &scene.bodies {
+            let Some(free) = scene.free_of[body.frame] else {
+                continue;
+            };
+            let first = border.start + scene.free[free].first;
+            let own = layout.offset(body.first_vector)..layout.offset(body.first_vector + body.spec.vectors());
+            for unknown in scene.unknowns_of(own) {
+                let frame = first..first + scene.free[free].count();
+                entries.extend(frame.flat_map(|border| [(unknown, border), (border, unknown)]));
+            }
+        }
+    }
+
+    fn add(&self, scene: &mut MeshScene, at: &At) {
+        scene.add_inertia_forces(at.gravity);
+    }
+
+    fn add_tangent(&self, scene: &mut MeshScene, at: &At, out: &mut Tangent) {
+        let matrices = [&mut out.mass, &mut out.damping, &mut out.stiffness];
+        for (place, values) in matrices.into_iter().enumerate() {
+            scene.add_inertia_borders(at.gravity, &Combination::only(place), values);
+        }
+    }
+
+    fn add_combined(&self, scene: &mut MeshScene, at: &At, out: &mut Combined) {
+        scene.add_inertia_borders(at.gravity, out.combination, out.values);
+    }
+}
 
 impl MeshScene {
     /// Masses of the nodal vectors of a body: with its elements, and of fixtures alone.

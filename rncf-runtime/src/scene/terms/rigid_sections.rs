@@ -8,14 +8,85 @@
 //! `n . r_y = c`, `n . r_z = c`: the slope shears. So the inertia of the fixture is constant on r, n, r_y, r_z. In a plane there
 //! is no r_z. The rows are inner products: they exert nothing on the frame, and no moment between two states.
 
+use super::constraint::Constraint;
 use crate::emitted::{JointKind, Line};
 use crate::scene::bodies::place::{MeshPoint, PlaceVector, point_of};
 use crate::scene::mesh_scene::MeshScene;
+use crate::scene::pieces::combined::Combined;
 use crate::scene::pieces::fixture::Fixture;
 use crate::scene::pieces::marker::Marker;
 use crate::scene::pieces::rigid_section::{Axes, Column, Kept, RigidSection, inner};
 use crate::space::Vector;
 use crate::system::{ConstraintLevel, Sums, Tangent};
+
+/// What keeps sections below rigid fixtures rigid.
+pub(crate) struct RigidSections;
+
+impl Constraint for RigidSections {
+    fn rows(&self, scene: &MeshScene) -> Vec<Vec<usize>> {
+        let rows = |section: &RigidSection| {
+            let rows = 0..section.rows();
+            rows.map(|row| scene.unknowns_of(section.components(row)))
+                .collect::<Vec<_>>()
+        };
+        scene.rigid_sections.iter().flat_map(rows).collect()
+    }
+
+    fn couple(&self, scene: &MeshScene, entries: &mut Vec<(usize, usize)>) {
+        scene.couple_normals(entries);
+    }
+
+    fn describe(&self, scene: &MeshScene, row: usize) -> String {
+        let sections = scene.rigid_sections.iter();
+        let mut rows = sections.flat_map(|section| (0..section.rows()).map(move |row| (section, row)));
+        rows.nth(row).map_or(String::new(), |(section, row)| {
+            format!("fixture `{}`, {}", section.name, section.describe(row))
+        })
+    }
+
+    fn is_curved(&self, scene: &MeshScene) -> bool {
+        !scene.rigid_sections.is_empty()
+    }
+
+    fn values(&self, scene: &MeshScene, level: ConstraintLevel, _: f64, rows: &mut [f64]) {
+        let mut out = rows.iter_mut();
+        let buffers = &scene.buffers;
+        for section in &scene.rigid_sections {
+            let [at, v, a, jerks] = [&buffers.q, &buffers.v, &buffers.a, &buffers.jerks].map(|full| section.axes(full));
+            for ((kept, reference), out) in section.rows.iter().zip(&section.references).zip(&mut out) {
+                let gradient = kept.gradient(&at);
+                let bent = kept.gradient(&v);
+                *out = match level {
+                    ConstraintLevel::Position => kept.value(&at) - reference,
+                    ConstraintLevel::Velocity => inner(&gradient, &v),
+                    ConstraintLevel::Acceleration => inner(&gradient, &a) + inner(&bent, &v),
+                    ConstraintLevel::Jerk => inner(&gradient, &jerks) + 3.0 * inner(&bent, &a),
+                };
+            }
+        }
+    }
+
+    fn add_jacobian(&self, scene: &MeshScene, _: f64, _: usize, values: &mut [f64]) {
+        let q = &scene.buffers.q;
+        scene.add_rows(values, |section, kept| kept.gradient(&section.axes(q)));
+    }
+
+    fn add_rate_tangent(&self, scene: &MeshScene, _: f64, _: usize, values: &mut [f64]) {
+        let v = &scene.buffers.v;
+        scene.add_rows(values, |section, kept| kept.gradient(&section.axes(v)));
+    }
+
+    fn add_stiffness(&self, scene: &MeshScene, _: f64, lambda: &[f64], out: &mut Tangent) {
+        scene.add_rigid_section_curvature(lambda, |entry, value| out.stiffness(entry, value));
+    }
+
+    fn add_combined(&self, scene: &MeshScene, _: f64, lambda: &[f64], out: &mut Combined) {
+        scene.add_rigid_section_curvature(lambda, |entry, value| out.stiffness(entry, value));
+    }
+
+    /// None: what they compare are the unknowns themselves.
+    fn noise(&self, _: &MeshScene, _: f64, _: &mut [f64]) {}
+}
 
 impl MeshScene {
     /// Sets the normals of sections, and their rates, to those of the axes there.
@@ -205,9 +276,8 @@ impl MeshScene {
         self.rigid_sections.iter().map(of).collect()
     }
 
-    /// Pattern entries of the normals with themselves and with the vectors of their elements.
-    pub(crate) fn normal_entries(&self) -> Vec<(usize, usize)> {
-        let mut entries = Vec::new();
+    /// Couples the normals with themselves and with the vectors of their elements.
+    fn couple_normals(&self, entries: &mut Vec<(usize, usize)>) {
         for body in &self.bodies {
             for (place, &(element, _)) in body.spec.normals.iter().enumerate() {
                 let first = self
@@ -224,26 +294,6 @@ impl MeshScene {
                         }
                     }
                 }
-            }
-        }
-        entries
-    }
-
-    /// Rows of all rigid sections at the loaded state.
-    pub(crate) fn rigid_section_rows(&self, level: ConstraintLevel, out: &mut [f64]) {
-        let mut out = out.iter_mut();
-        let buffers = &self.buffers;
-        for section in &self.rigid_sections {
-            let [at, v, a, jerks] = [&buffers.q, &buffers.v, &buffers.a, &buffers.jerks].map(|full| section.axes(full));
-            for ((kept, reference), out) in section.rows.iter().zip(&section.references).zip(&mut out) {
-                let gradient = kept.gradient(&at);
-                let bent = kept.gradient(&v);
-                *out = match level {
-                    ConstraintLevel::Position => kept.value(&at) - reference,
-                    ConstraintLevel::Velocity => inner(&gradient, &v),
-                    ConstraintLevel::Acceleration => inner(&gradient, &a) + inner(&bent, &v),
-                    ConstraintLevel::Jerk => inner(&gradient, &jerks) + 3.0 * inner(&bent, &a),
-                };
             }
         }
     }
@@ -263,19 +313,9 @@ impl MeshScene {
     fn add_rows(&self, values: &mut [f64], gradient: impl Fn(&RigidSection, Kept) -> Axes) {
         for (row, section, kept) in self.rigid_rows() {
             section.each(&gradient(section, kept), |component, value| {
-                for (unknown, factor) in self.layout.unknowns_at(component) {
-                    if let Some(entry) = self.constraint_pattern.find(unknown, row) {
-                        values[entry] += factor * value;
-                    }
-                }
+                self.add_to_row(component, row, value, values);
             });
         }
-    }
-
-    /// Adds the Jacobians of all rigid sections at the loaded state.
-    pub(crate) fn rigid_section_jacobian(&self, values: &mut [f64]) {
-        let q = &self.buffers.q;
-        self.add_rows(values, |section, kept| kept.gradient(&section.axes(q)));
     }
 
     /// Makes Jacobians at the loaded state those in the middle between it and the start of the step.
@@ -286,12 +326,6 @@ impl MeshScene {
         };
         let way = change(&self.buffers.q);
         self.add_rows(values, |section, kept| kept.gradient(&section.axes(&way)));
-    }
-
-    /// Adds `(d(C_x v)/dx)^T` of all rigid sections at the loaded state.
-    pub(crate) fn rigid_section_rate_tangent(&self, values: &mut [f64]) {
-        let v = &self.buffers.v;
-        self.add_rows(values, |section, kept| kept.gradient(&section.axes(v)));
     }
 
     /// Calls with the entries of `d(C_x^T lambda)/dx` on the pattern.
@@ -311,13 +345,6 @@ impl MeshScene {
                     }
                 });
             }
-        }
-    }
-
-    /// Adds `d(C_x^T lambda)/dx` of all rigid sections at the loaded state.
-    pub(crate) fn rigid_section_stiffness(&self, lambda: &[f64], out: &mut impl Sums) {
-        if !self.rigid_sections.is_empty() {
-            self.add_rigid_section_curvature(lambda, |entry, value| out.stiffness(entry, value));
         }
     }
 

@@ -1,48 +1,86 @@
-//! Rows of the bodies that free frames follow.
+//! Rows of the bodies that free frames follow: linear in the unknowns, with constant coefficients.
 
+use super::constraint::Constraint;
 use crate::emitted::{Fidelity, Interpolant, JointKind};
 use crate::scene::MeshScene;
-use crate::system::ConstraintLevel;
+use crate::scene::frames::ties::Tie;
+use crate::scene::pieces::combined::Combined;
+use crate::system::{ConstraintLevel, Tangent};
 
-impl MeshScene {
-    /// Rows of all ties at the loaded state.
-    pub(crate) fn tie_rows(&self, level: ConstraintLevel, out: &mut [f64]) {
-        let buffers = &self.buffers;
+/// Frames that follow bodies.
+pub(crate) struct Ties;
+
+impl Constraint for Ties {
+    fn rows(&self, scene: &MeshScene) -> Vec<Vec<usize>> {
+        let rows = |tie: &Tie| {
+            let rows = tie.rows.iter();
+            let unknowns = rows.map(|row| scene.unknowns_of(tie.entries(row).map(|(component, _)| component)));
+            unknowns.collect::<Vec<_>>()
+        };
+        scene.ties.iter().flat_map(rows).collect()
+    }
+
+    /// Nothing: they are linear.
+    fn couple(&self, _: &MeshScene, _: &mut Vec<(usize, usize)>) {}
+
+    fn describe(&self, scene: &MeshScene, row: usize) -> String {
+        let mut bodies = scene.ties.iter().flat_map(|tie| tie.rows.iter().map(|_| tie.body));
+        let spec = bodies.nth(row).map(|body| &scene.bodies[body].spec);
+        spec.map_or(String::new(), |spec| {
+            format!("body `{}`, {}", spec.label(), spec.tie.describe())
+        })
+    }
+
+    fn is_curved(&self, _: &MeshScene) -> bool {
+        false
+    }
+
+    fn values(&self, scene: &MeshScene, level: ConstraintLevel, _: f64, rows: &mut [f64]) {
+        let buffers = &scene.buffers;
         let full = match level {
             ConstraintLevel::Position => &buffers.q,
             ConstraintLevel::Velocity => &buffers.v,
             ConstraintLevel::Acceleration => &buffers.a,
             ConstraintLevel::Jerk => &buffers.jerks,
         };
-        let mut place = 0;
-        for tie in &self.ties {
-            for (value, reference) in tie.values(full).zip(&tie.reference) {
-                out[place] = if level == ConstraintLevel::Position {
+        let mut rows = rows.iter_mut();
+        for tie in &scene.ties {
+            for ((value, reference), out) in tie.values(full).zip(&tie.reference).zip(&mut rows) {
+                *out = if level == ConstraintLevel::Position {
                     value - reference
                 } else {
                     value
                 };
-                place += 1;
             }
         }
     }
 
-    /// Adds the Jacobians of all ties from column `column` on.
-    pub(crate) fn tie_jacobian(&self, mut column: usize, values: &mut [f64]) {
-        for tie in &self.ties {
-            for row in &tie.rows {
-                for (component, value) in tie.entries(row) {
-                    for (unknown, factor) in self.layout.unknowns_at(component) {
-                        if let Some(entry) = self.constraint_pattern.find(unknown, column) {
-                            values[entry] += factor * value;
-                        }
-                    }
-                }
-                column += 1;
+    fn add_jacobian(&self, scene: &MeshScene, _: f64, first: usize, values: &mut [f64]) {
+        let rows = scene
+            .ties
+            .iter()
+            .flat_map(|tie| tie.rows.iter().map(move |row| tie.entries(row)));
+        for (place, entries) in rows.enumerate() {
+            for (component, value) in entries {
+                scene.add_to_row(component, first + place, value, values);
             }
         }
     }
 
+    /// Nothing: their coefficients are constant.
+    fn add_rate_tangent(&self, _: &MeshScene, _: f64, _: usize, _: &mut [f64]) {}
+
+    /// Nothing: they are linear.
+    fn add_stiffness(&self, _: &MeshScene, _: f64, _: &[f64], _: &mut Tangent) {}
+
+    /// Nothing: they are linear.
+    fn add_combined(&self, _: &MeshScene, _: f64, _: &[f64], _: &mut Combined) {}
+
+    /// None: what they compare are the unknowns themselves.
+    fn noise(&self, _: &MeshScene, _: f64, _: &mut [f64]) {}
+}
+
+impl MeshScene {
     /// What [`crate::system::System::loose_tie`] tells.
     pub(crate) fn loose_joint(&self, worst: &str) -> Option<String> {
         self.joints.iter().enumerate().find_map(|(index, joint)| {

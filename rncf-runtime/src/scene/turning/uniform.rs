@@ -129,8 +129,7 @@ impl MeshScene {
     /// Tangents at the loaded uniform motion at constant velocities, what modal bodies make excluded.
     pub(crate) fn uniform_tangent(&mut self, at: &Uniform, state: &State, out: &mut Tangent) {
         self.full_tangent(at.t, at.load(), out);
-        self.marker_constraint_stiffness(at.t, &state.lambda, out);
-        self.rigid_section_stiffness(&state.lambda, out);
+        self.add_constraint_stiffness(at.t, &state.lambda, out);
         self.hold_normals(out);
     }
 

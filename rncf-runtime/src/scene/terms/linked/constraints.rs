@@ -2,9 +2,12 @@
 
 use super::jets::Column;
 use crate::scene::MeshScene;
+use crate::scene::numbering::assembly::couple_all;
+use crate::scene::pieces::combined::Combined;
 use crate::scene::pieces::marker::{Linked, Marker};
+use crate::scene::terms::constraint::Constraint;
 use crate::space::Vector;
-use crate::system::{ConstraintLevel, Sums};
+use crate::system::{ConstraintLevel, Sums, Tangent};
 
 /// The three numbers of marker `place` in a row of `3 k`.
 pub(super) fn part(row: &[f64], place: usize) -> Vector {
@@ -28,7 +31,126 @@ fn is_zero_block(matrix: &[f64], markers: usize, m: usize, n: usize) -> bool {
     (0..3).all(|i| row(i).iter().all(|&entry| entry == 0.0))
 }
 
+/// Joints, drives and declared constraints on markers.
+pub(crate) struct Links;
+
+impl Constraint for Links {
+    fn rows(&self, scene: &MeshScene) -> Vec<Vec<usize>> {
+        let rows = |linked: &Linked| {
+            let markers = linked.spec.markers.iter();
+            let components = markers.flat_map(|&marker| scene.marker_components(&scene.markers[marker]));
+            vec![scene.unknowns_of(components); linked.spec.rows.len()]
+        };
+        scene.constraints.iter().flat_map(rows).collect()
+    }
+
+    /// A constraint couples what one marker depends on, by its frame, and what markers depend on that it multiplies. Others
+    /// meet in its multipliers alone: a row from end to end of a body leaves the matrix as narrow as it is.
+    fn couple(&self, scene: &MeshScene, entries: &mut Vec<(usize, usize)>) {
+        for linked in &scene.constraints {
+            let markers = linked.spec.markers;
+            for &marker in markers {
+                couple_all(&scene.unknowns_of_markers(&[marker]), entries);
+            }
+            for &[first, second] in linked.spec.coupled {
+                couple_all(&scene.unknowns_of_markers(&[markers[first], markers[second]]), entries);
+            }
+        }
+    }
+
+    fn describe(&self, scene: &MeshScene, row: usize) -> String {
+        let links = scene.constraints.iter();
+        let mut rows = links.flat_map(|linked| linked.spec.rows.iter().map(|row| (&linked.spec, row)));
+        rows.nth(row).map_or(String::new(), |(spec, row)| {
+            let owner = match spec.kind {
+                "constraint" => format!("constraint `{}`", spec.name),
+                kind => format!("joint `{}` ({kind})", spec.name),
+            };
+            format!("{owner}, {row}")
+        })
+    }
+
+    fn is_curved(&self, scene: &MeshScene) -> bool {
+        !scene.constraints.is_empty()
+    }
+
+    fn values(&self, scene: &MeshScene, level: ConstraintLevel, t: f64, out: &mut [f64]) {
+        let mut first = 0;
+        for linked in &scene.constraints {
+            let jets: Vec<[Vector; 4]> = linked
+                .spec
+                .markers
+                .iter()
+                .map(|&marker| scene.jet_from(&scene.markers[marker], linked.anchor))
+                .collect();
+            let count = linked.spec.rows.len();
+            let rows = &mut out[first..first + count];
+            rows.fill(0.0);
+            scene.parts.marker_constraint(linked.index, level, t, &jets, rows);
+            first += count;
+        }
+    }
+
+    fn add_jacobian(&self, scene: &MeshScene, t: f64, mut first: usize, values: &mut [f64]) {
+        for linked in &scene.constraints {
+            let [z, _] = scene.arguments(linked);
+            let gradient = scene.gradient(linked, t, &z);
+            let width = 3 * z.len();
+            for (place, columns) in scene.all_columns(linked).iter().enumerate() {
+                for (row, gradient) in gradient.chunks_exact(width).enumerate() {
+                    let gradient = part(gradient, place);
+                    for column in columns {
+                        scene.add_to_row(column.component, first + row, gradient.dot(&column.value), values);
+                    }
+                }
+            }
+            first += linked.spec.rows.len();
+        }
+    }
+
+    fn add_rate_tangent(&self, scene: &MeshScene, t: f64, mut first: usize, values: &mut [f64]) {
+        for linked in &scene.constraints {
+            let [z, velocity] = scene.arguments(linked);
+            let gradient = scene.gradient(linked, t, &z);
+            let mut rates = vec![0.0; gradient.len()];
+            scene
+                .parts
+                .marker_constraint_rate_gradient(linked.index, t, &z, &velocity, &mut rates);
+            let width = 3 * z.len();
+            for (place, columns) in scene.all_columns(linked).iter().enumerate() {
+                for row in 0..linked.spec.rows.len() {
+                    let line = row * width..(row + 1) * width;
+                    let (gradient, rate) = (part(&gradient[line.clone()], place), part(&rates[line], place));
+                    for column in columns {
+                        let value = rate.dot(&column.value) + gradient.dot(&column.rate);
+                        scene.add_to_row(column.component, first + row, value, values);
+                    }
+                }
+            }
+            first += linked.spec.rows.len();
+        }
+    }
+
+    fn add_stiffness(&self, scene: &MeshScene, t: f64, lambda: &[f64], out: &mut Tangent) {
+        scene.link_stiffness(t, lambda, out);
+    }
+
+    fn add_combined(&self, scene: &MeshScene, t: f64, lambda: &[f64], out: &mut Combined) {
+        scene.link_stiffness(t, lambda, out);
+    }
+
+    fn noise(&self, scene: &MeshScene, t: f64, rows: &mut [f64]) {
+        scene.link_noise(t, rows);
+    }
+}
+
 impl MeshScene {
+    /// Unknowns that some markers depend on, ascending, each once.
+    pub(super) fn unknowns_of_markers(&self, markers: &[usize]) -> Vec<usize> {
+        let markers = markers.iter().map(|&marker| &self.markers[marker]);
+        self.unknowns_of(markers.flat_map(|marker| self.marker_components(marker)))
+    }
+
     fn constraint_marker(&self, linked: &Linked, place: usize) -> &Marker {
         &self.markers[linked.spec.markers[place]]
     }
@@ -63,73 +185,6 @@ impl MeshScene {
         self.gradient(linked, t, &values)
     }
 
-    /// Rows of all constraints on markers at the loaded state.
-    pub(crate) fn marker_constraints(&self, level: ConstraintLevel, t: f64, out: &mut [f64]) {
-        let mut first = 0;
-        for linked in &self.constraints {
-            let jets: Vec<[Vector; 4]> = linked
-                .spec
-                .markers
-                .iter()
-                .map(|&marker| self.jet_from(&self.markers[marker], linked.anchor))
-                .collect();
-            let count = linked.spec.rows.len();
-            let rows = &mut out[first..first + count];
-            rows.fill(0.0);
-            self.parts.marker_constraint(linked.index, level, t, &jets, rows);
-            first += count;
-        }
-    }
-
-    /// Adds the Jacobians of all constraints on markers from column `first` on.
-    pub(crate) fn marker_jacobians(&self, t: f64, mut first: usize, values: &mut [f64]) {
-        for linked in &self.constraints {
-            let [z, _] = self.arguments(linked);
-            let gradient = self.gradient(linked, t, &z);
-            let width = 3 * z.len();
-            for (place, columns) in self.all_columns(linked).iter().enumerate() {
-                for (row, gradient) in gradient.chunks_exact(width).enumerate() {
-                    let gradient = part(gradient, place);
-                    for column in columns {
-                        self.add_constraint(column.component, first + row, gradient.dot(&column.value), values);
-                    }
-                }
-            }
-            first += linked.spec.rows.len();
-        }
-    }
-
-    /// Adds `(d(C_x v + C_t)/dx)^T` of all constraints on markers from column `first` on.
-    pub(crate) fn marker_rate_tangents(&self, t: f64, mut first: usize, values: &mut [f64]) {
-        for linked in &self.constraints {
-            let [z, velocity] = self.arguments(linked);
-            let gradient = self.gradient(linked, t, &z);
-            let mut rates = vec![0.0; gradient.len()];
-            self.parts
-                .marker_constraint_rate_gradient(linked.index, t, &z, &velocity, &mut rates);
-            let width = 3 * z.len();
-            for (place, columns) in self.all_columns(linked).iter().enumerate() {
-                for row in 0..linked.spec.rows.len() {
-                    let line = row * width..(row + 1) * width;
-                    let (gradient, rate) = (part(&gradient[line.clone()], place), part(&rates[line], place));
-                    for column in columns {
-                        let value = rate.dot(&column.value) + gradient.dot(&column.rate);
-                        self.add_constraint(column.component, first + row, value, values);
-                    }
-                }
-            }
-            first += linked.spec.rows.len();
-        }
-    }
-
-    fn add_constraint(&self, component: usize, column: usize, value: f64, values: &mut [f64]) {
-        for (unknown, factor) in self.layout.unknowns_at(component) {
-            if let Some(entry) = self.constraint_pattern.find(unknown, column) {
-                values[entry] += factor * value;
-            }
-        }
-    }
-
     /// `(dC/dz)^T lambda` of a constraint whose multipliers begin at `first`: 3 k numbers.
     fn pulls(&self, linked: &Linked, t: f64, z: &[Vector], lambda: &[f64]) -> Vec<f64> {
         let gradient = self.gradient(linked, t, z);
@@ -144,7 +199,7 @@ impl MeshScene {
     }
 
     /// Adds `d(C_x^T lambda)/dx` of all constraints on markers.
-    pub(crate) fn marker_constraint_stiffness(&self, t: f64, lambda: &[f64], out: &mut impl Sums) {
+    fn link_stiffness(&self, t: f64, lambda: &[f64], out: &mut impl Sums) {
         let mut first = self.first_linked();
         for linked in &self.constraints {
             let rows = linked.spec.rows.len();

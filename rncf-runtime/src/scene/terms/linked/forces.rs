@@ -5,13 +5,48 @@ use super::jets::Column;
 use crate::emitted::{FrameMotion, LoadKind};
 use crate::scene::bodies::place::MeshPoint;
 use crate::scene::mesh_scene::MeshScene;
+use crate::scene::numbering::assembly::couple_all;
+use crate::scene::pieces::combined::Combined;
 use crate::scene::pieces::marker::Marker;
+use crate::scene::pieces::push::Law;
+use crate::scene::terms::force::{At, Force};
 use crate::space::{Matrix, Vector};
-use crate::system::Sums;
+use crate::system::{Sums, Tangent};
+
+/// Springs and other forces on markers, what is spread over points, and loads that free frames feel.
+pub(crate) struct Pushes;
+
+impl Force for Pushes {
+    fn couple(&self, scene: &MeshScene, entries: &mut Vec<(usize, usize)>) {
+        // What acts at points of an element or a frame couples what they couple anyway.
+        let declared = scene.forces.iter().filter(|force| matches!(force.law, Law::Force(_)));
+        let declared = declared.map(|force| scene.unknowns_of_markers(&force.markers));
+        let marked = scene.marked_loads.iter().map(|marked| {
+            let turn = Marker::Turn {
+                frame: scene.loads[marked.load].frame,
+            };
+            let markers = marked.markers.iter().chain([&turn]);
+            scene.unknowns_of(markers.flat_map(|marker| scene.marker_components(marker)))
+        });
+        declared.chain(marked).for_each(|group| couple_all(&group, entries));
+    }
+
+    fn add(&self, scene: &mut MeshScene, at: &At) {
+        scene.add_marker_forces(at.t, at.load_scale);
+    }
+
+    fn add_tangent(&self, scene: &mut MeshScene, at: &At, out: &mut Tangent) {
+        scene.add_marker_force_tangents(at.t, at.load_scale, out);
+    }
+
+    fn add_combined(&self, scene: &mut MeshScene, at: &At, out: &mut Combined) {
+        scene.add_marker_force_tangents(at.t, at.load_scale, out);
+    }
+}
 
 impl MeshScene {
     /// Adds the forces on markers (to the left side, where they are negative) at the loaded state.
-    pub(crate) fn add_marker_forces(&mut self, t: f64, load_scale: f64) {
+    fn add_marker_forces(&mut self, t: f64, load_scale: f64) {
         self.add_spread_forces(t, load_scale);
         for index in 0..self.forces.len() {
             let spec = &self.forces[index];
@@ -89,7 +124,7 @@ impl MeshScene {
     }
 
     /// Adds the derivatives of the forces on markers at the loaded state.
-    pub(crate) fn add_marker_force_tangents(&self, t: f64, load_scale: f64, out: &mut impl Sums) {
+    fn add_marker_force_tangents(&self, t: f64, load_scale: f64, out: &mut impl Sums) {
         self.add_spread_tangents(t, load_scale, out);
         for (index, spec) in self.forces.iter().enumerate() {
             if self.is_added_by_element(index) {

@@ -1,8 +1,8 @@
 //! What acts between frames and bodies: constraints and forces on markers (THEORY 2.2, 6).
 
 mod branches;
-mod constraints;
-mod forces;
+pub(crate) mod constraints;
+pub(crate) mod forces;
 mod jets;
 mod noise;
 mod pushes;

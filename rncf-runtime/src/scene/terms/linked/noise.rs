@@ -5,8 +5,8 @@ use crate::scene::MeshScene;
 use crate::scene::pieces::marker::{Linked, Marker};
 
 impl MeshScene {
-    /// Round-off of all constraints on markers at the loaded state, in their units.
-    pub(crate) fn marker_constraint_noise(&self, t: f64, out: &mut [f64]) {
+    /// Round-off of all links at the loaded state, in their units.
+    pub(super) fn link_noise(&self, t: f64, out: &mut [f64]) {
         let mut first = 0;
         for linked in &self.constraints {
             let gradient = self.gradient_of(linked, t);
