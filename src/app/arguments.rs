@@ -255,7 +255,7 @@ fn several(command: Command, model: &dyn AnyModel, varied: Vec<Varied>) -> Resul
             Values::List(values) => lists.push(List { param, values }),
             Values::Range(..) if !command.continues() => {
                 return Err(format!(
-                    "`{name}` is given as a range, which `{word}` does not take: give one value, or use steady, campbell, static or sweep"
+                    "`{name}` is given as a range, which `{word}` does not take: give one value, or use steady, campbell, static, sweep or optimise"
                 ));
             }
             Values::Range(from, to, None) => {

@@ -160,7 +160,7 @@ fn flags_that_make_no_sense_together_are_refused() {
         ),
         (
             &["omega=1..2 rad/s"],
-            "`omega` is given as a range, which `run` does not take: give one value, or use steady, campbell, static or sweep",
+            "`omega` is given as a range, which `run` does not take: give one value, or use steady, campbell, static, sweep or optimise",
         ),
         (
             &["steady", "--formulation", "ancf"],

@@ -13,6 +13,7 @@ use super::run_error::{Incomplete, RunError};
 use super::tracker::Tracker;
 use crate::AnyModel;
 use crate::equilibrium::{self, Kind};
+use crate::model::{DescribedBody, MassProperties};
 use crate::modes::{Composition, Critical, Whirl};
 
 /// Modes over the first column.
@@ -43,6 +44,10 @@ pub struct Campbell {
     pub compositions: Vec<Composition>,
     /// For each of [`Campbell::tracks`] the parts by which the meshes of the bodies make its frequency too high; empty where nothing is known.
     pub(super) mesh_errors: Vec<Vec<f64>>,
+    /// How bodies are described.
+    pub bodies: Vec<DescribedBody>,
+    /// Masses with their centres and inertia at the last equilibrium.
+    pub masses: Vec<MassProperties>,
     /// Number of unknowns.
     pub unknowns: usize,
     /// Number of constraints with multipliers.
@@ -149,6 +154,8 @@ pub fn campbell_watched(
         crossings: Vec::new(),
         compositions: Vec::new(),
         mesh_errors: Vec::new(),
+        bodies: Vec::new(),
+        masses: Vec::new(),
         unknowns: 0,
         constraints: 0,
         newton_iterations: 0,
@@ -183,6 +190,8 @@ pub fn campbell_watched(
     let leaps = line.warnings();
     let station = line.station();
     diagram.t = station.at.t;
+    diagram.bodies = station.scene.bodies();
+    diagram.masses = station.scene.masses(station.state);
     diagram.unknowns = station.scene.unknowns();
     diagram.constraints = station.scene.constraints();
     diagram.warnings = cautions::cautioned(model, station.scene.warnings(station.state));

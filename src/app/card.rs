@@ -5,14 +5,16 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 
-use super::continuation::EquilibriumSettings;
+use super::continuation::{EquilibriumSettings, at_the_end};
 use super::mass_table;
 use super::modes::{growth, modes};
 use super::parameters::digits;
 use super::report::escape;
 use super::run::{RunResult, times};
+use super::steady::Equilibria;
 use super::summary::Summary;
 use crate::AnyModel;
+use crate::equilibrium::Kind;
 use crate::model::{DescribedBody, Fidelity};
 
 /// Unknowns up to which frequencies are cheap beside a run.
@@ -40,6 +42,14 @@ pub(super) fn put(summary: &mut Summary, model: &dyn AnyModel, result: &RunResul
     summary.insert("first_frequencies".into(), found);
 }
 
+/// Adds the bodies and masses at the last equilibrium, and the first frequencies about it.
+pub(super) fn put_equilibria(summary: &mut Summary, model: &dyn AnyModel, result: &Equilibria) {
+    put_bodies(summary, &result.bodies);
+    mass_table::put(summary, &result.masses);
+    let found = frequencies_at_the_end(model, result).unwrap_or_else(|why| json!({ "none": why }));
+    summary.insert("first_frequencies".into(), found);
+}
+
 fn how(fidelity: Fidelity) -> String {
     match fidelity {
         Fidelity::Full => "all nodal vectors".into(),
@@ -52,12 +62,7 @@ fn frequencies(model: &dyn AnyModel, result: &RunResult) -> Result<Value, String
     if result.incomplete.is_some() {
         return Err("the run is not complete".into());
     }
-    if result.unknowns > CHEAP {
-        return Err(format!(
-            "with {} unknowns they cost more than a look; the command `modes` finds them",
-            result.unknowns
-        ));
-    }
+    affordable(result.unknowns)?;
     if !result.settings.fidelity.is_empty() {
         return Err("equilibria take the bodies as they are declared, and this run does not".into());
     }
@@ -67,7 +72,42 @@ fn frequencies(model: &dyn AnyModel, result: &RunResult) -> Result<Value, String
         count: COUNT,
         ..EquilibriumSettings::default()
     };
-    let found = modes(model, &settings).map_err(|error| error.to_string())?;
+    first(model, &settings)
+}
+
+/// About the last of some equilibria.
+fn frequencies_at_the_end(model: &dyn AnyModel, result: &Equilibria) -> Result<Value, String> {
+    if result.incomplete.is_some() {
+        return Err("the way ended early".into());
+    }
+    affordable(result.unknowns)?;
+    let settings = EquilibriumSettings {
+        count: COUNT,
+        range: None,
+        ..result.settings
+    };
+    let last = at_the_end(model, &result.settings);
+    let found = first(last.as_ref(), &settings)?;
+    if result.kind == Kind::Static && found["spin"].as_f64() != Some(0.0) {
+        return Err(
+            "they are known about relative equilibria, and these rest; the command `modes` finds those of the rotation"
+                .into(),
+        );
+    }
+    Ok(found)
+}
+
+fn affordable(unknowns: usize) -> Result<(), String> {
+    if unknowns <= CHEAP {
+        return Ok(());
+    }
+    Err(format!(
+        "with {unknowns} unknowns they cost more than a look; the command `modes` finds them"
+    ))
+}
+
+fn first(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Value, String> {
+    let found = modes(model, settings).map_err(|error| error.to_string())?;
     let own: Vec<f64> = found.modes.iter().map(|mode| mode.im).collect();
     if own.is_empty() {
         return Err("no motion is free".into());
@@ -217,6 +257,32 @@ mod tests {
         assert!(text.contains("which turns with 3 rad/s, and seen from it"), "{text}");
         assert!(text.contains("<td>2, no constraints with multipliers</td>"), "{text}");
         assert!(text.contains("<li>The spring has no mass.</li>"), "{text}");
+    }
+
+    /// At 5 rad/s the mass of 1 kg rests at 50 * 2 / (50 - 25) m, and the frequencies are sqrt(50) -+ 5.
+    #[test]
+    fn the_card_of_equilibria_is_about_the_last_of_them() {
+        let settings = EquilibriumSettings {
+            range: Some(crate::app::continuation::Range {
+                param: 0,
+                from: 1.0,
+                to: 5.0,
+            }),
+            ..EquilibriumSettings::default()
+        };
+        let rotor = Rotor {
+            loss: 0.0,
+            ..Rotor::default()
+        };
+        let result = crate::app::steady(&rotor, &settings).unwrap();
+        let mut summary = crate::app::summary::of_equilibria(&rotor, &result);
+        put_equilibria(&mut summary, &rotor, &result);
+        let own = summary["first_frequencies"]["im [rad/s]"].as_array().unwrap();
+        let own: Vec<f64> = own.iter().filter_map(Value::as_f64).collect();
+        for (own, wanted) in own.iter().zip([50f64.sqrt() - 5.0, 50f64.sqrt() + 5.0]) {
+            assert!((own - wanted).abs() < 1e-9, "{own} {wanted}");
+        }
+        assert!(part(&summary, &rotor).contains("which turns with 5 rad/s"));
     }
 
     #[test]

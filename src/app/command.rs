@@ -21,6 +21,8 @@ pub enum Command {
     Advise,
     /// Many runs with other values of the parameters.
     Sweep,
+    /// Values of the parameters at which a result is least, largest, or as it is wanted.
+    Optimise,
     /// The plan of a sweep, without its runs.
     Plan,
     /// One run of a plan.
@@ -33,7 +35,7 @@ pub enum Command {
 
 impl Command {
     /// All of them, as they stand in the help.
-    pub(super) const ALL: [Command; 12] = [
+    pub(super) const ALL: [Command; 13] = [
         Command::Run,
         Command::Steady,
         Command::Modes,
@@ -42,6 +44,7 @@ impl Command {
         Command::Chart,
         Command::Advise,
         Command::Sweep,
+        Command::Optimise,
         Command::Plan,
         Command::Task,
         Command::Collect,
@@ -59,6 +62,7 @@ impl Command {
             Command::Chart => "chart",
             Command::Advise => "advise",
             Command::Sweep => "sweep",
+            Command::Optimise => "optimise",
             Command::Plan => "plan",
             Command::Task => "task",
             Command::Collect => "collect",
@@ -88,6 +92,9 @@ impl Command {
             Command::Sweep => {
                 "Many runs: lists (name=a,b,c), ranges (name=from..to in 9), samples (name=normal(mean, deviation) --samples 100)"
             }
+            Command::Optimise => {
+                "Values in ranges (name=from..to) at which a result is least, largest or as wanted: --minimise, --maximise, --fit"
+            }
             Command::Plan => "The plan of a sweep alone, for other programs to hand out its points",
             Command::Task => "One point of a plan: --plan plan.toml --index 3",
             Command::Collect => "One table, and pictures, of the points of a plan that are done",
@@ -112,7 +119,7 @@ impl Command {
 
     /// Whether it lays out many runs.
     pub(super) fn sweeps(self) -> bool {
-        matches!(self, Command::Sweep | Command::Plan)
+        matches!(self, Command::Sweep | Command::Optimise | Command::Plan)
     }
 
     /// Whether it tries several values of a parameter, `name=a,b,c`.
@@ -128,6 +135,7 @@ impl Command {
         }
         match flag {
             "of" | "samples" | "design" | "seed" => self.sweeps(),
+            "minimise" | "maximise" | "fit" | "most" => self == Command::Optimise,
             "plan" | "index" => false,
             "no-elimination" => self.runs() || self == Command::Explain,
             "start" | "every" | "t-end" | "stabilised" | "max-step" => self.runs(),
@@ -141,6 +149,7 @@ impl Command {
             "formulations" | "integrators" | "rtols" | "reference" | "beside" => self == Command::Chart,
             "fresh" => self == Command::Chart || self.sweeps(),
             "wanted" => matches!(self, Command::Chart | Command::Advise),
+            "outputs" if self == Command::Optimise => false,
             "outputs" | "limit" => matches!(self, Command::Chart | Command::Advise) || self.sweeps(),
             "steps" => matches!(self, Command::Steady | Command::Campbell | Command::Static),
             "at" => !self.runs() && !self.sweeps(),
@@ -166,6 +175,8 @@ impl Command {
         let why = match (self, flag) {
             (Command::Task | Command::Collect, _) => "what is computed stands in the plan",
             (Command::Explain, _) => "it integrates nothing and writes no files",
+            (_, "minimise" | "maximise" | "fit" | "most") => "it looks for no optimum",
+            (Command::Optimise, "outputs") => "what counts stands behind `--minimise`, `--maximise` or `--fit`",
             (_, "of" | "samples" | "design" | "seed") => "it computes one point",
             (_, "plan" | "index") => "its params and settings stand on its line, or in a file named by `--scenario`",
             (_, "animate" | "compare" | "vtu" | "resume" | "frequency" | "export") if self.sweeps() => {

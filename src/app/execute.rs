@@ -17,7 +17,7 @@ use super::run::run_recorded;
 use super::run_error::{Incomplete, RunError};
 use super::steady::equilibria;
 use super::summary::{self, Summary};
-use super::{advise, card, chart, checkpoint, explain, export, files, plan, report, scenario};
+use super::{advise, card, chart, checkpoint, explain, export, files, mass_table, plan, report, scenario};
 use crate::equilibrium::Kind;
 
 pub(super) const FAILURE: u8 = 1;
@@ -75,6 +75,7 @@ pub(super) fn execute(arguments: &Arguments, interrupted: impl Fn() -> bool) -> 
         Command::Chart => chart::execute(arguments, interrupted),
         Command::Advise => advise::execute(arguments, interrupted),
         Command::Sweep => plan::sweep(arguments, interrupted),
+        Command::Optimise => plan::optimise(arguments, interrupted),
         Command::Plan => plan::lay_out(arguments),
         Command::Task => plan::task(arguments, interrupted),
         Command::Collect => plan::collect(arguments),
@@ -194,7 +195,8 @@ fn execute_equilibria(arguments: &Arguments, kind: Kind, interrupted: impl Fn() 
         Kind::Steady => ("relative equilibria", "steady.csv"),
         Kind::Static => ("static equilibria", "static.csv"),
     };
-    let summary = summary::of_equilibria(arguments.model(), &result);
+    let mut summary = summary::of_equilibria(arguments.model(), &result);
+    card::put_equilibria(&mut summary, arguments.model(), &result);
     let table = (name, result.history.to_csv());
     let files = write(
         arguments,
@@ -273,7 +275,9 @@ fn execute_campbell(arguments: &Arguments, interrupted: impl Fn() -> bool) -> Re
         Err(RunError::Campbell(result)) => *result,
         Err(error) => return Err(Failure::from(&error)),
     };
-    let summary = summary::of_campbell(arguments.model(), &result);
+    let mut summary = summary::of_campbell(arguments.model(), &result);
+    card::put_bodies(&mut summary, &result.bodies);
+    mass_table::put(&mut summary, &result.masses);
     let part = campbell_part(&result, arguments.frequency);
     let table = ("campbell.csv", result.to_csv());
     let files = write(arguments, "Campbell diagram", table, &summary, part)?;

@@ -43,10 +43,10 @@ pub(super) fn table(summary: &Summary) -> String {
 
 /// When the masses are where they are.
 pub(super) fn moment(summary: &Summary) -> &'static str {
-    if summary.get("command").is_some_and(|command| command == "modes") {
-        "At the equilibrium"
-    } else {
-        "At the start"
+    match summary.get("command").and_then(Value::as_str) {
+        Some("modes") => "At the equilibrium",
+        Some("steady" | "static" | "campbell") => "At the last equilibrium",
+        _ => "At the start",
     }
 }
 

@@ -247,6 +247,16 @@ fn mismatch(symbols: &str, found: Dimension, declared: &str, dimension: Dimensio
     }
 }
 
+/// A value with a unit of the dimension of `unit`, in `unit`.
+///
+/// # Errors
+/// What is wrong with it.
+pub(super) fn in_unit_of(text: &str, unit: &str) -> Result<f64, String> {
+    let unit = if unit == "1" { "" } else { unit };
+    let dimension = Unit::parse(unit)?.dimension;
+    Ok(quantity(text, unit, dimension)? / quantity(&format!("1 {unit}"), unit, dimension)?)
+}
+
 /// A positive time with its unit, for a flag.
 ///
 /// # Errors
@@ -454,7 +464,7 @@ mod tests {
             ),
             (
                 "whatever",
-                "`whatever` is neither a command (run, steady, modes, campbell, static, chart, advise, sweep, plan, task, collect, explain) nor `name=value`",
+                "`whatever` is neither a command (run, steady, modes, campbell, static, chart, advise, sweep, optimise, plan, task, collect, explain) nor `name=value`",
             ),
         ];
         for (word, expected) in cases {

@@ -13,7 +13,7 @@ use super::modes::{SeenMode, growth};
 use super::parameters::digits;
 use super::run_error::{Incomplete, RunError};
 use crate::equilibrium::{self, Kind};
-use crate::model::FrameState;
+use crate::model::{DescribedBody, FrameState, MassProperties};
 use crate::modes::{self, Critical};
 use crate::{AnyModel, Caution, Formulation, Joints, Scene};
 
@@ -36,6 +36,10 @@ pub struct Equilibria {
     /// Of static equilibria: values of the first column where the number of negative directions of the
     /// stiffness changes and the bodies buckle or snap.
     pub critical: Vec<Critical>,
+    /// How bodies are described.
+    pub bodies: Vec<DescribedBody>,
+    /// Masses with their centres and inertia at the last equilibrium.
+    pub masses: Vec<MassProperties>,
     /// Number of unknowns.
     pub unknowns: usize,
     /// Number of constraints with multipliers.
@@ -157,6 +161,8 @@ pub fn equilibria(
         history,
         envelopes,
         critical,
+        bodies: station.scene.bodies(),
+        masses: station.scene.masses(station.state),
         unknowns: station.scene.unknowns(),
         constraints: station.scene.constraints(),
         newton_iterations,

@@ -208,7 +208,7 @@ pub(in crate::app) fn outputs(model: &dyn AnyModel, matches: &ArgMatches) -> Res
 }
 
 /// For each column of a history its output and its own name.
-fn column_names(outputs: &'static [Output]) -> Vec<(&'static str, String)> {
+pub(in crate::app) fn column_names(outputs: &'static [Output]) -> Vec<(&'static str, String)> {
     let mut names = Vec::new();
     for output in outputs {
         if output.components.is_empty() {

@@ -3,12 +3,15 @@
 //! A plan names its points once and for all ([`design`]); each is one task whose result is one file ([`point`]), written
 //! whole or not at all, and skipped where it is there. `sweep` does all of them on the cores of this machine, `task` one of
 //! them, so that any engine can hand them out; `collect` makes one table of the files ([`table`]) with pictures
-//! ([`picture`]).
+//! ([`picture`]). `optimise` chooses its points by the results of earlier ones ([`optimise`]).
 
 mod design;
+mod goal;
+mod optimise;
 mod picture;
 mod point;
 mod random;
+mod simplex;
 mod table;
 #[cfg(test)]
 mod tests;
@@ -19,6 +22,8 @@ use clap::{Arg, ArgMatches};
 use serde_json::json;
 
 pub(super) use self::design::Design;
+use self::goal::Goal;
+pub(super) use self::optimise::optimise;
 use self::point::Work;
 use self::table::Table;
 use super::arguments::{Arguments, text};
@@ -57,6 +62,10 @@ pub(super) struct PlanSettings {
     pub is_fresh: bool,
     /// The point that `task` computes.
     pub index: Option<usize>,
+    /// What `optimise` looks for.
+    pub goal: Option<Goal>,
+    /// Most points of `optimise`.
+    pub most: Option<usize>,
 }
 
 /// The points of a plan.
@@ -73,24 +82,36 @@ pub(super) struct Plan {
 impl Plan {
     /// The points, and the text of the plan's file.
     fn new(arguments: &Arguments) -> Result<(Self, String), String> {
-        let (model, settings) = (arguments.model(), &arguments.plan);
-        let points = design::points(model, &settings.varied, settings.design, settings.seed)?;
-        let text = arguments.scenario.to_text(model, Command::Sweep, Some(points.len()));
-        let version = env!("CARGO_PKG_VERSION");
-        let identity = format!("{version} {}\n{text}\n{}", settings.of.name(), model.source());
-        let plan = Self {
-            name: format!("{:016x}", hash(&identity)),
-            design: settings.design,
-            varied: settings.varied.clone(),
-            points,
-        };
+        let mut plan = Self::laid_out(arguments, arguments.plan.design, "")?;
+        let count = plan.points.len();
+        let text = arguments
+            .scenario
+            .to_text(arguments.model(), Command::Sweep, Some(count));
+        plan.name = name_of(arguments, &text);
         Ok((plan, text))
+    }
+
+    /// The points of a design, under the name of a text that says what is computed and with what.
+    fn laid_out(arguments: &Arguments, design: Design, text: &str) -> Result<Self, String> {
+        let settings = &arguments.plan;
+        Ok(Self {
+            name: name_of(arguments, text),
+            design,
+            varied: settings.varied.clone(),
+            points: design::points(arguments.model(), &settings.varied, design, settings.seed)?,
+        })
     }
 
     /// Where its points are, in the folder of the results.
     fn folder(&self, out: &Path) -> PathBuf {
         out.join(format!("points-{}", self.name))
     }
+}
+
+fn name_of(arguments: &Arguments, text: &str) -> String {
+    let version = env!("CARGO_PKG_VERSION");
+    let (of, source) = (arguments.plan.of.name(), arguments.model().source());
+    format!("{:016x}", hash(&format!("{version} {of}\n{text}\n{source}")))
 }
 
 /// The flags of plans; `--outputs`, `--limit` and `--fresh` are those of `chart`, too.
@@ -121,6 +142,23 @@ pub(super) fn flags() -> Vec<Arg> {
             &["latin", "random"],
         ),
         value("seed", "NUMBER", "Another number draws other points (default 0)"),
+        value(
+            "minimise",
+            "RESULT",
+            "What optimise makes small, e.g. \"tip.x max\": an output with last (default), min or max, or \"mode 1 im\"",
+        ),
+        value("maximise", "RESULT", "What optimise makes large"),
+        value(
+            "fit",
+            "RESULT=VALUE,..",
+            "What optimise brings near to values, e.g. \"tip.x max=3 m\": the sum of squared relative differences",
+        )
+        .allow_hyphen_values(true),
+        value(
+            "most",
+            "NUMBER",
+            "Points after which optimise gives up (default: the first ones and 200 for each parameter)",
+        ),
         value("plan", "FILE", "The plan.toml of a sweep, for task and collect"),
         value("index", "NUMBER", "The point that task computes, from 0 on"),
     ]
@@ -160,11 +198,12 @@ pub(super) fn settings(
         }
         (None, None) => Design::Grid,
     };
+    let of = match text(matches, "of").and_then(Command::named).unwrap_or(default) {
+        of @ (Command::Static | Command::Steady | Command::Modes) => of,
+        _ => Command::Run,
+    };
     Ok(PlanSettings {
-        of: match text(matches, "of").and_then(Command::named).unwrap_or(default) {
-            of @ (Command::Static | Command::Steady | Command::Modes) => of,
-            _ => Command::Run,
-        },
+        of,
         design,
         seed: whole("seed")?.unwrap_or(0),
         varied,
@@ -175,6 +214,8 @@ pub(super) fn settings(
         },
         is_fresh: chart::flags::fresh(matches),
         index: whole("index")?.map(|index| index as usize),
+        goal: Goal::read(model, matches, of)?,
+        most: whole("most")?.map(|most| most as usize),
     })
 }
 
@@ -232,29 +273,47 @@ pub(super) fn sweep(arguments: &Arguments, interrupted: impl Fn() -> bool) -> Re
     let open: Vec<usize> = (0..plan.points.len())
         .filter(|&index| point::read(&folder, &plan, index).is_none())
         .collect();
-    let (count, mut done) = (open.len(), 0);
     let mut bar = Bar::new(arguments.quiet);
+    let outcome = do_points(arguments, &plan, &folder, open, &interrupted, |done, count| {
+        bar.show_share(done as f64 / count as f64, &format!("{done} of {count} points"));
+    });
+    bar.clear();
+    outcome?;
+    finish(arguments, &plan, clock)
+}
+
+/// Does points on the cores of this machine; `told` gets how many of how many are done.
+///
+/// # Errors
+/// With its exit code: a file that cannot be written; Ctrl-C, where all points that were done stay.
+fn do_points(
+    arguments: &Arguments,
+    plan: &Plan,
+    folder: &Path,
+    open: Vec<usize>,
+    interrupted: &impl Fn() -> bool,
+    mut told: impl FnMut(usize, usize),
+) -> Result<(), Failure> {
+    let (count, mut done, mut is_interrupted) = (open.len(), 0, false);
     let (model, work) = (arguments.model().boxed(), work_of(arguments));
     let model = model.as_ref();
-    let mut is_interrupted = false;
     let outcome = on_all_cores(
         open,
-        &interrupted,
-        |&index, stop| point::work(model, &plan, index, &folder, &work, stop),
+        interrupted,
+        |&index, stop| point::work(model, plan, index, folder, &work, stop),
         |_, written: Result<bool, String>| {
             is_interrupted |= !written?;
             done += 1;
-            bar.show_share(done as f64 / count as f64, &format!("{done} of {count} points"));
+            told(done, count);
             Ok(None)
         },
     );
-    bar.clear();
     outcome.map_err(failure)?;
     if is_interrupted || interrupted() {
         let text = "interrupted by the user; the same command again goes on from here";
         return Err(Failure::new(INTERRUPTION, text));
     }
-    finish(arguments, &plan, clock)
+    Ok(())
 }
 
 /// Does one point, where it is not there yet.
@@ -350,7 +409,7 @@ fn finish(arguments: &Arguments, plan: &Plan, clock: Clock) -> Result<String, Fa
     if plan.design != Design::Grid {
         put(&mut summary, "statistics", table.statistics());
     }
-    let warnings = warnings(model, plan, &table);
+    let warnings = warnings(model, plan, &table, TABLE);
     put(&mut summary, "notes", summary::notes(model, &warnings));
 
     let csv = (TABLE, table.to_csv(model, plan));
@@ -385,7 +444,7 @@ fn problem(plan: &Plan, table: &Table) -> Option<String> {
 }
 
 /// Sentences on points that failed and on notes of points, the commonest with where it is found.
-fn warnings(model: &dyn AnyModel, plan: &Plan, table: &Table) -> Vec<String> {
+fn warnings(model: &dyn AnyModel, plan: &Plan, table: &Table, file: &str) -> Vec<String> {
     let mut warnings = Vec::new();
     let place = |row: &table::Row| {
         let values = plan.varied.iter().zip(&row.params);
@@ -402,7 +461,7 @@ fn warnings(model: &dyn AnyModel, plan: &Plan, table: &Table) -> Vec<String> {
     }
     if failed.len() > MOST_LINES {
         warnings.push(format!(
-            "{} points more failed: {TABLE} names them",
+            "{} points more failed: {file} names them",
             failed.len() - MOST_LINES
         ));
     }
@@ -410,7 +469,7 @@ fn warnings(model: &dyn AnyModel, plan: &Plan, table: &Table) -> Vec<String> {
     if let Some(first) = noted.first() {
         let note = &first.notes[0];
         warnings.push(format!(
-            "{} points have notes, which stand in {TABLE}; the first is point {} ({}): {note}",
+            "{} points have notes, which stand in {file}; the first is point {} ({}): {note}",
             noted.len(),
             first.point,
             place(first)

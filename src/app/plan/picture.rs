@@ -41,6 +41,16 @@ pub(super) fn part(model: &dyn AnyModel, plan: &Plan, table: &Table) -> Result<S
     Ok(page)
 }
 
+/// All results over each parameter, as dots.
+///
+/// # Errors
+/// A picture that cannot be drawn.
+pub(super) fn clouds_of(model: &dyn AnyModel, plan: &Plan, table: &Table) -> Result<String, String> {
+    let mut page = String::new();
+    clouds(model, plan, table, &mut page)?;
+    Ok(page)
+}
+
 /// The parameter's value in its declared unit.
 fn shown(model: &dyn AnyModel, plan: &Plan, row: &table::Row, place: usize) -> f64 {
     row.params[place] / model.params()[plan.varied[place].param].unit_si
@@ -134,7 +144,7 @@ fn maps(model: &dyn AnyModel, plan: &Plan, table: &Table, page: &mut String) -> 
             marks: Vec::new(),
         };
         let svg = Map::to_svg(&head.text(), &[map])?;
-        let _ = write!(page, "<figure>\n{svg}</figure>\n");
+        let _ = write!(page, "<figure class=\"map\">\n{svg}</figure>\n");
     }
     Ok(())
 }

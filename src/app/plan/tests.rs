@@ -87,7 +87,7 @@ fn a_grid_is_swept_and_every_row_is_the_run_with_its_values() {
         assert_eq!(rows[6][place].parse::<f64>().unwrap(), expected, "{}", rows[0][place]);
     }
     let page = fs::read_to_string(path.join("report.html")).unwrap();
-    assert_eq!(page.matches("<figure>").count(), 6);
+    assert_eq!(page.matches("<figure class=\"map\">").count(), 6);
     fs::remove_dir_all(&path).unwrap();
 }
 
@@ -208,7 +208,7 @@ fn lines_that_make_no_sense_are_refused() {
         ),
         (
             &["run", "--samples", "9"],
-            "`--samples` belongs to `sweep`, `plan`, not to `run`: it computes one point",
+            "`--samples` belongs to `sweep`, `optimise`, `plan`, not to `run`: it computes one point",
         ),
         (
             &["run", "omega=1..2 rad/s in 3"],
@@ -237,4 +237,107 @@ fn lines_that_make_no_sense_are_refused() {
     }
     let nothing = failed(&["sweep", "omega=1 rad/s", "--out", &folder("sweep-nothing").1]);
     assert!(nothing.starts_with("no parameter has several values"), "{}", nothing);
+}
+
+/// In the turning frame the mass rests where k (x - 2 m) = w^2 x: x = 3 m with a force of 48 N at k = 48 N/m, of two coils of
+/// 96 N/m, and w = 4 rad/s.
+#[test]
+fn what_is_fitted_is_the_closed_form_and_a_search_goes_on_where_it_was() {
+    let (path, out) = folder("optimise");
+    let with = |more: &[&str]| -> Vec<String> {
+        let words = ["optimise", "omega=1..6 rad/s", "--of", "steady", "--out", &out];
+        words.iter().chain(more).map(|word| (*word).to_owned()).collect()
+    };
+    let fit = ["stiffness=-0.05..0.2 kN/m", "--fit", "tip.x=300 cm, pull=48 N"];
+    let early = failed(&with(&[&fit[..], &["--most", "20"]].concat()));
+    assert!(early.starts_with("the search has not ended after 20 points"), "{early}");
+    let marked = points(&path).join("point-000007.json");
+    let text = fs::read_to_string(&marked).unwrap();
+    fs::write(&marked, format!("{text}\n\n")).unwrap();
+    let said = done(&with(&fit));
+    assert!(
+        said.starts_with("Rotor: `tip.x last` = 3 m, `pull last` = 48 N: "),
+        "{said}"
+    );
+    assert!(
+        fs::read_to_string(&marked).unwrap().ends_with("\n\n\n"),
+        "the point was kept"
+    );
+    let summary: serde_json::Value =
+        serde_json::from_str(&fs::read_to_string(path.join("summary.json")).unwrap()).unwrap();
+    let found = ["omega", "stiffness"].map(|name| summary["best_values"][name].as_f64().unwrap());
+    assert!(
+        (found[0] - 4.0).abs() < 1e-4 && (found[1] - 96.0).abs() < 2e-3,
+        "{found:?}"
+    );
+    // A spring whose stiffness is not positive is refused: such points are in the table, and the search goes around them.
+    assert!(summary["points_failed"].as_u64().unwrap() > 0, "{said}");
+    let csv = fs::read_to_string(path.join("optimise.csv")).unwrap();
+    assert_eq!(csv.lines().count() as u64, 1 + summary["points"].as_u64().unwrap());
+    let best = read(&["--scenario", path.join("best.toml").to_str().unwrap()]).unwrap();
+    assert_eq!(best.command, Command::Steady);
+    assert_eq!(best.model().get(0), found[0]);
+
+    let line = [
+        "optimise",
+        "stiffness=80..90 N/m",
+        "--of",
+        "steady",
+        "--maximise",
+        "pull",
+        "--out",
+        &out,
+    ];
+    let bound = done(&line);
+    assert!(
+        bound.contains("`stiffness` lies at the end of its range, 80 N/m"),
+        "{bound}"
+    );
+    fs::remove_dir_all(&path).unwrap();
+}
+
+#[test]
+fn searches_that_make_no_sense_are_refused() {
+    let cases = [
+        (
+            vec!["optimise", "omega=1..6 rad/s", "--minimise", "tip"],
+            "`--minimise \"tip\"`: there is no result `tip`, there are tip.x",
+        ),
+        (
+            vec!["optimise", "omega=1..6 rad/s", "--fit", "pull=3 m"],
+            "`--fit \"pull=3 m\"`: `m` does not have",
+        ),
+        (
+            vec!["optimise", "omega=1..6 rad/s", "--fit", "pull"],
+            "`--fit \"pull\"`: write `result=value`",
+        ),
+        (
+            vec!["optimise", "omega=1..6 rad/s", "--of", "modes", "--minimise", "pull"],
+            "`--minimise \"pull\"`: `pull` is no result of modes",
+        ),
+        (
+            vec!["run", "--minimise", "pull"],
+            "`--minimise` belongs to `optimise`, not to `run`: it looks for no optimum",
+        ),
+    ];
+    for (line, expected) in cases {
+        let found = read(&line).err().unwrap();
+        assert!(found.starts_with(expected), "{found}");
+    }
+    let (path, out) = folder("optimise-nothing");
+    for (line, expected) in [
+        (["omega=1..6 rad/s", "--seed=1"], "say what is looked for"),
+        (
+            ["omega=1,2 rad/s", "--minimise=pull"],
+            "`omega`: `optimise` searches whole ranges",
+        ),
+        (
+            ["omega=1 rad/s", "--minimise=pull"],
+            "no parameter has a range to search",
+        ),
+    ] {
+        let found = failed(&[&["optimise", "--out", &out][..], &line].concat());
+        assert!(found.starts_with(expected), "{found}");
+    }
+    fs::remove_dir_all(&path).unwrap();
 }
