@@ -126,12 +126,12 @@ fn frequencies(model: &impl Model, kind: Kind, count: usize) -> Vec<f64> {
         .collect()
 }
 
-fn at_rest(model: &impl Model) -> Vec<f64> {
+pub(super) fn at_rest(model: &impl Model) -> Vec<f64> {
     equilibrium(model, Kind::Static, 1.0).2
 }
 
 #[track_caller]
-fn near(found: &[f64], wanted: &[f64], relative: f64) {
+pub(super) fn near(found: &[f64], wanted: &[f64], relative: f64) {
     let off: Vec<f64> = found.iter().zip(wanted).map(|(a, b)| a / b - 1.0).collect();
     assert!(off.iter().all(|off| off.abs() < relative), "{found:?}: {}", short(&off));
 }

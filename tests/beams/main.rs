@@ -3,6 +3,7 @@
 mod blades;
 mod buckling;
 mod cantilever;
+mod corners;
 mod curved;
 mod elements;
 mod motor;

@@ -7,7 +7,7 @@ pub mod fold;
 mod moving;
 mod repeated;
 
-pub use along::{Column, Law, Stations, Table};
+pub use along::{Column, Law, Piece, Stations, Table};
 pub use expression::{
     About, BalanceQuantity, Binary, Comparison, ElementQuantity, Expr, Function, Location, Observable, Owner,
     PointQuantity, Reduction, SectionQuantity,
@@ -219,6 +219,8 @@ pub struct Body {
     pub law: Option<Law>,
     /// Where its nodes are; `None`: elements of equal length.
     pub stations: Option<Stations>,
+    /// Where it lies along an axis with corners; `None`: it is the whole axis.
+    pub piece: Option<Piece>,
     /// Integration rule of the strain energy.
     pub quadrature: Quadrature,
     /// How the elastic kernels are emitted.

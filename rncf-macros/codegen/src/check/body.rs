@@ -2,9 +2,10 @@
 
 use super::import::is_imported;
 use super::plane::{PLANES, normal};
-use super::{Check, say};
+use super::{Check, fold, say};
 use crate::errors::Area;
-use crate::model::{Body, BodyId, Fidelity, FrameId, FrameTie, INERTIAL, RepeatId, Space};
+use crate::joints::algebra::{divide, multiply};
+use crate::model::{Body, BodyId, Expr as Value, Fidelity, FrameId, FrameTie, INERTIAL, RepeatId, Space};
 use crate::parse::tree::{Item, ItemKind, Keyword, Statement};
 use crate::suggest;
 
@@ -64,8 +65,14 @@ impl<'a> Check<'a> {
             return;
         }
         let line = self.line(item, statements, *complete, &mut known);
+        let piece = self.piece(statements);
         let mesh = self.mesh(item, statements, *complete, known.space);
-        let axes = self.section_axes(statements, known.space, line.as_ref());
+        let mut axes = self.section_axes(statements, known.space, line.as_ref());
+        if let (Some(axes), Some(piece)) = (&mut axes, &piece)
+            && !fold::has_arclength(&axes.twist)
+        {
+            axes.twist = multiply(axes.twist.clone(), divide(Value::Arclength, piece.whole.clone()));
+        }
         if let (Some(line), Some(mesh)) = (&line, &mesh) {
             let twist = axes.as_ref().map(|axes| &axes.twist);
             self.is_fine_enough(statements, line, twist, &mesh.count);
@@ -111,6 +118,7 @@ impl<'a> Check<'a> {
                 shape: mesh.stuff.shape,
                 law: mesh.law,
                 stations: mesh.stations,
+                piece,
                 section_y: axes.y,
                 twist: axes.twist,
             });

@@ -208,6 +208,13 @@ impl<'a> Check<'a> {
         if let Some(moment) = moment {
             forces.extend(particle.turned_by(&moment));
         }
+        let along = |value: &Value| fold::has_arclength(value) || !fold::tables(value).is_empty();
+        if self.body_of(body.id).is_some_and(|body| body.piece.is_some())
+            && forces.iter().flat_map(|(_, components)| components).any(along)
+        {
+            self.errors.at(expr.area, say::LOAD_ALONG_CORNERS);
+            return None;
+        }
         self.model.distributed.push(Distributed {
             name: item.name.text.clone(),
             doc: item.doc.clone(),

@@ -69,6 +69,7 @@ impl<'a> Check<'a> {
                 | Statement::Interface { .. }
                 | Statement::InterfaceModes { .. }
                 | Statement::Damping { .. }
+                | Statement::Piece { .. }
                 | Statement::Fidelity { .. } => continue,
                 Statement::Space { area, .. } => (*area, "planar"),
                 Statement::Line { area, .. } => (*area, "line"),
@@ -135,6 +136,7 @@ impl<'a> Check<'a> {
             properties,
             law: None,
             stations: None,
+            piece: None,
             quadrature: Quadrature::Exact,
             evaluation: Evaluation::Automatic,
             fidelity,

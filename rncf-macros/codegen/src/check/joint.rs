@@ -291,7 +291,7 @@ impl<'a> Check<'a> {
             return None;
         }
         if orients {
-            self.have_orientation(word, is_clamp, &holds)?;
+            self.have_orientation(word, is_clamp, plane, &holds)?;
         } else if word == "revolute" {
             self.can_turn(word, &holds)?;
         }
@@ -310,6 +310,7 @@ impl<'a> Check<'a> {
         }
         let mut builder = Builder::new(&mut self.model.markers, parties.clone(), plane);
         match (kind, plane) {
+            _ if holds.iter().all(Hold::is_line) && is_clamp => joints::corner(&mut builder),
             _ if is_clamp => joints::clamp(&mut builder, word == "clamp_full"),
             (Some(kind), Some(_)) => kind.planar.ok()?(&mut builder, &given),
             (Some(kind), None) => (kind.spatial)(&mut builder, &given),
@@ -348,10 +349,23 @@ impl<'a> Check<'a> {
         None
     }
 
-    fn have_orientation(&mut self, word: &str, is_clamp: bool, holds: &[Hold; 2]) -> Option<()> {
-        if holds.iter().all(Hold::is_line) {
+    fn have_orientation(&mut self, word: &str, is_clamp: bool, plane: Option<usize>, holds: &[Hold; 2]) -> Option<()> {
+        // In a plane two tangents are enough.
+        let is_corner = word == "weld" && plane.is_some();
+        if holds.iter().all(Hold::is_line) && !is_corner {
             self.errors.at(holds[1].area, say::two_ends(word));
             return None;
+        }
+        if is_corner {
+            for hold in holds {
+                if let Spot::Flexible(place) = &hold.spot
+                    && place.is_line
+                    && self.has_slope(place.body.id) == Some(false)
+                {
+                    self.errors.at(hold.area, say::NO_SLOPE);
+                    return None;
+                }
+            }
         }
         if is_clamp && holds.iter().all(Hold::is_section) {
             self.errors.at(holds[1].area, say::two_sections(word));

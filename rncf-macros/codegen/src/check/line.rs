@@ -9,7 +9,7 @@ use super::{Check, fold, say};
 use crate::elements::Element;
 use crate::errors::Area;
 use crate::joints::algebra;
-use crate::model::{Expr as Value, Line, Space};
+use crate::model::{Expr as Value, Line, Piece, Space};
 use crate::parse::tree::{Expr, Item, Name, Statement};
 
 const FROM: Wanted = Wanted {
@@ -86,7 +86,7 @@ impl<'a> Check<'a> {
             },
         )?;
         match statement {
-            Statement::Line { area, from, to } => self.straight(*area, from, to, known),
+            Statement::Line { area, from, to, .. } => self.straight(*area, from, to, known),
             Statement::Arc { .. } => self.arc(statement, known),
             Statement::Curve { table, .. } => self.curve(table, known),
             Statement::Path {
@@ -119,6 +119,27 @@ impl<'a> Check<'a> {
         Some(Line::Straight {
             from: from_vector.values,
             to: to_vector.values,
+        })
+    }
+
+    /// Where a straight piece lies along an axis with corners; `None` of a whole axis.
+    pub(super) fn piece(&mut self, statements: &'a [Statement]) -> Option<Piece> {
+        let (points, number) = statements.iter().find_map(|statement| match statement {
+            Statement::Piece { points, number } => Some((points, *number)),
+            _ => None,
+        })?;
+        let places: Option<Vec<[Value; 3]>> = points
+            .iter()
+            .map(|point| Some(self.vector(point, Scope::Parameter, FROM)?.values))
+            .collect();
+        let lengths: Vec<Value> = places?
+            .windows(2)
+            .map(|ends| algebra::norm(&algebra::both(&ends[1], &ends[0], algebra::subtract)))
+            .collect();
+        let sum = |lengths: &[Value]| lengths.iter().cloned().fold(Value::Number(0.0), algebra::add);
+        Some(Piece {
+            from: sum(&lengths[..number]),
+            whole: sum(&lengths),
         })
     }
 

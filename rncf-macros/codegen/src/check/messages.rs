@@ -30,7 +30,7 @@ pub const DAMPING_TIME: &str = "no solid answers so slowly: `damping` is the tim
 pub const NOT_A_COUNT: &str =
     "a number of elements is a whole number of at least 1: write e.g. `6`, or a `param n: count = 6;`";
 pub const CONDITION: &str = "a condition must not depend on the state: `t`, params and constants decide, e.g. `t <= T` or `sin(omega*t) > 0`; a force on one side is written with `max`, e.g. `stiffness * max(0 m, -ball.y)`";
-pub const CONDITION_ALONG: &str = "an initial shape or a curve is one smooth function of its variable: cases cannot depend on that, only on parameters";
+pub const CONDITION_ALONG: &str = "an initial shape, a curve and a property along an axis are smooth functions of their variable: cases cannot depend on that, only on parameters; a `table` may have steps";
 pub const INITIAL_WITHOUT_TIME: &str = "an initial shape is a function of `x` alone: leave out motions";
 pub const FRAME_EXPECTED: &str = "the name of a frame is expected here, e.g. `inertial`";
 pub const AXIS_CONSTANT: &str = "an axis is constant: use `x`, `y`, `z`, numbers or constants";

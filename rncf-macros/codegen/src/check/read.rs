@@ -73,6 +73,7 @@ fn of_statement<'a>(statement: &'a Statement, found: &mut Vec<&'a str>) {
         | Statement::Import { .. }
         | Statement::Interface { .. }
         | Statement::InterfaceModes { .. } => {}
+        Statement::Piece { points, .. } => points.iter().for_each(|expr| names(expr, found)),
         Statement::Curve { table, .. } => found.push(&table.text),
         Statement::Path { position, range, .. } => {
             std::iter::once(position)

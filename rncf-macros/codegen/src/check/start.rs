@@ -261,7 +261,11 @@ impl<'m> Start<'m> {
         };
         let side = cross(tangent, turned);
         let twist = if fold::has_arclength(&body.twist) {
-            fold::along(self.model, &body.twist, self.arclength(id, at), self.length(id))
+            let (from, whole) = match &body.piece {
+                Some(piece) => (self.value(&piece.from), self.value(&piece.whole)),
+                None => (0.0, self.length(id)),
+            };
+            fold::along(self.model, &body.twist, from + self.arclength(id, at), whole)
         } else {
             part * self.value(&body.twist)
         };

@@ -7,7 +7,7 @@ use super::parts::Parts;
 use crate::elements::Interpolant;
 use crate::lower::camel_case;
 use crate::lower::elastic::kept;
-use crate::model::{Body, Law, Model, Stations, fold};
+use crate::model::{Body, Law, Model, Piece, Stations, fold};
 use crate::vocabulary::{CENTRES, DAMPINGS, MASS_ENTRIES, MASSES, STIFFNESS_ENTRIES};
 
 /// Statics with the tables of a model.
@@ -51,6 +51,16 @@ impl Parts<'_> {
         }
     }
 
+    /// Of a piece of an axis with corners: the place and the length of the whole axis instead of its own.
+    fn along_whole(&self, body: &Body) -> String {
+        match &body.piece {
+            None => String::new(),
+            Some(Piece { from, whole }) => {
+                format!("let (x, length) = (x + {}, {});\n", self.expr(from), self.expr(whole))
+            }
+        }
+    }
+
     /// Twist of the section along the axis.
     pub(super) fn twist(&self, body: &Body) -> String {
         let twist = self.expr(&body.twist);
@@ -58,8 +68,9 @@ impl Parts<'_> {
             return format!("::rncf::emitted::Twist::even({twist})");
         }
         format!(
-            "{{ let (model, length) = (model.clone(), {}.length()); ::rncf::emitted::Twist::along(move |u| {{ let x = u * length; {twist} }}) }}",
-            self.line(body)
+            "{{ let (model, length) = (model.clone(), {}.length()); ::rncf::emitted::Twist::along(move |u| {{ let x = u * length; {}{twist} }}) }}",
+            self.line(body),
+            self.along_whole(body)
         )
     }
 
@@ -105,11 +116,12 @@ impl Parts<'_> {
                 text,
                 "/// Coefficients of body `{3}` at the arclength x (m) of its axis, and its masses per length that move with r r, r r_y, r r_z, r_y r_y, r_z r_z, r_y r_z.\n\
                  pub fn along_{0}(model: &{1}, x: f64, length: f64) -> ::std::result::Result<([f64; {2}], [f64; 6]), ::rncf::ModelError> {{\n\
-                 {statements}Ok({values})\n}}",
+                 {4}{statements}Ok({values})\n}}",
                 body.identifier(),
                 self.model.name,
                 coefficients.len(),
-                body.name
+                body.name,
+                self.along_whole(body)
             );
         }
         text
@@ -164,10 +176,14 @@ impl Parts<'_> {
         let coefficients = variant.varying_coefficients(self.library).len();
         let (_, places) = kept(variant, self.library);
         let mut text = "let length = nodes[nodes.len() - 1];\n".to_string();
+        let whole = match &body.piece {
+            None => "length".to_string(),
+            Some(piece) => self.expr(&piece.whole),
+        };
         for table in self.tables_of(body) {
             let _ = writeln!(
                 text,
-                "{}.check({:?}, length)?;",
+                "{}.check({:?}, {whole})?;",
                 self.model.tables[table].constant(),
                 body.name
             );

@@ -281,6 +281,23 @@ pub fn clamp(joint: &mut Builder, is_full: bool) {
     }
 }
 
+/// Two centre lines in a plane keep the angle between them: with slopes a and b, and where they start, A and B,
+/// `(A . B) (a x b) - (A x B) (a . b) = 0`, which is the sine of the change of the angle times the lengths of the slopes.
+pub fn corner(joint: &mut Builder) {
+    let points = joint.points();
+    joint.s(points);
+    let (Some(first), Some(second), Some(normal)) = (joint.slope(0), joint.slope(1), joint.normal) else {
+        return;
+    };
+    let starts = [joint.matching(0, first), joint.matching(1, second)];
+    let products = |[a, b]: [MarkerId; 2]| {
+        let (a, b) = (joint.value(a), joint.value(b));
+        (dot(&a, &b), cross(&a, &b)[normal].clone())
+    };
+    let ((cosine, sine), (along, across)) = (products(starts), products([first, second]));
+    joint.row("angle", subtract(multiply(cosine, across), multiply(sine, along)));
+}
+
 /// What a clamp fixes of a party in the other one: the axes of a section in a frame, the slope of a
 /// centre line in a frame or section.
 fn clamped(joint: &mut Builder, party: usize) -> Vec<(&'static str, MarkerId)> {

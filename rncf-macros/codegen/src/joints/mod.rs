@@ -12,4 +12,4 @@ mod kinds;
 
 pub use builder::{Builder, Party, Rows};
 pub use coordinate::{Angle, Slide, Turned};
-pub use kinds::{Arguments, Axis, KINDS, Kind, clamp, hold, hold_twist, unit};
+pub use kinds::{Arguments, Axis, KINDS, Kind, clamp, corner, hold, hold_twist, unit};

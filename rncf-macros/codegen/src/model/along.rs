@@ -139,6 +139,15 @@ pub struct Stations {
     pub each: Expr,
 }
 
+/// A straight piece of an axis with corners: what varies along the axis does so along all of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Piece {
+    /// Arclength of the whole axis at its start, m.
+    pub from: Expr,
+    /// Length of the whole axis, m.
+    pub whole: Expr,
+}
+
 /// What a section says of its stiffness and mass: fields by their names, SI.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Law {

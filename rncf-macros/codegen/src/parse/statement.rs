@@ -76,10 +76,15 @@ fn statement(cursor: &mut Cursor) -> Parsed<Statement> {
             cursor.expect_word("from")?;
             let from = expr::expression(cursor)?;
             cursor.expect_word("to")?;
+            let (mut corners, mut to) = (Vec::new(), expr::expression(cursor)?);
+            while cursor.eat_word("to") {
+                corners.push(std::mem::replace(&mut to, expr::expression(cursor)?));
+            }
             Statement::Line {
                 area,
                 from,
-                to: expr::expression(cursor)?,
+                corners,
+                to,
             }
         }
         "arc" => {

@@ -14,7 +14,15 @@ pub const NOT_NUMBERED: &str = "this is not repeated: leave out the brackets";
 pub const NO_CALL: &str = "only a motion has a value at a time, `pitch[b](t)`";
 pub const NAMED_ARGUMENTS: &str = "a component is told by name: write e.g. `azimuth = 30 deg`";
 
+pub const CORNERS_IN_KEPT: &str =
+    "the number of this loop is known at run time only, where a body has no corners: make it a `const n = 3;`";
+
 messages! {
+    cornered_without(word) = "`{word}` is for a body without corners: leave it out, or declare the straight pieces as bodies and `weld` them";
+    cornered_whole(name) = "`{name}` has corners: say which of its straight pieces, `{name}[0]`";
+    cornered_place(name) = "places on a body with corners are `{name}.start`, `{name}.end`, and those of a straight piece, e.g. `{name}[1].at(0.2 m)`, counted from its corner";
+    cornered_quantity(name, word) = "`{word}` is that of a straight piece, e.g. `{name}[0].{word}`: for all of `{name}` there is no sum of it";
+    piece_unknown(name) = "this number of a straight piece of `{name}` must be known when the model is built: it is made of whole numbers, constants and indices of such loops";
     not_kept(word) = "a `{word}` is repeated where the number is known at build time, and that of this loop is a param: make it a `const n = 3;`, or declare the `{word}` outside of the loop, for each repetition that needs it";
     too_many(most) = "this becomes more than {most} items: a loop over a `param n: count` stands once, whatever its number";
     told_already(name, line) = "`{name}` is what the component is told (line {line}): choose another name";

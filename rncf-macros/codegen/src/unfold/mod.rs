@@ -5,6 +5,7 @@
 //! First all names are found (here), then every item is written with the names and numbers that it refers to
 //! ([`write`]). Places of the user's text stay: a mistake in a loop or component points there.
 
+mod corners;
 mod count;
 mod messages;
 mod names;
@@ -144,6 +145,10 @@ struct Unfold<'t, 'e> {
     placing: Vec<&'t str>,
     /// Values of constants, by scope and name.
     constants: HashMap<(usize, &'t str), Option<f64>>,
+    /// Bodies with corners by their names, and how many pieces they have.
+    cornered: HashMap<String, usize>,
+    /// The piece that a load is written for.
+    piece: Option<usize>,
     /// Names of constants that numbers of repetitions were computed from.
     counted: HashSet<String>,
     /// Names of constants as they are written.
@@ -172,6 +177,8 @@ impl<'t, 'e> Unfold<'t, 'e> {
             parts: HashMap::new(),
             placing: Vec::new(),
             constants: HashMap::new(),
+            cornered: HashMap::new(),
+            piece: None,
             counted: HashSet::new(),
             fixed: HashSet::new(),
             lost: Vec::new(),
@@ -311,6 +318,7 @@ impl<'t, 'e> Unfold<'t, 'e> {
         if item.keyword == Keyword::Const {
             self.fixed.insert(name.clone());
         }
+        self.note_corners(item, &name);
         let mut is_broken = false;
         if let Some(kept) = kept
             && !stays(item.keyword)

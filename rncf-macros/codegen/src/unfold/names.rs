@@ -182,6 +182,7 @@ impl<'t> Unfold<'t, '_> {
             Reached::Item(name) if !self.existing.contains(&name.text) => {
                 return Reached::Kept(name, self.expr(at, index));
             }
+            Reached::Item(name) if self.cornered.contains_key(&name.text) => return self.one_piece(at, &name, index),
             Reached::Item(name) => {
                 self.errors.at(index.area, say::not_repeated(&name.text));
                 return Reached::Nothing;
@@ -273,7 +274,7 @@ impl<'t> Unfold<'t, '_> {
     }
 
     /// What is said of a number that no repetition has.
-    fn out_of_range(&self, at: &Place, index: &Expr, value: f64, written: &str) -> String {
+    pub(super) fn out_of_range(&self, at: &Place, index: &Expr, value: f64, written: &str) -> String {
         let stem = written.rsplit_once('[').map_or(written, |(stem, _)| stem);
         let count = (0..)
             .take_while(|at| self.existing.contains(&format!("{stem}[{at}]")))

@@ -11,14 +11,21 @@ impl<'t> Unfold<'t, '_> {
             | Statement::FrameTie { .. }
             | Statement::Import { .. }
             | Statement::Interface { .. }
-            | Statement::InterfaceModes { .. } => statement.clone(),
+            | Statement::InterfaceModes { .. }
+            | Statement::Piece { .. } => statement.clone(),
             Statement::Damping { area, value } => Statement::Damping {
                 area: *area,
                 value: self.expr(at, value),
             },
-            Statement::Line { area, from, to } => Statement::Line {
+            Statement::Line {
+                area,
+                from,
+                corners,
+                to,
+            } => Statement::Line {
                 area: *area,
                 from: self.expr(at, from),
+                corners: corners.iter().map(|corner| self.expr(at, corner)).collect(),
                 to: self.expr(at, to),
             },
             Statement::Arc {

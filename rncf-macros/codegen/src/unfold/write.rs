@@ -18,8 +18,7 @@ impl<'t> Unfold<'t, '_> {
         for step in std::mem::take(&mut self.steps) {
             match step {
                 Step::Item(planned) => {
-                    let item = self.item(&planned);
-                    out.items.push(item);
+                    self.item_or_pieces(&planned, &mut out.items);
                 }
                 Step::Told { scope, parameter } => self.quantity(scope, parameter, &mut out),
             }
@@ -92,7 +91,7 @@ impl<'t> Unfold<'t, '_> {
         }
     }
 
-    fn item(&mut self, planned: &Planned<'t>) -> Item {
+    pub(super) fn item(&mut self, planned: &Planned<'t>) -> Item {
         let Planned { at, item, name, .. } = planned;
         let before = self.errors.len();
         let kind = if planned.is_broken {
@@ -326,6 +325,7 @@ impl<'t> Unfold<'t, '_> {
     /// An expression of a place, as it is written.
     pub(super) fn expr(&mut self, at: &Place, expr: &'t Expr) -> Expr {
         let kind = match self.reach(at, expr) {
+            Some(Reached::Item(name)) if self.cornered.contains_key(&name.text) => self.all_pieces(&name, expr.area),
             Some(reached) => match self.settled(reached, expr.area) {
                 Some(kind) => kind,
                 // Reported; anything stands for it.
@@ -358,6 +358,9 @@ impl<'t> Unfold<'t, '_> {
                         Some(Reached::Nothing) => return expr.kind.clone(),
                         _ => {}
                     }
+                }
+                if let Some(found) = self.of_cornered(at, base, field, arguments.as_deref(), expr.area) {
+                    return found;
                 }
                 ExprKind::Member {
                     base: self.boxed(at, base),

@@ -13,14 +13,23 @@ pub enum Statement {
         /// `xy`, `yz` or `zx`.
         plane: Option<Name>,
     },
-    /// `line from a to b;`
+    /// `line from a to b;`, `line from a to b to c;`
     Line {
         /// The word `line`.
         area: Area,
         /// Start.
         from: Expr,
+        /// Corners between start and end.
+        corners: Vec<Expr>,
         /// End.
         to: Expr,
+    },
+    /// Which part of an axis with corners this is; nobody writes it.
+    Piece {
+        /// Start, corners and end of the whole axis.
+        points: Vec<Expr>,
+        /// Its number, from 0.
+        number: usize,
     },
     /// `arc from a direction d [normal n] radius r angle phi;`
     Arc {
