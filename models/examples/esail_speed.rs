@@ -117,10 +117,9 @@ fn run(model: &Esail) {
         let name = format!("steps of {step} s");
         let coarse = timed(model, METHOD, fixed(step), &name);
         let fine = timed(model, METHOD, fixed(step / 4.0), "a quarter of that");
-        println!(
-            "{name}: largest error of a place {:.1e} of the deflection",
-            error(model, &coarse, &fine)
-        );
+        for (place, error) in errors(model, &coarse, &fine) {
+            println!("{name}: error {error:.1e} of the deflection at {place}");
+        }
     }
     let options = Options {
         rtol: 1e-7,
@@ -154,18 +153,24 @@ fn timed(model: &Esail, method: Method, options: Options, name: &str) -> State {
     integrator.state().clone()
 }
 
-/// Largest difference of a nodal position in the frame, relative to the largest displacement since the start.
-fn error(model: &Esail, state: &State, reference: &State) -> f64 {
+/// Largest differences of nodal positions along each axis of the frame, with their places, relative to the largest displacement
+/// since the start; the largest comes first.
+fn errors(model: &Esail, state: &State, reference: &State) -> Vec<(String, f64)> {
     let scene = built(model);
     let rest = scene.rest(0.0);
-    let places = scene.unknowns() - scene.border();
-    let largest = |one: &State, other: &State| {
-        let differences = (0..places)
-            .filter(|&i| scene.sizes()[i] > 1.0)
-            .map(|i| (one.x[i] - other.x[i]).abs());
-        differences.fold(0.0, f64::max)
-    };
-    largest(state, reference) / largest(reference, &rest)
+    let places = (0..scene.unknowns() - scene.border()).filter(|&i| scene.sizes()[i] > 1.0);
+    let named: Vec<(usize, String)> = places.map(|i| (i, scene.describe_unknown(i))).collect();
+    let moved = named.iter().map(|&(i, _)| (reference.x[i] - rest.x[i]).abs());
+    let deflection = moved.fold(0.0, f64::max);
+    let error = |i: usize| (state.x[i] - reference.x[i]).abs() / deflection;
+    let mut largest: Vec<(String, f64)> = Vec::new();
+    for axis in ["x", "y", "z"] {
+        let own = named.iter().filter(|(_, name)| name.ends_with(axis));
+        let worst = own.max_by(|a, b| error(a.0).total_cmp(&error(b.0)));
+        largest.extend(worst.map(|(i, name)| (name.clone(), error(*i))));
+    }
+    largest.sort_by(|a, b| b.1.total_cmp(&a.1));
+    largest
 }
 
 fn built(model: &Esail) -> Box<dyn Scene> {

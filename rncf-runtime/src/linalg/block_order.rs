@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use super::graph::Graph;
 use super::pattern::Pattern;
 
 /// Node blocks of a square pattern in the order of elimination.
@@ -15,9 +16,8 @@ pub(super) struct Nodes {
 
 impl Nodes {
     /// Unknowns with equal rows and columns form a node; nodes are ordered by minimum degree.
-    pub(super) fn new(pattern: &Pattern) -> Self {
-        let adjacent = adjacency(pattern);
-        let members = equal_unknowns(pattern, &adjacent);
+    pub(super) fn new(pattern: &Pattern, graph: &Graph) -> Self {
+        let members = equal_unknowns(pattern, graph);
         let mut node = vec![0; pattern.columns()];
         for (index, members) in members.iter().enumerate() {
             for &member in members {
@@ -25,7 +25,7 @@ impl Nodes {
             }
         }
         let neighbours = members.iter().enumerate().map(|(index, members)| {
-            let others = adjacent[members[0]].iter().map(|&other| node[other]);
+            let others = graph.of(members[0]).iter().map(|&other| node[other]);
             others.filter(|&other| other != index).collect()
         });
         let sizes: Vec<usize> = members.iter().map(Vec::len).collect();
@@ -48,36 +48,28 @@ impl Nodes {
     }
 }
 
-/// Unknowns coupled with every unknown by its row or its column, with itself, ascending.
-pub(super) fn adjacency(pattern: &Pattern) -> Vec<Vec<usize>> {
-    let mut adjacent: Vec<Vec<usize>> = (0..pattern.columns()).map(|index| vec![index]).collect();
-    for column in 0..pattern.columns() {
-        for &row in rows(pattern, column) {
-            adjacent[column].push(row);
-            adjacent[row].push(column);
-        }
-    }
-    for list in &mut adjacent {
-        list.sort_unstable();
-        list.dedup();
-    }
-    adjacent
-}
-
 fn rows(pattern: &Pattern, column: usize) -> &[usize] {
     &pattern.indices()[pattern.starts()[column]..pattern.starts()[column + 1]]
 }
 
 /// Groups of unknowns with the same neighbours and the same stored columns, by their first members.
-pub(super) fn equal_unknowns(pattern: &Pattern, adjacent: &[Vec<usize>]) -> Vec<Vec<usize>> {
-    let key = |unknown: usize| (&adjacent[unknown], rows(pattern, unknown));
-    let mut unknowns: Vec<usize> = (0..adjacent.len()).collect();
-    unknowns.sort_by(|&a, &b| key(a).cmp(&key(b)).then(a.cmp(&b)));
-    let mut groups: Vec<Vec<usize>> = unknowns
-        .chunk_by(|&a, &b| key(a) == key(b))
-        .map(<[usize]>::to_vec)
-        .collect();
-    groups.sort_unstable_by_key(|group| group[0]);
+pub(super) fn equal_unknowns(pattern: &Pattern, graph: &Graph) -> Vec<Vec<usize>> {
+    let mut groups: Vec<Vec<usize>> = Vec::new();
+    // Whose neighbours are the same is a neighbour itself: it stands in the group of one of those before it.
+    let mut group_of = Vec::with_capacity(graph.len());
+    for unknown in 0..graph.len() {
+        let own = (graph.of(unknown), rows(pattern, unknown));
+        let before = own.0.iter().take_while(|&&other| other < unknown);
+        let equal = before
+            .copied()
+            .find(|&other| (graph.of(other), rows(pattern, other)) == own);
+        let group = equal.map_or(groups.len(), |other| group_of[other]);
+        if group == groups.len() {
+            groups.push(Vec::new());
+        }
+        groups[group].push(unknown);
+        group_of.push(group);
+    }
     groups
 }
 

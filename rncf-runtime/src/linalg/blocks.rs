@@ -1,10 +1,13 @@
 //! LU factorization by node blocks: unknowns with equal patterns are eliminated together.
 
+use std::cmp::Ordering;
+
 use pulp::Arch;
 
 use super::block_kernels::{self as kernels, Update, Vectorised};
 use super::block_order::Nodes;
 use super::block_solve::{backward, forward};
+use super::graph::Graph;
 use super::node::{Node, Segment};
 use super::pattern::Pattern;
 use super::scalar::Scalar;
@@ -60,8 +63,8 @@ pub(super) enum Failure {
 
 impl<T: Scalar> Blocks<T> {
     /// `None` if the factors are too large to be numbered.
-    pub(super) fn new(pattern: &Pattern) -> Option<Self> {
-        let Nodes { members, later } = Nodes::new(pattern);
+    pub(super) fn new(pattern: &Pattern, graph: &Graph) -> Option<Self> {
+        let Nodes { members, later } = Nodes::new(pattern, graph);
         let mut layout = Layout::new(&members, &later);
         u32::try_from(layout.length).ok()?;
         layout.connect(&later);
@@ -327,12 +330,15 @@ impl<T: Scalar> Vectorised for SolveMany<'_, T> {
 
 /// Starts and ends of what is not among the places below `length`.
 fn gaps(places: &[u32], length: u32) -> Vec<[u32; 2]> {
-    let mut places = places.to_vec();
-    places.sort_unstable();
-    let starts = std::iter::once(0).chain(places.iter().map(|&place| place + 1));
-    let ends = places.iter().copied().chain(std::iter::once(length));
-    let gaps = starts.zip(ends).filter(|(start, end)| start < end);
-    gaps.map(|(start, end)| [start, end]).collect()
+    let mut is_taken = vec![false; length as usize];
+    places.iter().for_each(|&place| is_taken[place as usize] = true);
+    let mut at = 0;
+    let runs = is_taken.chunk_by(|one, other| one == other).map(|run| {
+        let start = at;
+        at += run.len() as u32;
+        (run[0], [start, at])
+    });
+    runs.filter(|(taken, _)| !taken).map(|(_, gap)| gap).collect()
 }
 
 /// Rows of a column.
@@ -487,21 +493,37 @@ impl Layout {
                 place[member] = (node, index);
             }
         }
-        let slot = |row: usize, column: usize| {
-            let ((i, in_i), (j, in_j)) = (place[row], place[column]);
-            let slot = if i == j {
-                self.nodes[i].start + in_i * self.nodes[i].width() + in_j
-            } else if i < j {
-                let node = self.nodes[i];
-                node.start + in_i * node.width() + node.size + self.offset(i, j, later) + in_j
-            } else {
-                let node = self.nodes[j];
-                node.lower() + in_j * node.below + self.offset(j, i, later) + in_i
-            };
-            slot as u32
-        };
-        let entries = (0..pattern.columns()).flat_map(|j| column(pattern, j).iter().map(move |&row| (row, j)));
-        entries.map(|(row, column)| slot(row, column)).collect()
+        // Rows of a column come node by node: what two nodes have in common is looked up once.
+        let mut slots = Vec::with_capacity(pattern.entries());
+        for j in 0..pattern.columns() {
+            let (of_column, in_j) = place[j];
+            let (mut of_row, mut start, mut stride) = (usize::MAX, 0, 0);
+            for &row in column(pattern, j) {
+                let (node, in_i) = place[row];
+                if node != of_row {
+                    of_row = node;
+                    (start, stride) = self.block(node, of_column, in_j, later);
+                }
+                slots.push((start + in_i * stride) as u32);
+            }
+        }
+        slots
+    }
+
+    /// Where a column of the block of two nodes begins, and the distance of its rows.
+    fn block(&self, of_row: usize, of_column: usize, column: usize, later: &[Vec<usize>]) -> (usize, usize) {
+        let node = self.nodes[of_row.min(of_column)];
+        match of_row.cmp(&of_column) {
+            Ordering::Equal => (node.start + column, node.width()),
+            Ordering::Less => {
+                let offset = self.offset(of_row, of_column, later);
+                (node.start + node.size + offset + column, node.width())
+            }
+            Ordering::Greater => {
+                let offset = self.offset(of_column, of_row, later);
+                (node.lower() + column * node.below + offset, 1)
+            }
+        }
     }
 }
 

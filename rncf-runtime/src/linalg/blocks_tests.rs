@@ -3,6 +3,11 @@ use super::super::scalar::c64;
 use super::super::sparse::Sparse;
 use super::*;
 
+/// The factors' places, where the pattern suits them.
+fn factors_of<T: Scalar>(pattern: &Pattern) -> Option<Blocks<T>> {
+    Blocks::new(pattern, &Graph::new(pattern))
+}
+
 /// The pattern of tethers on a hub: `chains` of `length` nodes with 6 unknowns, one unknown at the
 /// hub, 9 at the tip, of which 6 (position, slope of the ring) are coupled with those of the two
 /// neighbours.
@@ -93,7 +98,7 @@ fn random(nodes: usize, number: &mut impl FnMut() -> f64) -> Pattern {
 
 fn check<T: Scalar>(pattern: &Pattern, mut number: impl FnMut() -> T) {
     let n = pattern.columns();
-    let mut blocks = Blocks::new(pattern).expect("a small pattern");
+    let mut blocks = factors_of(pattern).expect("a small pattern");
     let values = values(pattern, &mut number);
     for arch in [Arch::Scalar, Arch::new()] {
         blocks.arch = arch;
@@ -153,7 +158,8 @@ fn empty_diagonals_wait() {
 
 #[test]
 fn nodes_are_found() {
-    let Nodes { members, later } = Nodes::new(&tethers(100, 15));
+    let pattern = tethers(100, 15);
+    let Nodes { members, later } = Nodes::new(&pattern, &Graph::new(&pattern));
     let of_size = |size: usize| members.iter().filter(|members| members.len() == size).count();
     assert_eq!((of_size(1), of_size(3), of_size(6)), (100, 300, 1500));
     let fill = later.iter().map(Vec::len).max();
@@ -165,7 +171,7 @@ fn repeated_factorizations_have_the_same_bits() {
     let pattern = tethers(7, 4);
     let mut number = numbers(6);
     let (first, second) = (values(&pattern, &mut number), values(&pattern, &mut number));
-    let mut blocks = Blocks::<f64>::new(&pattern).expect("a small pattern");
+    let mut blocks = factors_of::<f64>(&pattern).expect("a small pattern");
     let mut solution = |values: &[f64]| {
         blocks
             .factor(&pattern, values, pattern.starts(), 1e-14)
@@ -183,7 +189,7 @@ fn repeated_factorizations_have_the_same_bits() {
 fn growth_is_refused() {
     // A node whose diagonal is nearly empty is coupled with one whose diagonal is not.
     let pattern = Pattern::new(3, 3, [(0, 0), (0, 1), (1, 0), (1, 1), (1, 2), (2, 1), (2, 2)]);
-    let mut blocks = Blocks::<f64>::new(&pattern).expect("a small pattern");
+    let mut blocks = factors_of::<f64>(&pattern).expect("a small pattern");
     let factor = |blocks: &mut Blocks<f64>, tiny: f64| {
         blocks.factor(
             &pattern,
@@ -212,9 +218,9 @@ fn time_of_tethers() {
         let pattern = tethers(chains, length);
         let values = values(&pattern, numbers(1));
         let start = std::time::Instant::now();
-        let mut blocks = Blocks::<f64>::new(&pattern).expect("a small pattern");
+        let mut blocks = factors_of::<f64>(&pattern).expect("a small pattern");
         let analysis = start.elapsed().as_secs_f64() * 1e6;
-        let mut plain = Blocks::<f64>::new(&pattern).expect("a small pattern");
+        let mut plain = factors_of::<f64>(&pattern).expect("a small pattern");
         plain.arch = Arch::Scalar;
         let mut sparse = Sparse::<f64>::new(&pattern).expect("a small pattern");
         let mut x = vec![1.0; pattern.columns()];

@@ -110,6 +110,14 @@ impl<T: Scalar, E: FnMut(usize, T)> Vectorised for TransposedTimes<'_, T, E> {
     #[inline(always)]
     fn run<const F: bool>(self) {
         let Self(a, x, mut entry) = self;
+        // The columns of a free frame and a few constraints at once: the rows are read once.
+        match a.width {
+            5 => return weighted::<T, F, 5>(a, x, 0, &mut entry),
+            6 => return weighted::<T, F, 6>(a, x, 0, &mut entry),
+            7 => return weighted::<T, F, 7>(a, x, 0, &mut entry),
+            8 => return weighted::<T, F, 8>(a, x, 0, &mut entry),
+            _ => {}
+        }
         for (at, size) in tiles(a.width) {
             if size == TILE {
                 weighted::<T, F, TILE>(a, x, at, &mut entry);
@@ -152,10 +160,30 @@ impl<T: Scalar> Vectorised for Subtract<'_, T> {
     #[inline(always)]
     fn run<const F: bool>(self) {
         let Self(a, y, x) = self;
+        match a.width {
+            6 => return subtract_fixed::<T, F, 6>(a, y, x),
+            7 => return subtract_fixed::<T, F, 7>(a, y, x),
+            8 => return subtract_fixed::<T, F, 8>(a, y, x),
+            _ => {}
+        }
         for (row, x) in a.values.chunks_exact(a.width).zip(x) {
             for (&value, &factor) in row.iter().zip(y) {
                 *x = add::<T, F>(*x, -value, factor);
             }
         }
+    }
+}
+
+/// The same with a width that is a constant of the code.
+#[inline(always)]
+fn subtract_fixed<T: Scalar, const F: bool, const W: usize>(a: &Tall<T>, y: &[T], x: &mut [T]) {
+    let mut factors = [T::default(); W];
+    factors.copy_from_slice(&y[..W]);
+    for (row, x) in a.values.as_chunks::<W>().0.iter().zip(x) {
+        let mut sum = *x;
+        for (&value, factor) in row.iter().zip(factors) {
+            sum = add::<T, F>(sum, -value, factor);
+        }
+        *x = sum;
     }
 }

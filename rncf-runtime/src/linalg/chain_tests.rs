@@ -2,6 +2,11 @@ use super::super::lu::tests::{chain, numbers};
 use super::*;
 use crate::linalg::c64;
 
+/// The factors' places, where the pattern suits them.
+fn factors_of<T: Scalar>(pattern: &Pattern) -> Option<Chain<T>> {
+    Chain::new(pattern, &Graph::new(pattern))
+}
+
 /// Values with a heavier diagonal, in unknowns of very different sizes, as positions and slopes are.
 fn values<T: Scalar>(pattern: &Pattern, mut number: impl FnMut() -> T) -> Vec<T> {
     let size = |index: usize| 10_f64.powi((index % 2) as i32 * 3);
@@ -29,7 +34,7 @@ fn multiply<T: Scalar>(pattern: &Pattern, values: &[T], x: &[T]) -> Vec<T> {
 }
 
 fn check<T: Scalar>(pattern: &Pattern, mut number: impl FnMut() -> T) {
-    let mut chain = Chain::new(pattern).expect("a chain");
+    let mut chain = factors_of(pattern).expect("a chain");
     for round in 0..3 {
         let values = values(pattern, &mut number);
         let x: Vec<T> = (0..pattern.rows()).map(|_| number()).collect();
@@ -82,18 +87,18 @@ fn what_is_no_chain_is_left_to_others() {
     let beside = |i: usize, j: usize| matches!(i.abs_diff(j), 0 | 1 | 9);
     let pairs = |size: usize| (0..size).flat_map(move |i| (0..size).map(move |j| (i, j)));
     let ring = |by: usize| Pattern::new(10 * by, 10 * by, pairs(10 * by).filter(|(i, j)| beside(i / by, j / by)));
-    assert!(Chain::<f64>::new(&ring(9)).is_some(), "two nodes of a ring make a link");
-    assert!(Chain::<f64>::new(&ring(10)).is_none());
+    assert!(factors_of::<f64>(&ring(9)).is_some(), "two nodes of a ring make a link");
+    assert!(factors_of::<f64>(&ring(10)).is_none());
     let star = pairs(48).filter(|(i, j)| i / 6 == j / 6 || i / 6 == 0 || j / 6 == 0);
-    assert!(Chain::<f64>::new(&Pattern::new(48, 48, star)).is_none());
-    assert!(Chain::<f64>::new(&bodies(&[&[19; 5]])).is_none());
-    assert!(Chain::<f64>::new(&Pattern::new(2, 2, [(0, 0), (0, 1), (1, 0)])).is_none());
+    assert!(factors_of::<f64>(&Pattern::new(48, 48, star)).is_none());
+    assert!(factors_of::<f64>(&bodies(&[&[19; 5]])).is_none());
+    assert!(factors_of::<f64>(&Pattern::new(2, 2, [(0, 0), (0, 1), (1, 0)])).is_none());
 }
 
 #[test]
 fn values_that_need_row_exchanges_are_refused() {
     let pattern = chain(10);
-    let mut factors = Chain::<f64>::new(&pattern).expect("a chain");
+    let mut factors = factors_of::<f64>(&pattern).expect("a chain");
     let good = values(&pattern, numbers(3));
     let place = |row: usize, column: usize| pattern.find(row, column).expect("an entry");
     let with = |changes: &[(usize, usize, f64)]| {
@@ -133,7 +138,7 @@ fn values_that_need_row_exchanges_are_refused() {
 #[test]
 fn determinants_have_their_signs() {
     let pattern = chain(5);
-    let mut factors = Chain::<f64>::new(&pattern).expect("a chain");
+    let mut factors = factors_of::<f64>(&pattern).expect("a chain");
     let mut values = values(&pattern, numbers(8));
     let mut sign = |values: &[f64]| {
         assert!(factors.factor(&pattern, values, pattern.starts()));

@@ -1,7 +1,7 @@
 //! The links of a chain: groups of unknowns in an order in which each is coupled with its neighbours alone.
 
-use super::block_order::{adjacency, equal_unknowns};
-use super::order::components;
+use super::block_order::equal_unknowns;
+use super::graph::{Graph, Seen, components};
 use super::pattern::Pattern;
 
 /// Places for each unknown, at most: links that are filled up cost as much as full ones.
@@ -15,13 +15,12 @@ pub(super) struct Links {
 
 impl Links {
     /// The links of a square pattern; `None` where the diagonal is not whole.
-    pub(super) fn new(pattern: &Pattern) -> Option<Self> {
+    pub(super) fn new(pattern: &Pattern, graph: &Graph) -> Option<Self> {
         let unknowns = pattern.columns();
         if unknowns == 0 || (0..unknowns).any(|index| pattern.find(index, index).is_none()) {
             return None;
         }
-        let adjacent = adjacency(pattern);
-        let nodes = equal_unknowns(pattern, &adjacent);
+        let nodes = equal_unknowns(pattern, graph);
         let mut node_of = vec![0; unknowns];
         for (index, members) in nodes.iter().enumerate() {
             members.iter().for_each(|&member| node_of[member] = index);
@@ -29,7 +28,7 @@ impl Links {
         let neighbours: Vec<Vec<usize>> = nodes
             .iter()
             .map(|members| {
-                let mut others: Vec<usize> = adjacent[members[0]].iter().map(|&other| node_of[other]).collect();
+                let mut others: Vec<usize> = graph.of(members[0]).iter().map(|&other| node_of[other]).collect();
                 others.sort_unstable();
                 others.dedup();
                 others
@@ -64,19 +63,19 @@ impl Links {
 
 /// Levels of all components of a graph, from an end of each: a node's neighbours are in its level and the two beside it.
 fn levels(neighbours: &[Vec<usize>]) -> Vec<Vec<usize>> {
-    let walk = |start, seen: &mut [bool]| breadth_first(neighbours, start, seen);
+    let walk = |start, seen: &mut Seen| breadth_first(neighbours, start, seen);
     components(neighbours.len(), walk, |levels| levels[levels.len() - 1][0]).concat()
 }
 
 /// The component of a node, level by level.
-fn breadth_first(neighbours: &[Vec<usize>], start: usize, seen: &mut [bool]) -> Vec<Vec<usize>> {
-    seen[start] = true;
+fn breadth_first(neighbours: &[Vec<usize>], start: usize, seen: &mut Seen) -> Vec<Vec<usize>> {
+    seen.mark(start);
     let mut levels = vec![vec![start]];
     loop {
         let mut next = Vec::new();
         for &node in levels.iter().next_back().into_iter().flatten() {
             for &other in &neighbours[node] {
-                if !std::mem::replace(&mut seen[other], true) {
+                if seen.mark(other) {
                     next.push(other);
                 }
             }

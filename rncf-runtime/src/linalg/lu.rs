@@ -3,6 +3,7 @@
 use super::banded::Banded;
 use super::blocks::{Blocks, Failure};
 use super::chain::Chain;
+use super::graph::Graph;
 use super::order::{half_bandwidth, reverse_cuthill_mckee};
 use super::pattern::Pattern;
 use super::scalar::Scalar;
@@ -69,7 +70,8 @@ impl<T: Scalar> Lu<T> {
     /// # Panics
     /// If the pattern is not square: a defect of the caller.
     pub fn new(pattern: &Pattern) -> Self {
-        let place = places(pattern);
+        let graph = Graph::new(pattern);
+        let place = places(&graph);
         let method = if half_bandwidth(pattern, &place) <= LARGEST_BANDWIDTH {
             Method::Chain
         } else if pattern.columns() < LEAST_BLOCKS {
@@ -77,17 +79,16 @@ impl<T: Scalar> Lu<T> {
         } else {
             Method::Blocks
         };
-        Self::with_method(pattern, place, method)
+        Self::with_method(pattern, &graph, place, method)
     }
 
-    fn with_method(pattern: &Pattern, place: Vec<usize>, method: Method) -> Self {
-        assert_eq!(pattern.rows(), pattern.columns(), "the pattern is square");
+    fn with_method(pattern: &Pattern, graph: &Graph, place: Vec<usize>, method: Method) -> Self {
         let size = pattern.columns();
         let factors = match method {
-            Method::Chain => Chain::new(pattern).map(|chain| Factors::Chain(Box::new(chain))),
+            Method::Chain => Chain::new(pattern, graph).map(|chain| Factors::Chain(Box::new(chain))),
             Method::Banded => None,
             Method::Sparse => Sparse::new(pattern).map(|sparse| Factors::Sparse(Box::new(sparse))),
-            Method::Blocks => Blocks::new(pattern).map(|blocks| Factors::Blocks(Box::new(blocks))),
+            Method::Blocks => Blocks::new(pattern, graph).map(|blocks| Factors::Blocks(Box::new(blocks))),
         };
         let factors = factors.unwrap_or_else(|| banded(pattern, &place));
         let (scaled, work) = match &factors {
@@ -151,7 +152,10 @@ impl<T: Scalar> Lu<T> {
         self.is_fallback_used = true;
         let (pattern, place) = (&self.pattern, &self.place);
         self.fallback
-            .get_or_insert_with(|| Box::new(Self::with_method(pattern, place.clone(), row_exchanges)))
+            .get_or_insert_with(|| {
+                let graph = Graph::new(pattern);
+                Box::new(Self::with_method(pattern, &graph, place.clone(), row_exchanges))
+            })
             .factor_exchanging(values, starts)
     }
 
@@ -296,10 +300,9 @@ fn banded<T: Scalar>(pattern: &Pattern, place: &[usize]) -> Factors<T> {
 }
 
 /// Place of every unknown in an order with a small bandwidth.
-fn places(pattern: &Pattern) -> Vec<usize> {
-    assert_eq!(pattern.rows(), pattern.columns(), "the pattern is square");
-    let mut place = vec![0; pattern.columns()];
-    for (new, &old) in reverse_cuthill_mckee(pattern).iter().enumerate() {
+fn places(graph: &Graph) -> Vec<usize> {
+    let mut place = vec![0; graph.len()];
+    for (new, &old) in reverse_cuthill_mckee(graph).iter().enumerate() {
         place[old] = new;
     }
     place

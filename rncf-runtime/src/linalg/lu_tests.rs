@@ -37,7 +37,8 @@ fn multiply<T: Scalar>(pattern: &Pattern, values: &[T], x: &[T]) -> Vec<T> {
 const METHODS: [Method; 4] = [Method::Chain, Method::Banded, Method::Sparse, Method::Blocks];
 
 fn with<T: Scalar>(pattern: &Pattern, method: Method) -> Lu<T> {
-    Lu::with_method(pattern, places(pattern), method)
+    let graph = Graph::new(pattern);
+    Lu::with_method(pattern, &graph, places(&graph), method)
 }
 
 fn check<T: Scalar>(pattern: &Pattern, method: Method, mut number: impl FnMut() -> T) {
@@ -81,7 +82,7 @@ fn scattered_chain_is_banded_again() {
     });
     let scattered = Pattern::new(200, 200, entries);
     let mut place = vec![0; 200];
-    for (new, &old) in reverse_cuthill_mckee(&scattered).iter().enumerate() {
+    for (new, &old) in reverse_cuthill_mckee(&Graph::new(&scattered)).iter().enumerate() {
         place[old] = new;
     }
     assert!(

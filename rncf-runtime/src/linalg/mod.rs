@@ -10,6 +10,7 @@ mod chain;
 mod column;
 mod dense;
 mod eigen;
+mod graph;
 mod links;
 mod lu;
 mod node;

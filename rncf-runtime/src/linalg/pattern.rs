@@ -62,6 +62,22 @@ impl Pattern {
         Self { rows, starts, indices }
     }
 
+    /// The first `size` rows and columns of a square pattern.
+    pub(super) fn leading(&self, size: usize) -> Self {
+        let (mut starts, mut indices) = (Vec::with_capacity(size + 1), Vec::with_capacity(self.entries()));
+        starts.push(0);
+        for column in 0..size {
+            let own = &self.indices[self.starts[column]..self.starts[column + 1]];
+            indices.extend_from_slice(&own[..own.partition_point(|&row| row < size)]);
+            starts.push(indices.len());
+        }
+        Self {
+            rows: size,
+            starts,
+            indices,
+        }
+    }
+
     /// Number of rows.
     pub fn rows(&self) -> usize {
         self.rows
@@ -120,7 +136,7 @@ impl Pattern {
 }
 
 /// Of counts behind a leading zero: the sums up to each.
-fn accumulate(counts: &mut [usize]) {
+pub(super) fn accumulate(counts: &mut [usize]) {
     for place in 1..counts.len() {
         counts[place] += counts[place - 1];
     }

@@ -95,14 +95,17 @@ impl<T: Scalar> Saddle<T> {
         let (n, m) = (block.rows(), constraint_transposed.columns());
         let inner = n - border;
         let (mut columns, mut rows) = (vec![Vec::new(); border + m], vec![Vec::new(); border + m]);
-        let mut leading = Vec::new();
         let (mut corner, mut corner_constraints) = (Vec::new(), Vec::new());
-        for (entry, row, column) in entries(block) {
-            match (row < inner, column < inner) {
-                (true, true) => leading.push((row, column)),
-                (true, false) => columns[column - inner].push((row, entry)),
-                (false, true) => rows[row - inner].push((column, entry)),
-                (false, false) => corner.push((entry, row - inner, column - inner)),
+        for column in 0..n {
+            let own = block.starts()[column]..block.starts()[column + 1];
+            // Rows of the border come last in a column.
+            let first = own.start + block.indices()[own.clone()].partition_point(|&row| row < inner);
+            match column.checked_sub(inner) {
+                None => (first..own.end).for_each(|entry| rows[block.indices()[entry] - inner].push((column, entry))),
+                Some(place) => {
+                    columns[place].extend((own.start..first).map(|entry| (block.indices()[entry], entry)));
+                    corner.extend((first..own.end).map(|entry| (entry, block.indices()[entry] - inner, place)));
+                }
             }
         }
         for (entry, row, column) in entries(constraint_transposed) {
@@ -117,7 +120,7 @@ impl<T: Scalar> Saddle<T> {
         Self {
             inner,
             border,
-            leading: Lu::new(&Pattern::new(inner, inner, leading)),
+            leading: Lu::new(&block.leading(inner)),
             starts: block.starts()[..inner].to_vec(),
             corner,
             corner_constraints,
@@ -283,9 +286,9 @@ impl<T: Scalar> Columns<T> {
             let place = |&(row, entry): &(usize, usize)| numbered(row * width + index, entry);
             target.extend(all[number].iter().map(place));
         }
-        // In the order of the responses, which are written several to a row.
-        of_block.sort_unstable();
-        of_forces.sort_unstable();
+        // In the order of the responses, which are written several to a row; stable, as the columns are runs in order.
+        of_block.sort();
+        of_forces.sort();
         Self {
             responses: Tall::new(inner, width),
             numbers,
@@ -324,8 +327,8 @@ impl<T: Scalar> Rows<T> {
             target.extend(all[number].iter().map(place));
         }
         // In the order of K, whose columns hold all of these rows next to each other.
-        full_of_block.sort_unstable_by_key(|&(_, entry)| entry);
-        full_of_constraints.sort_unstable();
+        full_of_block.sort_by_key(|&(_, entry)| entry);
+        full_of_constraints.sort();
         let (mut sparse, mut sparse_entries) = (Vec::new(), Vec::new());
         for (number, row) in all.iter().enumerate().filter(|(_, row)| !is_full(row)) {
             sparse_entries.extend(row);

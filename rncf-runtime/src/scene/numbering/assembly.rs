@@ -6,8 +6,14 @@ use rayon::prelude::*;
 use super::layout::Layout;
 use crate::linalg::Pattern;
 
-/// Fewer elements than this are evaluated by the calling thread alone.
-pub const PARALLEL_FROM: usize = 256;
+/// Fewer numbers than this are evaluated by the calling thread alone: to hand work to others and wait for them takes about
+/// 60 us, the numbers a quarter of a millisecond and more (docs/measurements.md).
+pub const PARALLEL_FROM: usize = 1 << 18;
+
+/// Fewest units that one of the threads takes of so many: each gets one piece.
+pub fn piece(units: usize) -> usize {
+    (units / rayon::current_num_threads().next_power_of_two()).max(1)
+}
 
 /// Couples all of some unknowns with each other.
 pub fn couple_all(unknowns: &[usize], entries: &mut Vec<(usize, usize)>) {
@@ -41,18 +47,18 @@ impl Connectivity {
         }
     }
 
-    /// Pattern entries of all elements.
-    pub fn entries<'a>(&'a self, layout: &'a Layout) -> impl Iterator<Item = (usize, usize)> + 'a {
-        (0..self.count()).flat_map(move |element| {
-            let unknowns = move |component: &usize| layout.unknowns_at(*component).map(|(unknown, _)| unknown);
-            let rows = self.element(element).iter().flat_map(unknowns);
-            rows.flat_map(move |row| {
-                self.element(element)
-                    .iter()
-                    .flat_map(unknowns)
-                    .map(move |column| (row, column))
-            })
-        })
+    /// Adds the pattern entries of all elements.
+    pub fn add_entries(&self, layout: &Layout, entries: &mut Vec<(usize, usize)>) {
+        let mut unknowns = Vec::new();
+        for element in 0..self.count() {
+            unknowns.clear();
+            for &component in self.element(element) {
+                unknowns.extend(layout.unknowns_at(component).map(|(unknown, _)| unknown));
+            }
+            for &row in &unknowns {
+                entries.extend(unknowns.iter().map(|&column| (row, column)));
+            }
+        }
     }
 }
 
@@ -160,7 +166,7 @@ impl Scatter {
 pub fn evaluate(count: usize, width: usize, results: &mut Vec<f64>, element: impl Fn(usize, &mut [f64]) + Sync) {
     results.clear();
     results.resize(count * width, 0.0);
-    if count < PARALLEL_FROM {
+    if count * width < PARALLEL_FROM {
         for (index, result) in results.chunks_exact_mut(width).enumerate() {
             element(index, result);
         }
@@ -168,6 +174,7 @@ pub fn evaluate(count: usize, width: usize, results: &mut Vec<f64>, element: imp
         results
             .par_chunks_exact_mut(width)
             .enumerate()
+            .with_min_len(piece(count))
             .for_each(|(index, result)| element(index, result));
     }
 }

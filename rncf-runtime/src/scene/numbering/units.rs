@@ -17,6 +17,8 @@ pub(crate) struct Units {
     lanes: Vec<[(usize, usize); LANES]>,
     /// Components in the full arrays, unit by unit.
     components: Vec<[u32; LANES]>,
+    /// Whether the components of every element of a unit follow each other.
+    in_runs: Vec<bool>,
 }
 
 impl Units {
@@ -27,12 +29,18 @@ impl Units {
             .map(|chunk| std::array::from_fn(|lane| chunk[lane.min(chunk.len() - 1)]))
             .collect();
         let places = lanes.iter().flat_map(|unit| (0..size).map(move |place| (unit, place)));
+        let components: Vec<[u32; LANES]> = places
+            .map(|(unit, place)| unit.map(|element| of(element)[place] as u32))
+            .collect();
+        let follow = |pair: &[[u32; LANES]]| (0..LANES).all(|lane| pair[0][lane] + 1 == pair[1][lane]);
         Self {
             size,
             elements: elements.len(),
-            components: places
-                .map(|(unit, place)| unit.map(|element| of(element)[place] as u32))
+            in_runs: components
+                .chunks_exact(size.max(1))
+                .map(|own| own.windows(2).all(follow))
                 .collect(),
+            components,
             lanes,
         }
     }
@@ -58,14 +66,38 @@ impl Units {
     }
 
     /// Components of a unit in the full arrays.
-    pub fn components(&self, unit: usize) -> &[[u32; LANES]] {
+    fn components(&self, unit: usize) -> &[[u32; LANES]] {
         &self.components[unit * self.size..(unit + 1) * self.size]
     }
 
     /// Copies the components of a unit.
     pub fn gather(&self, unit: usize, full: &[f64], local: &mut [Lanes]) {
-        for (values, components) in local.iter_mut().zip(self.components(unit)) {
+        let components = self.components(unit);
+        if self.in_runs[unit] {
+            let [a, b, c, d] = components[0].map(|first| &full[first as usize..][..self.size]);
+            let runs = a.iter().zip(b).zip(c.iter().zip(d));
+            for (values, ((&a, &b), (&c, &d))) in local.iter_mut().zip(runs) {
+                *values = [a, b, c, d];
+            }
+            return;
+        }
+        for (values, components) in local.iter_mut().zip(components) {
             *values = components.map(|component| full[component as usize]);
+        }
+    }
+
+    /// Adds `factor` times what one lane of a unit has for its components.
+    pub fn add(&self, unit: usize, lane: usize, factor: f64, local: &[Lanes], full: &mut [f64]) {
+        let components = self.components(unit);
+        if self.in_runs[unit] {
+            let own = &mut full[components[0][lane] as usize..][..self.size];
+            own.iter_mut()
+                .zip(local)
+                .for_each(|(sum, values)| *sum += factor * values[lane]);
+            return;
+        }
+        for (components, values) in components.iter().zip(local) {
+            full[components[lane] as usize] += factor * values[lane];
         }
     }
 }

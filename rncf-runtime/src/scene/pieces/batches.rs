@@ -7,12 +7,9 @@ use rayon::prelude::*;
 
 use crate::emitted::{Fidelity, LANES, Parts, elastic_force_one_by_one, elastic_tangent_one_by_one};
 use crate::scene::bodies::mesh_body::MeshBody;
-use crate::scene::numbering::assembly::PARALLEL_FROM;
+use crate::scene::numbering::assembly::{PARALLEL_FROM, piece};
 use crate::scene::numbering::units::{Lanes, Units};
 use crate::space::Matrix;
-
-/// Units that are evaluated before their results are added.
-const BLOCK: usize = 64;
 
 /// Elements with the same kernels.
 #[derive(Clone, Debug)]
@@ -142,11 +139,8 @@ impl Group {
             self.unit_force(parts, unit, local, force);
         };
         let add = |unit: usize, result: &[Lanes]| {
-            let own = self.units.components(unit);
             for lane in 0..self.units.used(unit).len() {
-                for (components, values) in own.iter().zip(&result[2 * n..]) {
-                    force[components[lane] as usize] += values[lane];
-                }
+                self.units.add(unit, lane, 1.0, &result[2 * n..], force);
             }
         };
         in_order(self.units.count(), 3 * n, results, evaluate, add);
@@ -190,7 +184,7 @@ impl Group {
 }
 
 /// Evaluates `count` units into `width` lanes each and adds them one after the other, by blocks in parallel where
-/// there are many.
+/// these are worth the waiting.
 pub(crate) fn in_order(
     count: usize,
     width: usize,
@@ -198,7 +192,8 @@ pub(crate) fn in_order(
     evaluate: impl Fn(usize, &mut [Lanes]) + Sync,
     mut add: impl FnMut(usize, &[Lanes]),
 ) {
-    if count * LANES < PARALLEL_FROM || rayon::current_num_threads() == 1 {
+    let blocks = count * width * LANES / PARALLEL_FROM;
+    if blocks == 0 || rayon::current_num_threads() == 1 {
         results.resize(width.max(results.len()), [0.0; LANES]);
         let result = &mut results[..width];
         for unit in 0..count {
@@ -207,11 +202,14 @@ pub(crate) fn in_order(
         }
         return;
     }
-    results.resize((BLOCK * width).max(results.len()), [0.0; LANES]);
-    for first in (0..count).step_by(BLOCK) {
-        let own = &mut results[..BLOCK.min(count - first) * width];
+    let block = count.div_ceil(blocks);
+    results.resize((block * width).max(results.len()), [0.0; LANES]);
+    for first in (0..count).step_by(block) {
+        let here = block.min(count - first);
+        let own = &mut results[..here * width];
         own.par_chunks_exact_mut(width)
             .enumerate()
+            .with_min_len(piece(here))
             .for_each(|(unit, result)| evaluate(first + unit, result));
         for (unit, result) in own.chunks_exact(width).enumerate() {
             add(first + unit, result);

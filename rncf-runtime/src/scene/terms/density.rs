@@ -334,7 +334,6 @@ impl MeshScene {
                 let result = of.evaluated(result);
                 for (lane, &(density, element)) in of.units.used(unit).iter().enumerate() {
                     let body = &scene.bodies[scene.densities[density].spec.body];
-                    let components = body.connectivity.element(element);
                     if let Some(free) = scene.free_of[body.frame] {
                         for (i, rows) in on_frames[free].iter_mut().enumerate() {
                             *rows = Vector::from_fn(|j, _| rows[j] + load_scale * result.rows[3 * i + j][lane]);
@@ -345,13 +344,11 @@ impl MeshScene {
                             std::array::from_fn(|i| result.force.get(i).map_or(0.0, |force| force[lane]));
                         let vectors = force[..of.units.size].chunks_exact_mut(axes.d);
                         vectors.for_each(|vector| axes.vector(vector, false));
-                        for (&component, value) in components.iter().zip(force) {
+                        for (&component, value) in body.connectivity.element(element).iter().zip(force) {
                             forces[component] -= load_scale * value;
                         }
                     } else {
-                        for (&component, force) in components.iter().zip(result.force) {
-                            forces[component] -= load_scale * force[lane];
-                        }
+                        of.units.add(unit, lane, -load_scale, result.force, &mut forces);
                     }
                 }
             };

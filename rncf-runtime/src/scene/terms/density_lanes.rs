@@ -98,10 +98,10 @@ impl Carried {
 
     /// Force and moment of generalised forces.
     #[inline(always)]
-    fn rows<R: Real>(&self, zero: R, q: &[R], force: impl Fn(usize) -> R) -> [R; ROWS] {
+    fn rows<R: Real>(&self, zero: R, n: usize, q: impl Fn(usize) -> R, force: impl Fn(usize) -> R) -> [R; ROWS] {
         let mut rows = [zero; ROWS];
-        for a in 0..q.len() / self.axes.len() {
-            let at = self.vector(zero, a, |i| q[i]);
+        for a in 0..n / self.axes.len() {
+            let at = self.vector(zero, a, &q);
             let f = self.vector(zero, a, &force);
             if self.positions[a] {
                 for i in 0..3 {
@@ -143,18 +143,9 @@ impl Source<'_> {
     }
 
     #[inline(always)]
-    fn load<R: Real>(&self, zero: R, load: impl Fn(&Lanes) -> R) -> [R; MAX_SIZE] {
-        let mut q = [zero; MAX_SIZE];
-        for (to, from) in q.iter_mut().zip(self.q) {
-            *to = load(from);
-        }
-        q
-    }
-
-    #[inline(always)]
     fn each<R: Real>(&self, zero: R, load: impl Fn(&Lanes) -> R + Copy, mut put: impl FnMut(usize, R)) {
-        let q = self.load(zero, load);
-        let rows = self.carried.rows(zero, &q[..self.q.len()], |i| load(&self.force[i]));
+        let q = |i: usize| load(&self.q[i]);
+        let rows = self.carried.rows(zero, self.q.len(), q, |i| load(&self.force[i]));
         rows.into_iter().enumerate().for_each(|(i, value)| put(i, value));
     }
 
@@ -164,10 +155,9 @@ impl Source<'_> {
         if self.by_q.is_empty() {
             return;
         }
-        let q = self.load(zero, load);
-        let q = &q[..n];
+        let q = |i: usize| load(&self.q[i]);
         for column in 0..n {
-            let mut rows = self.carried.rows(zero, q, |i| load(&self.by_q[i * n + column]));
+            let mut rows = self.carried.rows(zero, n, q, |i| load(&self.by_q[i * n + column]));
             let f = self.carried.vector(zero, column / d, |i| load(&self.force[i]));
             match self.carried.axes[column % d] {
                 0 => (rows[4], rows[5]) = (rows[4] - f[2], rows[5] + f[1]),
@@ -180,7 +170,7 @@ impl Source<'_> {
         }
         let k = self.by_values.len() / n;
         for column in 0..k {
-            let rows = self.carried.rows(zero, q, |i| load(&self.by_values[i * k + column]));
+            let rows = self.carried.rows(zero, n, q, |i| load(&self.by_values[i * k + column]));
             for (row, value) in rows.into_iter().enumerate() {
                 put(ROWS * n + row * k + column, value);
             }

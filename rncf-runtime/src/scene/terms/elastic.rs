@@ -20,7 +20,7 @@ pub(crate) struct Elasticity;
 impl Force for Elasticity {
     fn couple(&self, scene: &MeshScene, entries: &mut Vec<(usize, usize)>) {
         for body in &scene.bodies {
-            entries.extend(body.connectivity.entries(&scene.layout));
+            body.connectivity.add_entries(&scene.layout, entries);
         }
     }
 

@@ -101,7 +101,7 @@ impl<'a> Balance<'a> {
         let size = n + self.ties.iter().map(|tie| tie.rows.len()).sum::<usize>();
         let mut entries: Vec<(usize, usize)> = (0..size).map(|i| (i, i)).collect();
         for &body in &self.bodies {
-            entries.extend(scene.bodies[body].connectivity.entries(layout));
+            scene.bodies[body].connectivity.add_entries(layout, &mut entries);
         }
         entries.extend(
             borders
