@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use super::continuation::{EquilibriumSettings, at_the_end};
 use super::mass_table;
-use super::modes::{growth, modes};
+use super::modes::{first, growth};
 use super::parameters::digits;
 use super::report::escape;
 use super::run::{RunResult, times};
@@ -72,7 +72,7 @@ fn frequencies(model: &dyn AnyModel, result: &RunResult) -> Result<Value, String
         count: COUNT,
         ..EquilibriumSettings::default()
     };
-    first(model, &settings)
+    about(model, &settings)
 }
 
 /// About the last of some equilibria.
@@ -87,7 +87,7 @@ fn frequencies_at_the_end(model: &dyn AnyModel, result: &Equilibria) -> Result<V
         ..result.settings
     };
     let last = at_the_end(model, &result.settings);
-    let found = first(last.as_ref(), &settings)?;
+    let found = about(last.as_ref(), &settings)?;
     if result.kind == Kind::Static && found["spin"].as_f64() != Some(0.0) {
         return Err(
             "they are known about relative equilibria, and these rest; the command `modes` finds those of the rotation"
@@ -106,14 +106,14 @@ fn affordable(unknowns: usize) -> Result<(), String> {
     ))
 }
 
-fn first(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Value, String> {
-    let found = modes(model, settings).map_err(|error| error.to_string())?;
-    let own: Vec<f64> = found.modes.iter().map(|mode| mode.im).collect();
+fn about(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Value, String> {
+    let (at, spin, modes) = first(model, settings).map_err(|error| error.to_string())?;
+    let own: Vec<f64> = modes.iter().map(|mode| mode.im).collect();
     if own.is_empty() {
         return Err("no motion is free".into());
     }
     Ok(json!({
-        "at": found.t, "spin": found.spin, "im [rad/s]": own, "is_unstable": growth(&found.modes).is_some(),
+        "at": at, "spin": spin, "im [rad/s]": own, "is_unstable": growth(&modes).is_some(),
     }))
 }
 

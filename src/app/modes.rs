@@ -186,26 +186,15 @@ pub(super) fn growth(modes: &[SeenMode]) -> Option<f64> {
 pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Modes, RunError> {
     let clock = Clock::start();
     let model = continuation::at_the_end(model, settings);
-    let t = continuation::time(model.as_ref(), settings).map_err(RunError::Settings)?;
-    let mut scene = model
-        .build(Formulation::Rncf, Joints::Eliminated)
-        .map_err(RunError::Model)?;
-    let scene = scene.as_mut();
-    let at = Uniform {
-        t,
-        scale: 1.0,
-        kind: Kind::Steady,
-        spin: settings.spin,
-    };
-    let told = |error: crate::SolveError| RunError::Equilibrium(error.to_string());
-    let found = follow(scene, &at, 1.0, |_, _| ()).map_err(told)?;
-    let state = found.state().cloned().unwrap_or_else(|| scene.uniform_guess(&at));
-    let wanted = Wanted { count: settings.count };
-    let shapes = modes::modes(scene, &at, &state, wanted).map_err(told)?;
-    let modes: Vec<SeenMode> = shapes
-        .iter()
-        .map(|mode| SeenMode::of(scene, &at, &state, mode))
-        .collect();
+    let About {
+        mut scene,
+        at,
+        state,
+        shapes,
+        modes,
+        newton_iterations,
+    } = about(model.as_ref(), settings)?;
+    let (scene, t) = (scene.as_mut(), at.t);
     let compositions = shapes
         .iter()
         .map(|mode| scene.composition(&at, &state, &mode.shape))
@@ -229,9 +218,61 @@ pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Mod
         masses: scene.masses(&state),
         unknowns: scene.unknowns(),
         constraints: scene.constraints(),
-        newton_iterations: u64::from(found.iterations()),
+        newton_iterations,
         warnings,
         seconds: clock.seconds(),
+    })
+}
+
+/// Time (s), spin (rad/s) and modes of [`modes`] alone, without how far the meshes are off and what else is told beside them.
+pub(super) fn first(
+    model: &dyn AnyModel,
+    settings: &EquilibriumSettings,
+) -> Result<(f64, f64, Vec<SeenMode>), RunError> {
+    let model = continuation::at_the_end(model, settings);
+    let mut about = about(model.as_ref(), settings)?;
+    let spin = continuation::spin(about.scene.as_mut(), &about.at);
+    Ok((about.at.t, spin, about.modes))
+}
+
+/// Modes about an equilibrium of a scene.
+struct About {
+    scene: Box<dyn Scene>,
+    at: Uniform,
+    state: State,
+    shapes: Vec<Mode>,
+    modes: Vec<SeenMode>,
+    newton_iterations: u64,
+}
+
+/// The modes of a model about its relative equilibrium.
+fn about(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<About, RunError> {
+    let t = continuation::time(model, settings).map_err(RunError::Settings)?;
+    let mut scene = model
+        .build(Formulation::Rncf, Joints::Eliminated)
+        .map_err(RunError::Model)?;
+    let at = Uniform {
+        t,
+        scale: 1.0,
+        kind: Kind::Steady,
+        spin: settings.spin,
+    };
+    let told = |error: crate::SolveError| RunError::Equilibrium(error.to_string());
+    let found = follow(scene.as_mut(), &at, 1.0, |_, _| ()).map_err(told)?;
+    let state = found.state().cloned().unwrap_or_else(|| scene.uniform_guess(&at));
+    let wanted = Wanted { count: settings.count };
+    let shapes = modes::modes(scene.as_mut(), &at, &state, wanted).map_err(told)?;
+    let modes = shapes
+        .iter()
+        .map(|mode| SeenMode::of(scene.as_mut(), &at, &state, mode))
+        .collect();
+    Ok(About {
+        scene,
+        at,
+        state,
+        shapes,
+        modes,
+        newton_iterations: u64::from(found.iterations()),
     })
 }
 

@@ -35,6 +35,12 @@ impl Columns {
         Self(std::array::from_fn(|j| padded(matrix.column(j).into())))
     }
 
+    /// One after the other.
+    #[inline(always)]
+    pub fn each(&self) -> &[Padded; 3] {
+        &self.0
+    }
+
     /// `sum += A x`
     #[inline(always)]
     pub fn add_product(&self, x: &Padded, sum: &mut Padded) {

@@ -55,7 +55,8 @@ impl MeshScene {
             matches!(spec.fidelity, Fidelity::Full | Fidelity::Modal(_)) && !matches!(spec.line, Line::Nodes(_))
         };
         let bodies = (0..self.bodies.len()).filter(told);
-        let found = bodies.filter_map(|body| self.most_compressed(body));
+        let may = bodies.filter(|&body| !self.stretches_within(body, &THREE, [LEAST_STRETCH, f64::INFINITY]));
+        let found = may.filter_map(|body| self.most_compressed(body));
         let warning = |found: GivesWay| Warning {
             text: found.to_string(),
             weight: 1.0 - found.stretch,

@@ -20,7 +20,8 @@ impl MeshScene {
             matches!(spec.fidelity, Fidelity::Full | Fidelity::Modal(_)) && !matches!(spec.line, Line::Nodes(_))
         };
         let bodies = (0..self.bodies.len()).filter(told);
-        let found = bodies.filter_map(|body| {
+        let may = bodies.filter(|&body| !self.stretches_within(body, &PLACES, [0.0, MOST]));
+        let found = may.filter_map(|body| {
             let (stretch, x) = self.most_stretched(body);
             (stretch > MOST).then(|| Warning {
                 text: format!(

@@ -40,10 +40,7 @@ impl MeshScene {
         out.clear();
         let mut reaches = self.taken_reaches();
         for body in self.sampled() {
-            let mut reader = Reader::new(self, body, &mut reaches[body]);
-            for element in 0..self.bodies[body].spec.count {
-                reader.element(element, &PLACES, out);
-            }
+            Reader::new(self, body, &mut reaches[body]).all(&PLACES, out);
         }
         self.buffers.reaches = reaches;
     }

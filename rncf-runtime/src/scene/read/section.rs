@@ -44,17 +44,27 @@ fn sum(weights: &[f64], vectors: &[Vector]) -> Vector {
     parts.fold(Vector::zeros(), |sum, (&weight, &vector)| sum + weight * vector)
 }
 
+/// What the section at a place carries, and how it stands: of a centre line the slope comes first, else r_y and r_z; frame axes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Carried {
+    pub force: Vector,
+    pub moment: Vector,
+    pub axes: [Vector; 2],
+}
+
 /// Reads off what the sections of one body carry at the loaded state: [`MeshScene::set_sections`] comes first.
 pub(crate) struct Reader<'a> {
-    scene: &'a MeshScene,
-    body: usize,
+    pub(super) scene: &'a MeshScene,
+    pub(super) body: usize,
+    /// Accelerations in the body's frame.
+    pub(super) total: Total,
     /// What stresses follow from, where that is the same along the body.
     section: Option<SectionSpec>,
-    is_line: bool,
+    pub(super) is_line: bool,
     normal: Option<Vector>,
     /// The local vector that is the position of the first node.
-    first: usize,
-    reaches: &'a mut Reaches,
+    pub(super) first: usize,
+    pub(super) reaches: &'a mut Reaches,
     /// The element that is read, and its number.
     found: Element,
     at: usize,
@@ -62,10 +72,12 @@ pub(crate) struct Reader<'a> {
 
 impl<'a> Reader<'a> {
     pub fn new(scene: &'a MeshScene, body: usize, reaches: &'a mut Reaches) -> Self {
-        let spec = &scene.bodies[body].spec;
+        let (spec, frame) = (&scene.bodies[body].spec, scene.bodies[body].frame);
+        let transport = Transport::new(&scene.buffers.frames[frame], spec.axes, scene.buffers.gravity);
         Self {
             scene,
             body,
+            total: Total::new(&transport),
             section: (!scene.parts.varies(body)).then(|| scene.section_spec(body, 0.0)),
             is_line: !spec.has_section(),
             normal: spec.plane_normal(),
@@ -120,33 +132,49 @@ impl<'a> Reader<'a> {
     fn state(&mut self, element: usize, xi: f64) -> SectionState {
         let found = &self.found;
         let reach = self.reaches.to(described(self.scene, self.body), xi);
-        let triad = triad(self.is_line, self.normal, reach, &found.levers);
         let [force, moment] = carried(self.scene, (self.body, element), self.first, reach, found);
-        let mut forces = triad.map(|axis| axis.dot(&force));
-        let mut moments = triad.map(|axis| axis.dot(&moment));
-        let spec = &self.scene.bodies[self.body].spec;
+        let axes = axis_weights(self.is_line, reach).map(|weights| sum(weights, &found.levers));
+        self.told(element, xi, &Carried { force, moment, axes })
+    }
+
+    /// What a section carries in its own axes.
+    pub(super) fn told(&self, element: usize, xi: f64, carried: &Carried) -> SectionState {
+        let &Carried { force, moment, axes } = carried;
+        let (forces, moments);
         if self.is_line {
             // Across the slope: a centre line has no torsion.
-            let across = moment - moments[0] * triad[0];
-            let size = self.normal.map_or_else(|| across.norm(), |normal| moment.dot(&normal));
-            moments = [0.0, 0.0, size];
-            forces = [forces[0], 0.0, 0.0];
+            let along = unit(axes[0]);
+            let size = match self.normal {
+                Some(normal) => moment.dot(&normal),
+                None => (moment - along.dot(&moment) * along).norm(),
+            };
+            (forces, moments) = ([along.dot(&force), 0.0, 0.0], [0.0, 0.0, size]);
+        } else {
+            let triad = section_axes(axes[0], self.normal.unwrap_or(axes[1]));
+            forces = triad.map(|axis| axis.dot(&force));
+            moments = triad.map(|axis| axis.dot(&moment));
         }
         let is_planar = self.normal.is_some();
-        let x = spec.arclength(element, xi);
-        let section = self.section.unwrap_or_else(|| self.scene.section_spec(self.body, x));
-        let stress = |moments| largest_stress(&section, is_planar, forces, moments);
-        // Which way a centre line in space bends relative to its section is not known.
-        let other = if self.is_line && !is_planar {
-            [0.0, moments[2], 0.0]
-        } else {
-            moments
+        let x = self.scene.bodies[self.body].spec.arclength(element, xi);
+        let varied;
+        let section = match &self.section {
+            Some(section) => section,
+            None => {
+                varied = self.scene.section_spec(self.body, x);
+                &varied
+            }
         };
+        let mut stress = largest_stress(section, is_planar, forces, moments);
+        if self.is_line && !is_planar {
+            // Which way a centre line in space bends relative to its section is not known.
+            let other = largest_stress(section, is_planar, forces, [0.0, moments[2], 0.0]);
+            stress = stress.zip(other).map(|(a, b)| a.max(b));
+        }
         SectionState {
             x,
             forces: forces.into(),
             moments: moments.into(),
-            stress: stress(moments).zip(stress(other)).map(|(a, b)| a.max(b)),
+            stress,
             is_planar,
         }
     }
@@ -179,8 +207,7 @@ impl<'a> Reader<'a> {
         found.levers.clear();
         found.levers.extend((0..count).map(|place| vector(&levers, place)));
         // Inertia less loads.
-        let transport = Transport::new(&buffers.frames[body.frame], spec.axes, buffers.gravity);
-        let total = Total::new(&transport);
+        let total = &self.total;
         found.accelerations.clear();
         found.accelerations.extend((0..count).map(|place| {
             let at = [found.levers[place], vector(v, place), vector(a, place)].map(padded);
@@ -240,7 +267,7 @@ impl<'a> Reader<'a> {
 }
 
 /// A body as reaches see it.
-fn described(scene: &MeshScene, index: usize) -> Body<'_> {
+pub(super) fn described(scene: &MeshScene, index: usize) -> Body<'_> {
     Body {
         parts: &*scene.parts,
         index,
@@ -249,7 +276,7 @@ fn described(scene: &MeshScene, index: usize) -> Body<'_> {
 }
 
 /// What acts inside an element of a body.
-fn acting_inside(scene: &MeshScene, body: usize, element: usize) -> impl Iterator<Item = &PointForce> {
+pub(super) fn acting_inside(scene: &MeshScene, body: usize, element: usize) -> impl Iterator<Item = &PointForce> {
     let all = scene.buffers.point_forces.get(body);
     all.into_iter().flatten().filter(move |point| point.element == element)
 }
@@ -284,13 +311,10 @@ fn carried(
     [force, moment]
 }
 
-/// Axes of the section at the end of a reach; of a centre line the first is along its slope.
-fn triad(is_line: bool, normal: Option<Vector>, reach: &Reach, levers: &[Vector]) -> [Vector; 3] {
-    if is_line {
-        return [unit(sum(&reach.slope, levers)), Vector::zeros(), Vector::zeros()];
-    }
-    let [y, z] = reach.axes.each_ref().map(|weights| sum(weights, levers));
-    section_axes(y, normal.unwrap_or(z))
+/// Weights of the nodal vectors in what tells how the section at the end of a reach stands.
+pub(super) fn axis_weights(is_line: bool, reach: &Reach) -> [&[f64]; 2] {
+    let [y, z] = &reach.axes;
+    if is_line { [&reach.slope, &[]] } else { [y, z] }
 }
 
 impl MeshScene {

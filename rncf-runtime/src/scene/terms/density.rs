@@ -366,6 +366,12 @@ impl MeshScene {
         self.buffers.density_scale = load_scale;
     }
 
+    /// Whether there are densities or other loads along a body.
+    pub(crate) fn has_loads_along(&self, body: usize) -> bool {
+        self.densities.iter().any(|density| density.spec.body == body)
+            || self.spread.iter().any(|spread| spread.body == body)
+    }
+
     /// Generalised forces of all densities and other loads that are spread over it on the nodal vectors of one element, axes of the frame that they live in;
     /// the state's values are remembered.
     pub(crate) fn densities_on(&self, body: usize, element: usize) -> [f64; MAX_SIZE] {

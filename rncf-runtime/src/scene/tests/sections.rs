@@ -11,6 +11,7 @@ use crate::model::{Formulation, Joints, Scene};
 use crate::scene::MeshScene;
 use crate::scene::numbering::layout::{Layout, VectorKind};
 use crate::scene::pieces::marker::Marker;
+use crate::scene::read::section::Reader;
 use crate::space::{Vector, three};
 use crate::system::{ConstraintLevel, System};
 
@@ -486,6 +487,52 @@ fn mean_axes_tie_the_turning_of_a_straight_body_with_a_section() {
     let wanted = [0.0, 0.0, 0.0, (1.5 * GYRATION).sqrt(), 0.0, 0.0];
     for (found, wanted) in rates.iter().zip(wanted) {
         assert!((found - wanted).abs() < 1e-12, "{rates:?}");
+    }
+}
+
+/// Six elements are read four at a time where no force acts within one of these, and one after the other.
+#[test]
+fn sections_read_side_by_side_have_the_same_bits() {
+    for (axes, to) in [
+        (&[0, 1][..], Vector::new(2.0, 0.5, 0.0)),
+        (&[0, 1, 2], Vector::new(0.2, -0.6, 0.5)),
+    ] {
+        let line = body("rope", 0, axes, to);
+        let section = beam("shaft", 0, axes, to);
+        for body in [line, section] {
+            let hand = Hand {
+                frames: vec!["inertial"],
+                bodies: vec![BodySpec { count: 6, ..body }],
+                loads: vec![(
+                    LoadSpec {
+                        name: "push",
+                        frame: 0,
+                        kind: LoadKind::Force {
+                            body: 0,
+                            at: Place::At(0.3),
+                        },
+                    },
+                    Vector::new(1.0, 2.0, 0.0),
+                )],
+                ..Hand::default()
+            };
+            let mut scene = MeshScene::new(Box::new(hand), Formulation::Rncf, Joints::Eliminated, &[]).unwrap();
+            let mut state = scene.rest(0.0);
+            for (values, size) in [(&mut state.x, 0.02), (&mut state.v, 0.5), (&mut state.a, 3.0)] {
+                for (place, value) in values.iter_mut().enumerate() {
+                    *value += size * (1.7 * place as f64 + size).sin();
+                }
+            }
+            let mut found = Vec::new();
+            scene.section_states(&state, &mut found);
+            let (mut one_by_one, mut reaches) = (Vec::new(), scene.taken_reaches());
+            let mut reader = Reader::new(&scene, 0, &mut reaches[0]);
+            for element in 0..6 {
+                reader.element(element, &[0.0, 0.5, 1.0], &mut one_by_one);
+            }
+            assert!(found.iter().any(|state| state.forces[0].abs() > 1e-3));
+            assert_eq!(found, one_by_one);
+        }
     }
 }
 

@@ -1,0 +1,294 @@
+//! What sections carry in four elements of a body side by side. The operations are those of [`Reader`], which takes one element
+//! after the other, in their order: so are the bits.
+
+use super::section::{Carried, Reader, acting_inside, axis_weights, described};
+use crate::emitted::lanes::{self, Kernel, Lanes, Real};
+use crate::emitted::{Fidelity, LANES, NodalSpec};
+use crate::model::SectionState;
+use crate::scene::bodies::nodal_mass::{Columns, Total};
+use crate::scene::pieces::reach::Reach;
+use crate::space::Vector;
+
+/// Numbers, and vectors in the axes of the frame, of four elements.
+type Four = [f64; LANES];
+type Vectors = [Four; 3];
+
+const NONE: Vectors = [[0.0; LANES]; 3];
+
+/// What the sections at the starts of four elements carry, what acts between there and their ends, and what that follows from: on
+/// nodal vectors, except for the last.
+struct Elements<'a> {
+    levers: &'a mut [Vectors],
+    rates: &'a mut [Vectors],
+    accelerations: &'a mut [Vectors],
+    /// Accelerations in space.
+    in_space: &'a mut [Vectors],
+    elastic: &'a mut [Vectors],
+    loads: &'a mut [Vectors],
+    /// Inertia less loads.
+    acting: &'a mut [Vectors],
+    start: [Vectors; 2],
+    /// Components: places, rates, elastic forces.
+    local: [&'a mut [Four]; 3],
+}
+
+impl Reader<'_> {
+    /// What the sections at places in [0, 1] of all elements carry, from start to end.
+    pub fn all<const N: usize>(&mut self, places: &[f64; N], out: &mut Vec<SectionState>) {
+        let (scene, index) = (self.scene, self.body);
+        let body = &scene.bodies[index];
+        let count = body.spec.count;
+        if count < LANES || body.spec.fidelity != Fidelity::Full || body.modes.is_some() {
+            (0..count).for_each(|element| self.element(element, places, out));
+            return;
+        }
+        let is_loaded = scene.has_loads_along(index);
+        let (vectors, size) = (body.spec.nodal.len(), body.spec.element_size());
+        let mut memory = (vec![NONE; 7 * vectors], vec![[0.0; LANES]; 3 * size]);
+        let (mut of_vectors, mut of_components) = (memory.0.chunks_exact_mut(vectors), memory.1.chunks_exact_mut(size));
+        let mut next = || of_vectors.next().unwrap_or_default();
+        let mut found = Elements {
+            levers: next(),
+            rates: next(),
+            accelerations: next(),
+            in_space: next(),
+            elastic: next(),
+            loads: next(),
+            acting: next(),
+            start: [NONE; 2],
+            local: std::array::from_fn(|_| of_components.next().unwrap_or_default()),
+        };
+        let mut carried = [[NONE; 4]; N];
+        for first in (0..count).step_by(LANES) {
+            let last = count.min(first + LANES) - 1;
+            // The last four repeat an element where there are too few.
+            let elements = std::array::from_fn(|lane| last.min(first + lane));
+            if !self.begin_four(elements, is_loaded, &mut found) {
+                (first..=last).for_each(|element| self.element(element, places, out));
+                continue;
+            }
+            for (&xi, out) in places.iter().zip(&mut carried) {
+                self.carried_by_four(xi, &found, out);
+            }
+            for lane in 0..=last - first {
+                for (&xi, [force, moment, y, z]) in places.iter().zip(&carried) {
+                    let of = |vector: &Vectors| Vector::new(vector[0][lane], vector[1][lane], vector[2][lane]);
+                    let (force, moment, axes) = (of(force), of(moment), [of(y), of(z)]);
+                    out.push(self.told(first + lane, xi, &Carried { force, moment, axes }));
+                }
+            }
+        }
+    }
+
+    /// As [`Reader::begin`], of four elements; `false` where they are not of one length, forces act inside of them, or the processor
+    /// cannot.
+    fn begin_four(&mut self, elements: [usize; LANES], is_loaded: bool, found: &mut Elements<'_>) -> bool {
+        let (scene, index) = (self.scene, self.body);
+        let body = &scene.bodies[index];
+        let (spec, buffers) = (&body.spec, &scene.buffers);
+        let length = spec.element_length(elements[0]);
+        for element in elements {
+            if spec.element_length(element) != length || acting_inside(scene, index, element).next().is_some() {
+                return false;
+            }
+        }
+        self.reaches.begin(described(scene, index), elements[0]);
+        let [q, v, force] = &mut found.local;
+        force.fill([0.0; LANES]);
+        for (lane, element) in elements.into_iter().enumerate() {
+            for (place, &component) in body.connectivity.element(element).iter().enumerate() {
+                q[place][lane] = buffers.q[component];
+                v[place][lane] = buffers.v[component];
+                let (vector, axis) = (place / spec.axes.len(), spec.axes[place % spec.axes.len()]);
+                found.accelerations[vector][axis][lane] = buffers.a[component];
+            }
+        }
+        let both = [0, 1, 2, 3].map(|lane: usize| (index, elements[lane]));
+        scene.parts.elastic_force4(&both, q, v, force);
+        for place in 0..q.len() {
+            let (vector, axis) = (place / spec.axes.len(), spec.axes[place % spec.axes.len()]);
+            found.levers[vector][axis] = q[place];
+            found.rates[vector][axis] = v[place];
+            found.elastic[vector][axis] = force[place];
+        }
+        if is_loaded {
+            for (lane, element) in elements.into_iter().enumerate() {
+                for (place, load) in scene.densities_on(index, element)[..q.len()].iter().enumerate() {
+                    let (vector, axis) = (place / spec.axes.len(), spec.axes[place % spec.axes.len()]);
+                    found.loads[vector][axis][lane] = *load;
+                }
+            }
+        }
+        lanes::run(Begin {
+            nodal: spec.nodal,
+            total: &self.total,
+            masses: elements.map(|element| body.mass_of(element)),
+            found,
+        })
+    }
+
+    /// Force and moment on the sections at one place in [0, 1] of the elements begun last, and how they stand.
+    fn carried_by_four(&mut self, xi: f64, found: &Elements<'_>, out: &mut [Vectors; 4]) {
+        let (first, is_line) = (self.first, self.is_line);
+        let reach = self.reaches.to(described(self.scene, self.body), xi);
+        lanes::run(To {
+            first,
+            reach,
+            axes: axis_weights(is_line, reach),
+            found,
+            out,
+        });
+    }
+}
+
+/// Vectors of four elements in the registers of the processor.
+type Wide<L> = [<L as Lanes>::Real; 3];
+
+#[inline(always)]
+fn load<L: Lanes>(lanes: L, vector: &Vectors) -> Wide<L> {
+    vector.map(|component| lanes.load(component))
+}
+
+#[inline(always)]
+fn store<L: Lanes>(vector: Wide<L>, out: &mut Vectors) {
+    for (out, component) in out.iter_mut().zip(vector) {
+        *out = [0.0; LANES];
+        add(out, component);
+    }
+}
+
+#[inline(always)]
+fn add<R: Real>(sum: &mut R::Cell, value: R) {
+    *sum += value;
+}
+
+#[inline(always)]
+fn plus<L: Lanes>(a: Wide<L>, b: Wide<L>) -> Wide<L> {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}
+
+#[inline(always)]
+fn minus<L: Lanes>(a: Wide<L>, b: Wide<L>) -> Wide<L> {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+#[inline(always)]
+fn cross<L: Lanes>(a: Wide<L>, b: Wide<L>) -> Wide<L> {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
+/// `sum_a weight_a u_a`
+#[inline(always)]
+fn sum<L: Lanes>(lanes: L, weights: &[f64], vectors: &[Vectors]) -> Wide<L> {
+    let mut sum = load(lanes, &NONE);
+    for (&weight, vector) in weights.iter().zip(vectors) {
+        sum = plus::<L>(sum, load(lanes, vector).map(|component| component * weight));
+    }
+    sum
+}
+
+/// [`Reader::begin`] of four elements.
+struct Begin<'a, 'b> {
+    nodal: &'a [NodalSpec],
+    total: &'a Total,
+    /// Mass matrices of the elements, rows first.
+    masses: [&'a [f64]; LANES],
+    found: &'a mut Elements<'b>,
+}
+
+impl Kernel for Begin<'_, '_> {
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L) {
+        let (found, count) = (self.found, self.nodal.len());
+        for (place, vector) in self.nodal.iter().enumerate() {
+            let mut u = load(lanes, &found.accelerations[place]);
+            u = with_product(lanes, &self.total.turning, load(lanes, &found.levers[place]), u);
+            u = with_product(lanes, &self.total.coriolis, load(lanes, &found.rates[place]), u);
+            if vector.is_position() {
+                for (u, &e) in u.iter_mut().zip(&self.total.e) {
+                    *u = *u + e;
+                }
+            }
+            store::<L>(u, &mut found.in_space[place]);
+        }
+        let mut start = [load(lanes, &NONE); 2];
+        let [a, b, c, d] = self.masses.map(|masses| masses.chunks_exact(count));
+        for (place, (((a, b), c), d)) in a.zip(b).zip(c).zip(d).enumerate() {
+            let mut inertia = load(lanes, &NONE);
+            for (column, of) in found.in_space[..count].iter().enumerate() {
+                let mass = lanes.load([a[column], b[column], c[column], d[column]]);
+                inertia = plus::<L>(inertia, load(lanes, of).map(|component| mass * component));
+            }
+            let acting = minus::<L>(inertia, load(lanes, &found.loads[place]));
+            store::<L>(acting, &mut found.acting[place]);
+            let vector = &self.nodal[place];
+            if vector.xi == 0.0 {
+                let both = plus::<L>(load(lanes, &found.elastic[place]), acting);
+                let force = minus::<L>(load(lanes, &NONE), both);
+                if vector.is_position() {
+                    start[0] = plus::<L>(start[0], force);
+                } else {
+                    start[1] = plus::<L>(start[1], cross::<L>(load(lanes, &found.levers[place]), force));
+                }
+            }
+        }
+        for (value, out) in start.into_iter().zip(&mut found.start) {
+            store::<L>(value, out);
+        }
+    }
+}
+
+/// `sum + A x`
+#[inline(always)]
+fn with_product<L: Lanes>(_: L, columns: &Columns, x: Wide<L>, mut sum: Wide<L>) -> Wide<L> {
+    for (column, x) in columns.each().iter().zip(x) {
+        for (sum, &factor) in sum.iter_mut().zip(column) {
+            *sum = *sum + x * factor;
+        }
+    }
+    sum
+}
+
+/// [`Reader::carried`] of four elements: force and moment, and the axes of the sections.
+struct To<'a, 'b> {
+    first: usize,
+    reach: &'a Reach,
+    axes: [&'a [f64]; 2],
+    found: &'a Elements<'b>,
+    out: &'a mut [Vectors; 4],
+}
+
+impl Kernel for To<'_, '_> {
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L) {
+        let Elements {
+            levers, acting, start, ..
+        } = self.found;
+        let here = sum(lanes, &self.reach.position, levers);
+        let [mut force, mut moment] = start.each_ref().map(|vector| load(lanes, vector));
+        let lever = minus::<L>(load(lanes, &levers[self.first]), here);
+        moment = plus::<L>(moment, cross::<L>(lever, force));
+        // Between the start and itself nothing acts.
+        if self.reach.xi != 0.0 {
+            let between = sum(lanes, &self.reach.forces, acting);
+            force = plus::<L>(force, between);
+            moment = minus::<L>(moment, cross::<L>(here, between));
+            for (row, lever) in self
+                .reach
+                .levers
+                .chunks_exact(self.reach.position.len())
+                .zip(levers.iter())
+            {
+                moment = plus::<L>(moment, cross::<L>(load(lanes, lever), sum(lanes, row, acting)));
+            }
+        }
+        let [y, z] = self.axes.map(|weights| sum(lanes, weights, levers));
+        for (value, out) in [force, moment, y, z].into_iter().zip(self.out) {
+            store::<L>(value, out);
+        }
+    }
+}
