@@ -11,9 +11,9 @@ use crate::scene::bodies::described::Elements;
 /// Part of a deflection that may be missing without a report.
 const MISSING: f64 = 0.05;
 /// Part of the modes' sizes below which round-off decides.
-const LEAST: f64 = 1e-6;
+pub(super) const LEAST: f64 = 1e-6;
 /// Part of the work of the elastic forces that may be left when the whole body is said to be in balance.
-const RELAXED: f64 = 1e-4;
+pub(super) const RELAXED: f64 = 1e-4;
 /// Most steps of Newton's method towards this balance.
 const MOST_ITERATIONS: usize = 40;
 /// Steps in which the whole body is displaced further, relative to the displacement, and most of them: a thousand times.
@@ -96,7 +96,7 @@ fn last_below(s: f64, holds: impl Fn(f64) -> bool) -> f64 {
     low
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
+pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
@@ -141,7 +141,7 @@ impl ModalBody {
     }
 
     /// Energy of deflection where it is linear, J.
-    fn linear_energy(&self, p: &[f64]) -> f64 {
+    pub(super) fn linear_energy(&self, p: &[f64]) -> f64 {
         0.5 * p
             .iter()
             .zip(&self.frequencies)
@@ -227,7 +227,12 @@ impl ModalBody {
 
     /// The whole body with the modal coordinates of q and all other motions in balance, by Newton's method from q, up to
     /// an energy (J) that may be left; and its elastic forces on the modes.
-    fn relaxed(&self, elements: &dyn Elements, mut q: Vec<f64>, enough: f64) -> Option<(Vec<f64>, Vec<f64>)> {
+    pub(super) fn relaxed(
+        &self,
+        elements: &dyn Elements,
+        mut q: Vec<f64>,
+        enough: f64,
+    ) -> Option<(Vec<f64>, Vec<f64>)> {
         let (nodal, k) = (&self.nodal, self.modes());
         let pairs = nodal.connectivity.components.chunks_exact(nodal.connectivity.size);
         let freedoms = pairs.flat_map(|components| {

@@ -14,6 +14,7 @@ mod hanging;
 mod held;
 mod imported;
 mod invariants;
+mod linear;
 mod locking;
 mod reduction;
 mod scene;

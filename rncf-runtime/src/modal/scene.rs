@@ -48,11 +48,11 @@ pub(super) fn as_described(scene: MeshScene) -> Result<Box<dyn Scene>, ModelErro
     Ok(Box::new(ModalScene::new(scene)?))
 }
 
-/// What modes have hindered most so far.
+/// The deflection that modes have described worst so far.
 #[derive(Clone, Debug)]
 pub(super) struct Told {
-    /// As [`ModalBody::hindrance`].
-    pub hindrance: f64,
+    /// As [`ModalBody::hindrance`] or [`ModalBody::linear_work`].
+    pub deflection: f64,
     /// What is told of it, if anything.
     pub warning: Option<Warning>,
 }
@@ -71,7 +71,7 @@ pub struct ModalScene {
     pub(super) sizes: Vec<f64>,
     /// Mass matrix of the nodal vectors with all elements, for the energy.
     whole_mass: Vec<f64>,
-    /// By body, where its modes have hindered its deflection most.
+    /// By body, where its modes have described its deflection worst.
     pub(super) worst: Vec<Option<Told>>,
     /// The state with all nodal vectors.
     pub(super) full: State,

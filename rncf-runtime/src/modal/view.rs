@@ -9,7 +9,7 @@ use crate::model::{
 use crate::space::Vector;
 use crate::system::{State, Tangent};
 
-/// Growth of what modes hinder from which on the part that is missing is found anew: it takes a static problem of the
+/// Growth of a deflection from which on what its modes get wrong is found anew: it takes a static problem of the
 /// whole body.
 const WORSE: f64 = 1.1;
 
@@ -226,17 +226,23 @@ impl Scene for ModalScene {
                 text: loss.to_string(),
                 weight: loss.whole - loss.remaining,
             }));
-            let Some(hindrance) = modes.hindrance(elements, &p) else {
+            let hindrance = modes.hindrance(elements, &p);
+            let Some(deflection) = hindrance.or_else(|| modes.linear_work(&p)) else {
                 return;
             };
             let told = &mut worst[body];
-            if told.as_ref().is_none_or(|told| hindrance > WORSE * told.hindrance) {
-                let locking = modes.locking(elements, [p.as_slice(), &v, &a]);
-                let warning = locking.map(|locking| Warning {
-                    text: locking.to_string(),
-                    weight: hindrance,
+            if told.as_ref().is_none_or(|told| deflection > WORSE * told.deflection) {
+                let text = if hindrance.is_some() {
+                    let locking = modes.locking(elements, [p.as_slice(), &v, &a]);
+                    locking.map(|locking| locking.to_string())
+                } else {
+                    modes.beyond_linear(elements, &p).map(|beyond| beyond.to_string())
+                };
+                let warning = text.map(|text| Warning {
+                    text,
+                    weight: deflection,
                 });
-                *told = Some(Told { hindrance, warning });
+                *told = Some(Told { deflection, warning });
             }
             warnings.extend(told.iter().filter_map(|told| told.warning.clone()));
         });
