@@ -88,7 +88,7 @@ FAULTS = {
         [CODEGEN, ACCURACY + " hanging", "-p rncf-tests --test beams"],
     ),
     "sign of a dead force": (
-        "rncf-runtime/src/scene/evaluate.rs",
+        "rncf-runtime/src/scene/terms/dead_loads.rs",
         "self.buffers.force[component] -= weight * value[place % dimension];",
         "self.buffers.force[component] += weight * value[place % dimension];",
         [RUNTIME, ACCURACY + " hanging"],
