@@ -237,7 +237,7 @@ fn targets<'a>(tree: &'a Tree, item: &'a Item) -> Vec<&'a str> {
         ItemKind::Fixture { place, .. } => add(place),
         // The second argument of a drive says where to, not what.
         ItemKind::Joint(call) if call.name.text == "drive" => positional(call).take(1).for_each(add),
-        ItemKind::Joint(call) | ItemKind::Spring(call) => positional(call).for_each(add),
+        ItemKind::Joint(call) | ItemKind::Corner(call) | ItemKind::Spring(call) => positional(call).for_each(add),
         ItemKind::Constraint(_) => found = mentioned(tree, item),
         ItemKind::Load(call) if call.name.text == "gravity" => {
             let frame = call.arguments.iter().filter(|argument| argument.name.is_some());

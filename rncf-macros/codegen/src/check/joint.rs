@@ -81,10 +81,12 @@ impl<'a> Check<'a> {
                 is_share: false,
             };
             let before = self.errors.len();
-            if let ItemKind::Joint(call) = &item.kind {
-                self.in_loop(item, |check| check.joint(item, call, &mut known, &mut held));
+            match &item.kind {
+                ItemKind::Joint(call) => self.in_loop(item, |check| check.joint(item, call, &mut known, &mut held)),
+                ItemKind::Corner(call) => self.corner(item, call, &mut known).unwrap_or_default(),
+                _ => {}
             }
-            if let Some(body) = known.body {
+            if let (Some(body), ItemKind::Joint(_)) = (known.body, &item.kind) {
                 self.note_held(body.id);
             } else if self.errors.len() > before || Self::is_broken(item) {
                 self.tied = None;
@@ -110,7 +112,8 @@ impl<'a> Check<'a> {
                 .iter()
                 .map(|share| share.ends.each_ref().map(|(body, _)| *body))
         };
-        let reached = |tied: &[BodyId]| shared().find(|ends| tied.contains(&ends[0]) != tied.contains(&ends[1]));
+        let joined = || shared().chain(self.corners.iter().copied());
+        let reached = |tied: &[BodyId]| joined().find(|ends| tied.contains(&ends[0]) != tied.contains(&ends[1]));
         while let Some(ends) = reached(&tied) {
             tied.extend(ends);
         }
@@ -125,7 +128,10 @@ impl<'a> Check<'a> {
                     continue;
                 };
                 let frame = frame.as_ref().map_or("inertial", |frame| frame.text.as_str());
-                self.errors.at(item.name.span, say::floating(&item.name.text, frame));
+                let (name, piece) = super::corner::piece(item).unwrap_or((&item.name.text, 0));
+                if piece == 0 {
+                    self.errors.at(item.name.span, say::floating(name, frame));
+                }
             }
         }
     }
@@ -263,7 +269,7 @@ impl<'a> Check<'a> {
     }
 
     /// A joint of the library, or of a flexible end to something free.
-    fn with_multipliers(
+    pub(super) fn with_multipliers(
         &mut self,
         item: &Item,
         word: &Name,

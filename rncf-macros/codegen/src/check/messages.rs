@@ -41,6 +41,8 @@ pub const ZERO_DIRECTION: &str = "this vector has no direction";
 pub const MISSING_NORMAL: &str =
     "an arc in space needs the normal of its plane: `arc from [..] m direction [..] normal [0, 0, 1] radius ..`";
 pub const CURVED_IN_SPACE: &str = "in space a centre line alone does not know which way it is curved: use the beam with a cross-section, or declare the body planar";
+pub const CORNER_OF_LINE: &str = "in space a corner keeps the sections of both sides, and a centre line has none: mesh the body with `beam`, or declare its straight pieces as bodies of their own";
+pub const CORNER_WITHOUT_SLOPE: &str = "a corner keeps the slopes of both sides, and the element of this body has none: take an element with `r_x` at its ends, or declare the straight pieces as bodies that `share` their ends";
 pub const NO_SLOPE: &str = "the element of this body has positions at its nodes and no slope that could be held: use `pin`, or an element with `r_x` at its ends";
 pub const CURVED_ENERGY: &str = "the element of this body has a part of its energy that does not count from the stress-free shape: declare what it is of as a `strain` of the element";
 pub const NORMAL_ALONG: &str = "this is along the direction of the arc: the normal stands across the arc's plane";

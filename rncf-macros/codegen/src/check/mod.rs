@@ -7,6 +7,7 @@ mod bushing;
 mod caution;
 mod constant;
 mod constraint;
+mod corner;
 mod curve;
 mod density;
 mod distant;
@@ -163,6 +164,8 @@ struct Check<'a> {
     constraints: HashMap<&'a str, constraint::Known>,
     /// Bodies that something holds; `None`: something unreadable may hold any.
     tied: Option<Vec<BodyId>>,
+    /// Straight pieces of a body that a corner joins: what holds one holds the other.
+    corners: Vec<[BodyId; 2]>,
     /// Names of a law, such as `length` and `rate`.
     locals: HashMap<&'a str, Typed>,
     /// Fields of the element that is being checked.
@@ -223,6 +226,7 @@ impl<'a> Check<'a> {
             joints: HashMap::new(),
             constraints: HashMap::new(),
             tied: Some(Vec::new()),
+            corners: Vec::new(),
             locals: HashMap::new(),
             element_fields: Vec::new(),
             lost_fields: Vec::new(),

@@ -18,6 +18,7 @@ pub fn mentioned<'a>(tree: &'a Tree, item: &'a Item) -> Vec<&'a str> {
         ItemKind::Material(fields) | ItemKind::Section(fields) | ItemKind::Table(fields) => of_fields(fields, found),
         ItemKind::NamedSection(call)
         | ItemKind::Joint(call)
+        | ItemKind::Corner(call)
         | ItemKind::Spring(call)
         | ItemKind::Load(call)
         | ItemKind::Start(call) => of_arguments(&call.arguments, found),

@@ -356,6 +356,8 @@ pub enum ItemKind {
     },
     /// `joint name = call;`
     Joint(Call),
+    /// A rigid corner between two straight pieces of a body; nobody writes it.
+    Corner(Call),
     /// `constraint name = value;`
     Constraint(Expr),
     /// `spring name = call;`

@@ -1,4 +1,4 @@
-//! Bodies whose axis has corners: each straight piece becomes a body, `frame[0]`, `frame[1]`, .., and each corner a weld.
+//! Bodies whose axis has corners: each straight piece becomes a body, `frame[0]`, `frame[1]`, .., and each corner a rigid joint.
 
 use super::{Place, Planned, Reached, Unfold, say};
 use crate::errors::Area;
@@ -69,7 +69,7 @@ impl<'t> Unfold<'t, '_> {
         }
     }
 
-    /// The bodies and welds that a body with corners becomes.
+    /// The bodies and rigid joints that a body with corners becomes.
     fn pieces(&mut self, item: Item, out: &mut Vec<Item>) {
         let ItemKind::Body {
             frame,
@@ -93,6 +93,8 @@ impl<'t> Unfold<'t, '_> {
                 },
                 other => other.clone(),
             };
+            // The frame follows one thing: the first piece.
+            let of_it = |statement: &&Statement| number == 0 || !matches!(statement, Statement::FrameTie { .. });
             let own = Statement::Piece {
                 points: points.clone(),
                 number,
@@ -102,7 +104,7 @@ impl<'t> Unfold<'t, '_> {
                 name,
                 kind: ItemKind::Body {
                     frame: frame.clone(),
-                    statements: statements.iter().map(of_piece).chain([own]).collect(),
+                    statements: statements.iter().filter(of_it).map(of_piece).chain([own]).collect(),
                     complete: *complete,
                 },
                 ..item.clone()
@@ -123,7 +125,7 @@ impl<'t> Unfold<'t, '_> {
                 doc: String::new(),
                 keyword: Keyword::Joint,
                 name: Name::new(text, span),
-                kind: ItemKind::Joint(Call {
+                kind: ItemKind::Corner(Call {
                     name: Name::new("weld", area.start),
                     arguments: vec![end(corner - 1, "end"), end(corner, "start")],
                     area: at,
@@ -137,9 +139,7 @@ impl<'t> Unfold<'t, '_> {
     fn refuse_with_corners(&mut self, statements: &[Statement]) {
         for statement in statements {
             let (area, word) = match statement {
-                Statement::Fidelity { word, .. } | Statement::FrameTie { word } => {
-                    (Area::from(word.span), word.text.as_str())
-                }
+                Statement::Fidelity { word, .. } => (Area::from(word.span), word.text.as_str()),
                 Statement::Initial { area, .. } => (*area, "initial"),
                 Statement::Mesh {
                     stations: Some(table), ..

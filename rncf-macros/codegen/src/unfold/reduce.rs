@@ -38,8 +38,10 @@ impl<'t> Unfold<'t, '_> {
     /// Whether an expression looks at repetitions that are items of their own, or at parts.
     fn looks_at_items(&self, at: &Place, expr: &Expr) -> bool {
         let of_name = |name: &Name| {
-            self.scope_of(at, &name.text)
-                .is_some_and(|scope| self.scopes[scope].unfolds(&name.text))
+            self.scope_of(at, &name.text).is_some_and(|scope| {
+                let has_pieces = || self.cornered.contains_key(&self.renamed(scope, name).text);
+                self.scopes[scope].unfolds(&name.text) || has_pieces()
+            })
         };
         match &expr.kind {
             ExprKind::Indexed { base, .. } => of_name(base),
@@ -54,8 +56,10 @@ impl<'t> Unfold<'t, '_> {
         let ExprKind::Member { base, field, .. } = &expr.kind else {
             return false;
         };
-        self.part_of(at, base)
-            .is_some_and(|scope| self.scopes[scope].unfolds(&field.text))
+        self.part_of(at, base).is_some_and(|scope| {
+            let has_pieces = || self.cornered.contains_key(&self.renamed(scope, field).text);
+            self.scopes[scope].unfolds(&field.text) || has_pieces()
+        })
     }
 
     /// The scope of a part that is named without numbers.

@@ -176,6 +176,7 @@ impl<'t> Unfold<'t, '_> {
                 fields: self.fields(at, fields),
             },
             ItemKind::Joint(call) => ItemKind::Joint(self.call(at, call)),
+            ItemKind::Corner(call) => ItemKind::Corner(self.call(at, call)),
             ItemKind::Constraint(value) => ItemKind::Constraint(self.expr(at, value)),
             ItemKind::Spring(call) => ItemKind::Spring(self.spring(at, call)),
             ItemKind::Load(call) => ItemKind::Load(self.call(at, call)),
