@@ -169,12 +169,16 @@ impl<'a> Check<'a> {
             self.errors.at(area, say::missing_of_law(name, &missing));
             return None;
         }
+        let law = Law {
+            is_matrix,
+            has_mass_matrix,
+            fields,
+        };
+        if !self.is_sound(name, &law, &values, area) {
+            return None;
+        }
         Some(Section {
-            law: Some(Law {
-                is_matrix,
-                has_mass_matrix,
-                fields,
-            }),
+            law: Some(law),
             is_whole: true,
             ..Section::default()
         })

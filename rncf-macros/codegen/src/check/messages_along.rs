@@ -1,5 +1,7 @@
 //! What is said about tables, curves, and sections that say their stiffness by themselves.
 
+use super::along::written;
+
 pub const COLUMN: &str = "a column is a list of values with one unit: `EI = [2, 1.5, 1] N*m^2;`";
 pub const COLUMN_ELSEWHERE: &str = "a column of a table has a value at a place along an axis: it stands in fields of sections and materials, and in `twist`";
 pub const LOOKUP_ELSEWHERE: &str = "a table is looked up where a `distributed` load stands: elsewhere its columns have the value at the place along an axis, `table.column`";
@@ -152,4 +154,51 @@ pub fn curve_parameter(name: &str, line: &str) -> String {
 
 pub fn curve_constant(name: &str) -> String {
     format!("this is one point: the place on a curve depends on its parameter `{name}`")
+}
+
+pub fn not_covered(table: &str, [first, last]: [f64; 2], body: &str, end: f64, unit: &str) -> String {
+    format!(
+        "table `{table}` has rows from {first} to {last} {unit}, and the axis of body `{body}` goes from 0 to {end} {unit}: add rows at its ends"
+    )
+}
+
+pub fn value_along(place: &str, name: &str, value: f64, unit: &str, range: &str) -> String {
+    let value = written(value);
+    let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
+    format!("{place}: {name} is {value}{unit}, and along the whole axis it has to be {range}")
+}
+
+pub fn thickness_along(place: &str) -> String {
+    format!("{place}: the wall of the tube is not thinner than its radius: a full one is a `circle`")
+}
+
+pub fn section_along(place: &str, name: &str, value: f64, most: &str, bound: f64) -> String {
+    format!("{place}: no section has a {name} of {value:.4e} m^4, it is at most {most}, {bound:.4e} m^4")
+}
+
+pub fn indefinite(head: &str, least: f64, row: &str) -> String {
+    format!(
+        "{head}: its matrix of stiffness is not positive definite: scaled to a diagonal of ones its least eigenvalue is {least:.3e}, mostly in row {row}: look at the entries that couple it"
+    )
+}
+
+pub fn mass_entry(head: &str, entry: &str, found: f64, wanted: f64, row: &str) -> String {
+    let wanted = written(wanted);
+    format!(
+        "{head}: {entry} is {found} where a distribution of mass over a section has {wanted}, from the other entries: row {row}"
+    )
+}
+
+pub fn no_inertia(head: &str, about_y: f64, about_z: f64) -> String {
+    let (about_y, about_z) = (written(about_y), written(about_z));
+    format!(
+        "{head}: its rotary inertia about the centre of mass is {about_y} kg m about y and {about_z} kg m about z: both must be greater than zero"
+    )
+}
+
+pub fn product_of_inertia(head: &str, product: f64, about_y: f64, about_z: f64) -> String {
+    let [product, about_y, about_z] = [product, about_y, about_z].map(written);
+    format!(
+        "{head}: its product of inertia about the centre of mass, {product} kg m, is larger than the moments {about_y} and {about_z} kg m allow"
+    )
 }

@@ -1,6 +1,7 @@
 //! Syntax tree to [`Model`]: names resolved, units in SI, every rule of the language checked. All
 //! mistakes are reported at once; what depends on something already reported stays silent.
 
+mod along;
 mod balance;
 mod body;
 mod bushing;
@@ -47,6 +48,7 @@ mod resultant;
 mod rigid;
 mod section;
 mod share;
+mod sound_law;
 mod spinning;
 mod spring;
 mod start;
@@ -115,6 +117,7 @@ pub fn check_with_elements(tree: &Tree, library: &Library, errors: &mut Errors) 
     check.sections();
     check.elements();
     check.bodies();
+    check.constants_along();
     check.fixtures();
     check.joints();
     check.constraints();

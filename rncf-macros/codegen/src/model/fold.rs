@@ -42,6 +42,15 @@ pub fn along(model: &Model, expr: &Expr, x: f64, length: f64) -> f64 {
     found.unwrap_or(f64::NAN)
 }
 
+/// Value at the arclength `x` of an axis with a length; `None` where it depends on params, time or repetition.
+pub fn fixed_along(model: &Model, expr: &Expr, x: f64, length: f64) -> Option<f64> {
+    value(expr, &|leaf| match leaf {
+        Expr::Arclength => Some(x),
+        Expr::Table { table, column } => Some(model.tables[table.0].value(*column, x, length)),
+        _ => None,
+    })
+}
+
 /// How many times [`sampled`] is asked.
 pub const SAMPLES: usize = 3;
 
