@@ -37,13 +37,13 @@ rncf::model! {
 rncf::model! {
     /// Damped, in space, exact bending in a loop over points; a moment that turns with a frame.
     pub model SpatialExact {
-        material rubber { density = 1100 kg/m^3; young = 10 MPa; damping = 1 ms; }
+        material _rubber { density = 1100 kg/m^3; young = 10 MPa; damping = 1 ms; }
         section square { area = 4 cm^2; second_moment = 1.3 cm^4; }
         frame rotor = rotating(axis = [1, 2, 2], angle = 3 [rad/s] * t);
         body strip in rotor {
             spatial;
             line from [0, 0, 0] m to [1, 0.5, 0.2] m;
-            mesh 4 * tether(square, rubber, bending = exact, quadrature = gauss(3));
+            mesh 4 * tether(square, _rubber, bending = exact, quadrature = gauss(3));
         }
         joint root = clamp(strip.start, inertial);
         load twist = moment(strip.end, [0, 2 [N*m] * sin(1 [rad/s] * t), 1 [N*m]], in = rotor);
@@ -54,12 +54,12 @@ rncf::model! {
 rncf::model! {
     /// Damped, in space, polynomial bending by a three-point tensor; gravity and a force.
     pub model SpatialTensor {
-        material rubber { density = 1100 kg/m^3; young = 10 MPa; damping = 1 ms; }
+        material _rubber { density = 1100 kg/m^3; young = 10 MPa; damping = 1 ms; }
         section square { area = 4 cm^2; second_moment = 1.3 cm^4; }
         body strip in inertial {
             spatial;
             line from [0, 0, 0] m to [1, 0.5, 0.2] m;
-            mesh 4 * tether(square, rubber, quadrature = gauss(3), evaluation = tensor);
+            mesh 4 * tether(square, _rubber, quadrature = gauss(3), evaluation = tensor);
         }
         joint root = clamp_full(strip.start, inertial);
         load weight = gravity([0, 0, -9.81] m/s^2);

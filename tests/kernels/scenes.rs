@@ -67,7 +67,7 @@ rncf::model! {
         param speed = 2 rad/s;
         table rows { x = [0, 1, 1, 3] m; EI = [3, 2, 1.5, 1] kN*m^2; area = [3, 2, 2, 1] cm^2; turn = [0, 10, 10, 20] deg; }
         table points { x = [0, 1, 2, 3] m; y = [0, 0, 0.1, 0.3] m; z = [0, 0.1, 0.1, 0] m; }
-        material steel { density = 7850 kg/m^3; young = 2 GPa; poisson = 0.3; damping = 1 ms; }
+        material _steel { density = 7850 kg/m^3; young = 2 GPa; poisson = 0.3; damping = 1 ms; }
         section layup {
             K11 = 1 MN; K22 = 0.4 MN; K33 = 0.3 MN; K44 = 1 kN*m^2; K55 = 2 kN*m^2; K66 = 3 [kN*m^2] + 10 [N*m] * x;
             K15 = 2 kN*m; K16 = -3 kN*m; K24 = 1 kN*m; K45 = 0.3 kN*m^2; K46 = -0.2 kN*m^2; K56 = 0.1 kN*m^2;
@@ -80,8 +80,8 @@ rncf::model! {
         frame hub = rotating(axis = z, angle = speed * t);
         body blade in hub { spatial; curve through points; twist 10 [deg/m] * x; mesh 2 * beam(layup); }
         body spar in hub { spatial; line from [0, 1, 0] m to [3, 1, 0] m; twist rows.turn; mesh at rows * beam(thick); }
-        body mast in hub { spatial; line from [0, 2, 0] m to [3, 2, 0] m; twist rows.turn; mesh 2 * beam(cone, steel); }
-        body stay in hub { spatial; line from [0, 3, 0] m to [3, 3, 0] m; mesh at rows * cable(rope, steel); }
+        body mast in hub { spatial; line from [0, 2, 0] m to [3, 2, 0] m; twist rows.turn; mesh 2 * beam(cone, _steel); }
+        body stay in hub { spatial; line from [0, 3, 0] m to [3, 3, 0] m; mesh at rows * cable(rope, _steel); }
         joint a = clamp(blade.start, hub);
         joint b = clamp(spar.start, hub);
         joint c = clamp(mast.start, hub);

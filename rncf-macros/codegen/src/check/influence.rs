@@ -13,6 +13,7 @@ use super::distant::distant_axes;
 use super::loose::loose_ties;
 use super::messages as say;
 use super::read::mentioned;
+use super::undamped::undamped_parts;
 use crate::elements::{Element, Library};
 use crate::errors::Mistake;
 use crate::model::{Body, Model, SectionShape, Space};
@@ -25,6 +26,7 @@ pub fn influence(tree: &Tree, model: &Model, library: &Library) -> Vec<Mistake> 
     let mut warnings = Graph::new(tree).warnings();
     warnings.extend(unread_properties(tree, model, library));
     warnings.extend(loose_ties(tree, model, library));
+    warnings.extend(undamped_parts(tree, model, library));
     warnings.extend(distant_axes(tree, model));
     if tree.is_copied {
         warnings = crate::errors::at_each_place_once(warnings);

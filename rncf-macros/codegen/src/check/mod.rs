@@ -55,6 +55,7 @@ mod start;
 mod table;
 mod thing;
 mod ties;
+mod undamped;
 mod unit;
 mod vector;
 

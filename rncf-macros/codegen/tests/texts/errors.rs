@@ -67,6 +67,7 @@ const NOT_SHOWN: &[(&str, &str)] = &[
     ),
     ("check/unused", "it is a warning, and entries are errors"),
     ("check/unseen", "it is a warning, and entries are errors"),
+    ("check/undamped", "it is a warning, and entries are errors"),
     ("check/unread_property", "it is a warning, and entries are errors"),
 ];
 

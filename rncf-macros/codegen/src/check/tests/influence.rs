@@ -180,6 +180,27 @@ fn properties_that_no_element_reads_are_told() {
     }
 }
 
+/// The bending of a centre line in space is not damped.
+#[test]
+fn damping_that_leaves_bending_as_it_is_is_told() {
+    let (young, space) = ("young = 210 GPa;", "planar xy;");
+    let damped = (young, "young = 210 GPa; poisson = 0.3; damping = 1 ms;");
+    let told = rod("", &[damped, (space, "spatial;")]);
+    assert_eq!(words(told.clone()), ["damping"]);
+    assert_eq!(
+        told[0].1,
+        "this does not damp the bending of `rod`: in space `cable` has no strain of it, whose rate could be damped; take `beam` where that should die away, or call the material `_steel`"
+    );
+    let no_damping = (young, "young = 210 GPa; damping = 0 s;");
+    for cured in [
+        &[damped][..],
+        &[no_damping, (space, "spatial;")],
+        &[damped, (space, "spatial;"), ("steel", "_steel")],
+    ] {
+        assert_eq!(rod("", cured), [], "{cured:?}");
+    }
+}
+
 /// A cable in a free frame with what ties the frame to it, and other items.
 fn flyer(statement: &str, items: &str) -> Vec<(String, String)> {
     found(&format!(
