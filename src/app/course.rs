@@ -89,7 +89,7 @@ impl Course {
                 values: vec![0.0; columns],
                 warnings: Vec::new(),
                 coarseness: Coarseness::default(),
-                marks: Marks::default(),
+                marks: Marks::of(count, columns),
             },
             energy: EnergyDrift::default(),
             steps,
@@ -249,7 +249,7 @@ impl Rows {
         result.history.push(time, &self.values).map_err(Incomplete::Output)?;
         recorder.row(time, &self.values);
         result.envelopes.meet(integrator.system(), time, &self.state);
-        self.marks.meet(t, self.t_end, &self.values);
+        self.marks.meet(self.next, t, &self.values);
         self.coarseness.meet(integrator.system(), &self.state, self.t_end);
         if let Some(pictures) = &mut result.pictures {
             pictures.take(

@@ -75,6 +75,8 @@ struct Kind<'r> {
     outputs: &'r [Output],
     is_of_motion: bool,
     is_settled: bool,
+    /// Whether nothing differed on finer meshes, with steps that may be as wrong as those of the run.
+    is_near: bool,
     /// Until when they were compared, s.
     until: f64,
     /// Parts of outputs that are off for the mesh, until then, and, with the tolerance of Radau that tells it, for steps.
@@ -89,6 +91,7 @@ impl<'r> Kind<'r> {
             outputs,
             is_of_motion: is_motion,
             is_settled: !outputs.iter().any(|output| is_of_motion(output) == is_motion),
+            is_near: false,
             until: 0.0,
             mesh: Vec::new(),
             steps: (0.0, Vec::new()),
@@ -101,10 +104,12 @@ impl<'r> Kind<'r> {
         parts.iter().filter(same).copied().collect()
     }
 
-    /// Nothing differs on finer meshes.
-    fn meet_finer(&mut self, until: f64, beyond: &[(usize, f64)]) {
+    /// Nothing differs on finer meshes, found with a tolerance. The same method with a larger one is farther from the truth than the run is;
+    /// another method may be off by as much, to the same side.
+    fn meet_finer(&mut self, rtol: f64, until: f64, beyond: &[(usize, f64)]) {
         if !self.is_settled && largest(&self.of(beyond)) <= TOLD {
-            self.is_settled = true;
+            self.is_near = true;
+            self.is_settled = is_exact(&self.run) || rtol <= self.run.options.rtol;
             if until >= self.until {
                 (self.until, self.mesh) = (until, Vec::new());
             }
@@ -183,14 +188,22 @@ pub(super) fn compare(
         if kinds.iter().all(|kind| kind.is_settled) {
             break;
         }
+        let is_last = place + 1 == tolerances.len();
         let mut seen = run.marks.clone();
-        let there = finer.as_mut().map(|finer| rows(finer, rtol, FIRST, run.marks));
+        let asks_meshes = kinds.iter().any(|kind| !kind.is_settled && !kind.is_near);
+        let finer = finer.as_mut().filter(|_| asks_meshes);
+        let there = finer.map(|finer| rows(finer, rtol, FIRST, run.marks));
         if let Some(there) = &there {
             seen.rows.truncate(there.len());
             let beyond = run.marks.differences(outputs, there, rtol);
-            kinds.iter_mut().for_each(|kind| kind.meet_finer(seen.until(), &beyond));
+            kinds
+                .iter_mut()
+                .for_each(|kind| kind.meet_finer(rtol, seen.until(), &beyond));
             if kinds.iter().all(|kind| kind.is_settled) {
                 break;
+            }
+            if !is_last && kinds.iter().all(|kind| kind.is_settled || kind.is_near) {
+                continue;
             }
         }
         // The run itself serves where its steps are those of the second one.
@@ -201,7 +214,6 @@ pub(super) fn compare(
             seen = run.marks.with(here);
         }
         let meshes = there.map_or(Vec::new(), |there| run.marks.between(outputs, &seen, &there, rtol));
-        let is_last = place + 1 == tolerances.len();
         kinds
             .iter_mut()
             .for_each(|kind| kind.meet(rtol, is_last, seen.until(), &meshes, &steps));

@@ -1,11 +1,14 @@
-//! Outputs of a run at some of its rows, and of a second run at the same times: how far one is from the other.
+//! Outputs of a run at its rows, and of a second run at the same times: how far one is from the other.
+
+use std::f64::consts::TAU;
 
 use super::cautions::listed;
 use crate::archive::{Archive, Keep};
 use crate::{Integrator, Method, Options, Output, Scene, State, Stop};
 
-/// Times at which runs are compared.
-const MARKS: f64 = 200.0;
+/// Most numbers that are kept, with the times and what a row costs beside them: of longer histories every second, third, .. row.
+const NUMBERS: u64 = 400_000;
+const BESIDE: u64 = 4;
 /// Part of the largest change of an output from which on its error is told.
 pub(super) const TOLD: f64 = 0.01;
 /// Least change that counts: of the largest change of an output of the same unit, and, times the tolerance, of the largest value. Less is what
@@ -19,29 +22,40 @@ const WRONG: f64 = 0.5;
 /// Most outputs that are told.
 const MOST: usize = 4;
 
-/// Outputs of a run at some of its rows, with their times (s).
+/// Outputs of a run at its rows, with their times (s). What dies away between two rows that are far apart would be missed.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Marks {
     pub rows: Vec<(f64, Vec<f64>)>,
-    due: f64,
+    /// Rows from one that is kept to the next, less one.
+    left_out: u64,
     /// What round-off makes of the outputs, by columns; empty until it is known.
     pub round_off: Vec<f64>,
 }
 
 impl Keep for Marks {
     fn keep(&mut self, archive: &mut Archive<'_>) {
-        let Self { rows, due, round_off } = self;
+        let Self {
+            rows,
+            left_out: _,
+            round_off,
+        } = self;
         rows.keep(archive);
-        due.keep(archive);
         round_off.keep(archive);
     }
 }
 
 impl Marks {
-    /// Takes in a row of a run of `t_end`, s.
-    pub fn meet(&mut self, t: f64, t_end: f64, values: &[f64]) {
-        if t >= self.due {
-            self.due = t + t_end / MARKS * (1.0 - 1e-9);
+    /// Of a history with so many rows and columns of outputs.
+    pub fn of(rows: u64, columns: usize) -> Self {
+        Self {
+            left_out: rows.saturating_mul(columns as u64 + BESIDE) / NUMBERS,
+            ..Self::default()
+        }
+    }
+
+    /// Takes in a row by its number.
+    pub fn meet(&mut self, row: u64, t: f64, values: &[f64]) {
+        if row.is_multiple_of(self.left_out + 1) {
             self.rows.push((t, values.to_vec()));
         }
     }
@@ -56,7 +70,7 @@ impl Marks {
         let times = self.rows.iter().map(|row| row.0);
         Self {
             rows: times.zip(rows).collect(),
-            due: self.due,
+            left_out: self.left_out,
             round_off: self.round_off.clone(),
         }
     }
@@ -79,11 +93,20 @@ impl Marks {
             let columns = first..first + output.width();
             first = columns.end;
             let size = |row: &[f64]| norm(row[columns.clone()].iter().copied());
-            let distance = |a: &[f64], b: &[f64]| norm(columns.clone().map(|column| a[column] - b[column]));
             let over = |value: &dyn Fn(&[f64]) -> f64| self.rows.iter().map(|(_, row)| value(row)).fold(0.0, f64::max);
+            let value = over(&size);
+            let whole = turn(output.unit).filter(|turn| {
+                let others = there.iter().map(|row| size(row)).fold(0.0, f64::max);
+                value.max(others) <= 0.5 * turn * (1.0 + 1e-9)
+            });
+            let distance = |a: &[f64], b: &[f64]| norm(columns.clone().map(|column| a[column] - b[column]));
+            let apart = |a: &[f64], b: &[f64]| {
+                let far = distance(a, b);
+                whole.map_or(far, |turn| far.min(turn - far))
+            };
             let pairs = here.rows.iter().zip(there);
-            let away = pairs.map(|((_, row), other)| distance(row, other)).fold(0.0, f64::max);
-            let (change, value) = (over(&|row| distance(row, begin)), over(&size));
+            let away = pairs.map(|((_, row), other)| apart(row, other)).fold(0.0, f64::max);
+            let change = over(&|row| distance(row, begin));
             let round_off = self.round_off.get(columns).unwrap_or_default();
             judged.push((index, change, value, away, norm(round_off.iter().copied())));
         }
@@ -100,6 +123,18 @@ impl Marks {
         let mut found: Vec<(usize, f64)> = parts.collect();
         found.sort_by(|a, b| b.1.total_cmp(&a.1));
         found
+    }
+}
+
+/// A whole turn in a unit of angles. An angle that is known up to whole turns, between -1/2 and 1/2 of one, jumps in one run a little before it does in
+/// another: both are as far apart as it is the shorter way round.
+fn turn(unit: &str) -> Option<f64> {
+    match unit {
+        "rad" => Some(TAU),
+        "mrad" => Some(1e3 * TAU),
+        "deg" => Some(360.0),
+        "rev" => Some(1.0),
+        _ => None,
     }
 }
 
@@ -228,9 +263,9 @@ mod tests {
             output("force", "kN"),
         ];
         let mut marks = Marks::default();
-        for k in 0..=40 {
+        for k in 0..=40u32 {
             let t = f64::from(k) / 40.0;
-            marks.meet(t, 1.0, &[t, 1e-6 * t, 1e-13 * t, 5.0 + 1e-9 * t, t]);
+            marks.meet(k.into(), t, &[t, 1e-6 * t, 1e-13 * t, 5.0 + 1e-9 * t, t]);
         }
         let others: Vec<Vec<f64>> = marks
             .rows
@@ -246,5 +281,32 @@ mod tests {
         );
         // As far as there are rows.
         assert!(told(&outputs, &marks.differences(&outputs, &others[..6], 1e-6)).is_none());
+    }
+
+    /// Between axes an angle jumps back by a turn: not at the same time in two runs.
+    #[test]
+    fn angles_that_jump_are_compared_the_shorter_way_round() {
+        let outputs = [output("between", "deg"), output("counted", "deg")];
+        let wrapped = |angle: f64| (angle + 180.0).rem_euclid(360.0) - 180.0;
+        let row = |angle: f64| vec![wrapped(angle), angle];
+        let mut marks = Marks::default();
+        (0..1000).for_each(|k| marks.meet(k, k as f64, &row(k as f64)));
+        let others: Vec<Vec<f64>> = (0..1000).map(|k| row(k as f64 + 2.0)).collect();
+        let found = marks.differences(&outputs, &others, 1e-6);
+        let of = |index: usize| found.iter().find(|found| found.0 == index).unwrap().1;
+        assert!(
+            (of(0) - 2.0 / 180.0).abs() < 1e-9 && (of(1) - 2.0 / 999.0).abs() < 1e-9,
+            "{found:?}"
+        );
+    }
+
+    /// Nothing is left out of a history that fits in memory; of a longer one as little as may be.
+    #[test]
+    fn all_rows_are_kept_but_of_very_long_histories() {
+        for (count, kept) in [(301, 301), (50_000, 50_000), (160_000, 53_334)] {
+            let mut marks = Marks::of(count, 2);
+            (0..count).for_each(|row| marks.meet(row, row as f64, &[1.0, 2.0]));
+            assert_eq!(marks.rows.len(), kept, "{count}");
+        }
     }
 }
