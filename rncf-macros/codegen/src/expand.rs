@@ -11,7 +11,7 @@ use crate::elements::Library;
 use crate::errors::{Errors, Mistake};
 use crate::model::Model;
 use crate::parse::tree::Tree;
-use crate::{check, emit, parse, stub, unfold};
+use crate::{check, editor, emit, parse, stub, unfold};
 
 /// Expands a declaration with the standard elements. Mistakes become `compile_error!`s where they
 /// were made, beside a stand-in for the struct that keeps the rest of the crate free of them. What has no influence
@@ -23,6 +23,7 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
         tokens.extend(call);
         return tokens;
     }
+    let written = tokens.clone();
     let tree = read(tokens, None, &mut errors);
     let model = tree
         .as_ref()
@@ -41,6 +42,7 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
                 Ok(tokens) => {
                     let mut tokens = respan(tokens, &names(&tree));
                     tokens.extend(warnings.iter().map(Mistake::to_warning));
+                    tokens.extend(editor::items(written, &tree));
                     tokens
                 }
                 Err(error) => {
@@ -56,6 +58,7 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
         (Some(tree), _) => {
             let mut tokens = errors.into_tokens_beside(tree.name.span);
             tokens.extend(stub::stub(&tree));
+            tokens.extend(editor::items(written, &tree));
             tokens
         }
         (None, _) => errors.into_tokens(),

@@ -14,6 +14,7 @@
 mod messages;
 
 pub mod check;
+mod editor;
 pub mod elements;
 pub mod emit;
 pub mod errors;

@@ -1,0 +1,103 @@
+//! Every use of a name has the span of its words, and leads to an item with the span of its declaration.
+
+use proc_macro2::{TokenStream, TokenTree};
+
+use super::scan::scan;
+use crate::expand::expand;
+
+const ROTOR: &str = "pub model Rotor {
+    /// Length of one.
+    param long = 1 m;
+    const blades = 3;
+    material steel { density = 7850 kg/m^3; young = 210 GPa; }
+    section round { area = 1 cm^2; second_moment = 1 cm^4; }
+    frame hub = rotating(axis = z, angle = turn(t));
+    motion turn(t) = 2 [rad/s] * t;
+    component Blade(azimuth: angle, root: frame) {
+        body spar in root {
+            planar xy;
+            line from [0, 0, 0] m to [long * cos(azimuth), long * sin(azimuth), 0];
+            mesh 4 * cable(round, steel);
+        }
+        joint clip = clamp(spar.start, root);
+        output pull = clip.force.x;
+    }
+    for b in 0..blades {
+        part blade[b] = Blade(azimuth = 2*pi*b/blades, root = hub);
+    }
+    output tip = blade[1].spar.end;
+}";
+
+/// All words in tokens with the places where they are told to stand: line, column.
+fn words(tokens: TokenStream, found: &mut Vec<(String, (usize, usize))>) {
+    for token in tokens {
+        match token {
+            TokenTree::Ident(ident) => {
+                let start = ident.span().start();
+                found.push((ident.to_string(), (start.line, start.column)));
+            }
+            TokenTree::Group(group) => words(group.stream(), found),
+            _ => {}
+        }
+    }
+}
+
+fn places_of(text: &str, word: &str) -> Vec<(usize, usize)> {
+    let mut places = Vec::new();
+    for (at, line) in text.lines().enumerate() {
+        let is_end = |c: Option<char>| !c.is_some_and(|c| c.is_alphanumeric() || c == '_');
+        let found = line.match_indices(word).filter(|(column, _)| {
+            is_end(line[..*column].chars().next_back()) && is_end(line[column + word.len()..].chars().next())
+        });
+        places.extend(found.map(|(column, _)| (at + 1, column)));
+    }
+    places
+}
+
+/// Of each name all places in the text have a word of the expansion.
+#[track_caller]
+fn leads(text: &str, names: &[&str]) {
+    let mut found = Vec::new();
+    words(expand(text.parse().unwrap()), &mut found);
+    for name in names {
+        for place in places_of(text, name) {
+            let is_there = found.contains(&((*name).to_string(), place));
+            assert!(is_there, "nothing in the expansion for `{name}` at {place:?}");
+        }
+    }
+}
+
+#[test]
+fn every_name_leads_to_its_declaration() {
+    let names = [
+        "long", "blades", "steel", "hub", "turn", "Blade", "spar", "clip", "blade", "tip", "pull",
+    ];
+    leads(ROTOR, &names);
+    let found = scan(ROTOR.parse().unwrap());
+    let uses = |name: &str| found.uses.iter().filter(|found| found.name == name).count();
+    assert_eq!(["spar", "hub", "long", "clip"].map(uses), [2, 1, 2, 1]);
+    // Names of arguments are those of the component; units, functions and fields are no names.
+    assert_eq!(["m", "cos", "end", "force", "area"].map(uses), [0; 5]);
+}
+
+#[test]
+fn half_typed_text_has_its_names() {
+    let text = ROTOR.replace(
+        "output tip = blade[1].spar.end;",
+        "joint other = clamp(blade[1].spar., hub",
+    );
+    let text = text.replace("hub\n}", "hub)\n}");
+    leads(&text, &["steel", "hub", "spar", "blade", "Blade", "clip"]);
+    leads("model M { body rope { planar xy; } joint a = pin(rope. ) }", &["rope"]);
+}
+
+#[test]
+fn what_is_written_is_rust_and_names_may_be_any() {
+    let odd = "model M { param area = 1 m^2; param uses = 1; param names_0 = 2; param model = 1; material m { density = 1 kg/m^3; young = 1 Pa; }
+        section s { area = area*uses*names_0*model; second_moment = 1 m^4; } body M_ { planar xy; line from [0, 0, 0] m to [1, 0, 0] m; mesh 1 * cable(s, m); }
+        joint str = clamp(M_.start, inertial); output area = M_.end; }";
+    let tokens = expand(odd.parse().unwrap());
+    let file = syn::parse2::<syn::File>(tokens).expect("the expansion is Rust");
+    assert!(file.items.len() > 2);
+    leads(odd, &["M_", "s", "names_0"]);
+}

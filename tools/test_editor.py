@@ -1,0 +1,170 @@
+"""What rust-analyzer finds in the text of `model!`: definitions, hovers, uses, and new names.
+
+python3 tools/test_editor.py            it needs rust-analyzer: rustup component add rust-analyzer
+
+A crate with a model of every kind of name is made in a folder of its own, and the server is asked at words of its text.
+"""
+
+import json
+import pathlib
+import queue
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+MODEL = """rncf::model! {
+    pub model Rotor {
+        /// Length of one.
+        param long = 1 m;
+        const blades = 3;
+        material steel { density = 7850 kg/m^3; young = 210 GPa; }
+        section round { area = 1 cm^2; second_moment = 1 cm^4; }
+        frame hub = rotating(axis = z, angle = turn(t));
+        motion turn(t) = 2 [rad/s] * t;
+        component Blade(azimuth: angle, root: frame) {
+            body spar in root {
+                planar xy;
+                line from [0, 0, 0] m to [long * cos(azimuth), long * sin(azimuth), 0];
+                mesh 4 * cable(round, steel);
+            }
+            joint clip = clamp(spar.start, root);
+            output pull = clip.force.x;
+        }
+        for b in 0..blades {
+            part blade[b] = Blade(azimuth = 2*pi*b/blades, root = hub);
+        }
+        output tip = blade[1].spar.end;
+    }
+}
+fn main() {
+    let rotor = Rotor { long: 2.0, ..Rotor::default() };
+    println!("{}", rotor.long);
+}
+"""
+
+
+class Server:
+    """One run of rust-analyzer."""
+
+    def __init__(self, folder):
+        self.process = subprocess.Popen(
+            ["rust-analyzer"], cwd=folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL
+        )
+        self.answers, self.last, self.is_ready = queue.Queue(), 0, False
+        threading.Thread(target=self.read, daemon=True).start()
+
+    def read(self):
+        while True:
+            size = None
+            while line := self.process.stdout.readline().strip():
+                if line.lower().startswith(b"content-length"):
+                    size = int(line.split(b":")[1])
+            if size is None:
+                return
+            self.answers.put(json.loads(self.process.stdout.read(size)))
+
+    def write(self, message):
+        body = json.dumps({"jsonrpc": "2.0", **message}).encode()
+        self.process.stdin.write(b"Content-Length: %d\r\n\r\n" % len(body) + body)
+        self.process.stdin.flush()
+
+    def wait(self, wanted, seconds):
+        end = time.time() + seconds
+        while time.time() < end:
+            try:
+                message = self.answers.get(timeout=1)
+            except queue.Empty:
+                continue
+            if message.get("method") == "experimental/serverStatus":
+                self.is_ready = message["params"]["quiescent"]
+            if "method" in message and "id" in message:
+                self.write({"id": message["id"], "result": None})
+            elif message.get("id") == wanted:
+                return message.get("result")
+        return None
+
+    def ask(self, method, params, seconds=60):
+        self.last += 1
+        self.write({"id": self.last, "method": method, "params": params})
+        return self.wait(self.last, seconds)
+
+
+def places(text, word):
+    """Line and column of each whole word."""
+    found = []
+    for row, line in enumerate(text.split("\n")):
+        at = line.find(word)
+        while at >= 0:
+            around = (line[at - 1 : at] + line[at + len(word) : at + len(word) + 1]).replace("_", "a")
+            if not any(letter.isalnum() for letter in around):
+                found.append((row, at))
+            at = line.find(word, at + 1)
+    return found
+
+
+def check(folder):
+    source = folder / "src" / "main.rs"
+    source.parent.mkdir()
+    source.write_text(MODEL)
+    lock = (ROOT / "Cargo.lock").read_text()
+    (folder / "Cargo.lock").write_text(lock)
+    (folder / "Cargo.toml").write_text(
+        '[package]\nname = "rotor"\nversion = "0.1.0"\nedition = "2024"\n[workspace]\n'
+        f'[dependencies]\nrncf = {{ path = "{ROOT}" }}\n'
+    )
+    server = Server(folder)
+    try:
+        server.ask(
+            "initialize",
+            {
+                "processId": None,
+                "rootUri": folder.as_uri(),
+                "capabilities": {"experimental": {"serverStatusNotification": True}},
+                "initializationOptions": {"checkOnSave": False, "cachePriming": {"enable": False}},
+            },
+        )
+        server.write({"method": "initialized", "params": {}})
+        document = {"uri": source.as_uri(), "languageId": "rust", "version": 1, "text": MODEL}
+        server.write({"method": "textDocument/didOpen", "params": {"textDocument": document}})
+        end = time.time() + 600
+        while not server.is_ready and time.time() < end:
+            server.wait(None, 2)
+        at = lambda place: {
+            "textDocument": {"uri": source.as_uri()},
+            "position": {"line": place[0], "character": place[1]},
+        }
+        start = lambda found: (found["range"]["start"]["line"], found["range"]["start"]["character"])
+        # Ready it is at first before the macro is built, too.
+        while time.time() < end and not server.ask("textDocument/definition", at(places(MODEL, "steel")[0])):
+            time.sleep(2)
+        kinds = {"steel": "material", "round": "section", "hub": "frame", "turn": "motion", "spar": "body"}
+        kinds |= {"clip": "joint", "blade": "part", "Blade": "component", "blades": "const", "long": "pub long: f64"}
+        for word, kind in kinds.items():
+            all_places = places(MODEL, word)
+            for place in all_places:
+                found = [start(one) for one in server.ask("textDocument/definition", at(place)) or []]
+                assert all_places[0] in found, f"{word} at {place} leads to {found}"
+                hover = (server.ask("textDocument/hover", at(place)) or {}).get("contents", {})
+                assert kind in json.dumps(hover), f"{word} at {place}: {hover}"
+            params = at(all_places[-1]) | {"context": {"includeDeclaration": True}}
+            uses = {start(one) for one in server.ask("textDocument/references", params) or []}
+            assert set(all_places) <= uses, f"{word}: {uses} of {all_places}"
+            print(f"{word}: {len(all_places)} places")
+        renamed = server.ask("textDocument/rename", at(places(MODEL, "spar")[1]) | {"newName": "girder"})
+        edits = {start(edit) for change in renamed["documentChanges"] for edit in change["edits"]}
+        assert edits == set(places(MODEL, "spar")), edits
+        print("spar: renamed")
+    finally:
+        server.process.kill()
+
+
+if __name__ == "__main__":
+    try:
+        subprocess.run(["rust-analyzer", "--version"], check=True, capture_output=True)
+    except (OSError, subprocess.CalledProcessError):
+        sys.exit("it needs rust-analyzer: rustup component add rust-analyzer")
+    with tempfile.TemporaryDirectory() as made:
+        check(pathlib.Path(made))
