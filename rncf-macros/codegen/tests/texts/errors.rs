@@ -239,6 +239,22 @@ fn every_entry_is_told_and_cured() {
     assert!(!seen.is_empty(), "the pages have entries");
 }
 
+/// Every entry says in a sentence what the message comes from, before it shows it.
+#[test]
+fn every_entry_tells_its_cause() {
+    let mut silent = Vec::new();
+    for page in pages("docs/errors") {
+        for entry in page.text.split("\n### ").skip(1) {
+            let (heading, rest) = entry.split_once('\n').unwrap_or((entry, ""));
+            let cause = rest.split("```").next().unwrap_or("").trim();
+            if !cause.ends_with(['.', ':', ')']) || cause.split_whitespace().count() < 3 {
+                silent.push(format!("{}: {heading}", page.path));
+            }
+        }
+    }
+    assert!(silent.is_empty(), "entries without a cause:\n{}", silent.join("\n"));
+}
+
 #[test]
 fn every_message_has_an_entry() {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
