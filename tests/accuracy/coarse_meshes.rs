@@ -6,6 +6,7 @@ use rncf::app::{
 use rncf::equilibrium::{Uniform, follow};
 use rncf::modes::{Mode, Wanted};
 use rncf::prelude::*;
+use rncf_test_models::Rope;
 
 rncf::model! {
     /// Half rings and cantilevers, each with a force at its end.
@@ -53,20 +54,6 @@ rncf::model! {
         body reed in hub { planar xy; line from [0, 0, 0] m to [1, 0, 0] m; mesh n * cable(strip, m); }
         joint root = clamp(reed.start, hub);
         output tip = reed.end.y;
-    }
-}
-
-rncf::model! {
-    /// The rope of the guide: it swings down.
-    pub model Rope {
-        param n: count = 8;
-        material rubber { density = 1100 kg/m^3; young = 5 MPa; damping = 2 ms; }
-        section round { area = pi * (10 mm)^2 / 4; second_moment = pi * (10 mm)^4 / 64; }
-        body rope { planar xy; line from [0, 0, 0] m to [1, 0, 0] m; mesh n * cable(round, rubber); }
-        joint hook = pin(rope.start, inertial);
-        load weight = gravity([0, -9.81, 0] m/s^2);
-        output tip = rope.end;
-        run { t_end = 2 s; every = 0.01 s; }
     }
 }
 

@@ -2,8 +2,8 @@
 
 use rncf::{Ancf, Formulation, Integrator, Joints, Method, Model, Options, Scene, SolveError, State, Stop};
 use rncf_models::{Bend45, Elastica, FreeFlight, HeavyTop, RightAngleFrame, SpinUp};
-use rncf_tests::free_cable::{FreeCable, Kept};
-use rncf_tests::integrate::{Method as Explicit, agreed};
+use rncf_reference::free_cable::{FreeCable, Kept};
+use rncf_reference::integrate::{Method as Explicit, agreed};
 
 use crate::free_flight;
 use crate::runs::{adaptive, apart, far, fixed, grid, orders, short, states_at};

@@ -4,8 +4,8 @@
 use rncf::nalgebra::Vector3;
 use rncf::{Formulation, Joints, Method, Model, Options, Scene, State};
 use rncf_models::FreeFlight;
-use rncf_tests::free_cable::{FreeCable, Kept};
-use rncf_tests::integrate::{Method as Explicit, agreed};
+use rncf_reference::free_cable::{FreeCable, Kept};
+use rncf_reference::integrate::{Method as Explicit, agreed};
 
 use crate::runs::{adaptive, apart, far, fixed, grid, orders, short, states_at};
 

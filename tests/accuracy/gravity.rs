@@ -1,12 +1,12 @@
 //! A hanging cable that falls and swings under gravity, against its chain written by hand.
 
 use rncf::{Method, Model};
-use rncf_tests::beam::{Beam, Chain, Root};
-use rncf_tests::dense::{Cholesky, Matrix};
-use rncf_tests::element::Data;
-use rncf_tests::inertia::{Frame, State as Coordinates};
-use rncf_tests::integrate::{Method as Explicit, agreed};
-use rncf_tests::system::System;
+use rncf_reference::beam::{Beam, Chain, Root};
+use rncf_reference::dense::{Cholesky, Matrix};
+use rncf_reference::element::Data;
+use rncf_reference::inertia::{Frame, State as Coordinates};
+use rncf_reference::integrate::{Method as Explicit, agreed};
+use rncf_reference::system::System;
 
 use crate::models::Conservative;
 use crate::runs::{WAYS, far, fixed, grid, orders, short, states_at};

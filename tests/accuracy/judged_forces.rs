@@ -2,29 +2,7 @@
 
 use rncf::app::{Judging, RunResult, RunSettings, run};
 use rncf::prelude::*;
-
-rncf::model! {
-    /// A bar that a hub sets in rotation and its weight bends: forces in units of their own.
-    pub model Flapping {
-        param elements: count = 6;
-        material aluminium { density = 2700 kg/m^3; young = 70 GPa; poisson = 0.3; damping = 0.1 ms; }
-        section flat { area = 4 cm^2; second_moment = 0.3 cm^4; }
-        motion spin(t) = if t <= 1 s { 2 [rad/s^2] * t^2 } else { 2 rad + 4 [rad/s] * (t - 1 s) };
-        frame hub = rotating(axis = z, angle = spin(t));
-        body bar in hub {
-            planar xy;
-            line from [0.2, 0, 0] m to [2.2, 0, 0] m;
-            mesh elements * cable(flat, aluminium);
-        }
-        joint root = clamp(bar.start, hub);
-        load weight = gravity([0, -9.81, 0] m/s^2);
-        output tip: mm = bar.end.y;
-        output force: kN = root.force;
-        output moment: N*mm = root.moment;
-        output acceleration = bar.end.in(inertial).acceleration;
-        run { t_end = 3 s; every = 10 ms; }
-    }
-}
+use rncf_test_models::Flapping;
 
 rncf::model! {
     /// A spar that nothing loads: its moments are round-off.

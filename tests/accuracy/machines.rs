@@ -2,6 +2,7 @@
 
 use rncf::app::{EquilibriumSettings, RunError, RunSettings, modes, run, static_equilibria, steady};
 use rncf::prelude::*;
+use rncf_test_models::{Level, Struck};
 
 use super::closed_forms::{assert_near, exponents, last};
 
@@ -88,19 +89,6 @@ rncf::model! {
 }
 
 rncf::model! {
-    /// A rubber cord that lies straight and level, and is hooked at one end.
-    pub model Level {
-        param n: count = 4;
-        material rubber { density = 1150 kg/m^3; young = 2 MPa; }
-        section round = circle(radius = 5 mm);
-        body cord { planar xy; line from [0, 0, 0] m to [3, 0, 0] m; mesh n * cable(round, rubber); }
-        joint hook = pin(cord.start, inertial);
-        load weight = gravity([0, -9.81, 0] m/s^2);
-        output tip = cord.end;
-    }
-}
-
-rncf::model! {
     /// A rope that is slack at the start, with a weight.
     pub model Slack {
         param n: count = 20;
@@ -134,20 +122,6 @@ rncf::model! {
         joint top = share(left.end, right.start);
         load push = force(left.end, [0, -load, 0]);
         output y = left.end.y;
-    }
-}
-
-rncf::model! {
-    /// A bar that flies against a wall.
-    pub model Struck {
-        param stiff = 1e10 N/m;
-        material soft { density = 1000 kg/m^3; young = 10 GPa; }
-        section round = circle(radius = 5 mm);
-        frame flying = free(plane = xy, velocity = [-1, 0, 0] m/s);
-        body bar in flying { planar xy; line from [0, 0, 0] m to [1, 0, 0] m; mesh 40 * cable(round, soft); chord; }
-        load wall = force(bar.start, [stiff * max(-bar.start.in(inertial).x, 0 m), 0 N, 0 N]);
-        output momentum = bar.momentum.x;
-        run { t_end = 1 ms; every = 0.1 ms; }
     }
 }
 

@@ -2,9 +2,9 @@
 
 use rncf::{Method, Options};
 use rncf_models::{FlyballGovernor, HeavyTop};
-use rncf_tests::governor::{self, Governor};
-use rncf_tests::heavy_top;
-use rncf_tests::integrate::{Method as Oracle, agreed};
+use rncf_reference::governor::{self, Governor};
+use rncf_reference::heavy_top;
+use rncf_reference::integrate::{Method as Oracle, agreed};
 
 use crate::runs::{WAYS, adaptive, far, fixed, grid, history, orders};
 

@@ -4,8 +4,8 @@
 use rncf::linalg::Pattern;
 use rncf::system::{ConstraintLevel, Tangent};
 use rncf::{Integrator, Method, State, Stop, System};
-use rncf_tests::integrate::{Method as Explicit, agreed};
-use rncf_tests::pendulum::Pendulum;
+use rncf_reference::integrate::{Method as Explicit, agreed};
+use rncf_reference::pendulum::Pendulum;
 
 use crate::runs::{far, fixed, orders, short};
 

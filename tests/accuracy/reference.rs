@@ -2,14 +2,14 @@
 //! from the rows of the root.
 
 use rncf::{Formulation, Joints, Scene, State};
-use rncf_tests::beam::{Beam, Root};
-use rncf_tests::dense::Matrix;
-use rncf_tests::element::Data;
-use rncf_tests::inertia::{Frame, State as Coordinates};
-use rncf_tests::integrate::{Method, agreed};
-use rncf_tests::rotating_beam::RotatingBeam;
-use rncf_tests::spin_up::{Motion, SpinUp};
-use rncf_tests::system::System;
+use rncf_reference::beam::{Beam, Root};
+use rncf_reference::dense::Matrix;
+use rncf_reference::element::Data;
+use rncf_reference::inertia::{Frame, State as Coordinates};
+use rncf_reference::integrate::{Method, agreed};
+use rncf_reference::rotating_beam::RotatingBeam;
+use rncf_reference::spin_up::{Motion, SpinUp};
+use rncf_reference::system::System;
 
 /// Distance of the root from the axis, m.
 const HUB_RADIUS: f64 = 0.7;

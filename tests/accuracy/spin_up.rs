@@ -2,9 +2,11 @@
 
 use rncf::{Method, Model, Options};
 use rncf_models::{SpinUp, SpinUpSpatial};
-use rncf_tests::table::{EXTREMES, Extreme, History, Record};
+use rncf_reference::table::{EXTREMES, Extreme, History, Record};
 
-use crate::models::{SpinUpExact, SpinUpReduced};
+use rncf_test_models::SpinUpExact;
+
+use crate::models::SpinUpReduced;
 use crate::runs::{WAYS, adaptive, apart, fixed, grid, history, short};
 
 /// The method of the table and of the records.

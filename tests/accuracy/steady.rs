@@ -3,9 +3,10 @@
 use rncf::equilibrium;
 use rncf::{Formulation, Joints, Method, Model, Scene, State, steady};
 use rncf_models::{SpinUp, SpinUpSpatial};
-use rncf_tests::table::STEADY_ELONGATIONS;
+use rncf_reference::table::STEADY_ELONGATIONS;
+use rncf_test_models::Uniform;
 
-use crate::models::{Held, HeldByArm, HeldByGround, HeldSpatial, Uniform};
+use crate::models::{Held, HeldByArm, HeldByGround, HeldSpatial};
 use crate::runs::{WAYS, adaptive, grid, states_at};
 
 const LENGTH: f64 = 8.0;

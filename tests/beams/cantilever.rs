@@ -3,7 +3,7 @@
 use rncf::equilibrium::{Kind, Uniform};
 use rncf::modes::{Wanted, modes};
 use rncf_models::RotatingCantilever;
-use rncf_tests::galerkin_rotor::Rotor;
+use rncf_reference::galerkin_rotor::Rotor;
 
 use crate::scenes::{equilibrium, short};
 

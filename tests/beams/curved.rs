@@ -3,9 +3,9 @@
 use rncf::Model;
 use rncf::equilibrium::{Uniform, steady};
 use rncf_models::{CurvedDownwind, CurvedOutOfPlane, CurvedUpwind};
-use rncf_tests::section_beam::{Properties, Section};
-use rncf_tests::section_chain::{Chain, Hold, Shape, Slot, Supports};
-use rncf_tests::section_statics::Problem;
+use rncf_reference::section_beam::{Properties, Section};
+use rncf_reference::section_chain::{Chain, Hold, Shape, Slot, Supports};
+use rncf_reference::section_statics::Problem;
 
 use crate::scenes::{at_rest, distance, outputs, referenced, short};
 

@@ -7,9 +7,9 @@ use rncf::equilibrium::{Uniform, continue_from, follow};
 use rncf::modes::{Wanted, critical, modes, stability_margin, unstable_directions};
 use rncf::{Scene, State};
 use rncf_models::Motor;
-use rncf_tests::motor::{equilibria as equilibria_by_hand, motor as by_hand};
-use rncf_tests::section_chain::Slot;
-use rncf_tests::section_modes::Damping;
+use rncf_reference::motor::{equilibria as equilibria_by_hand, motor as by_hand};
+use rncf_reference::section_chain::Slot;
+use rncf_reference::section_modes::Damping;
 
 use crate::scenes::{outputs, referenced};
 

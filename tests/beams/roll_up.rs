@@ -3,9 +3,9 @@
 use std::f64::consts::PI;
 
 use rncf_models::RollUp;
-use rncf_tests::section_beam::{Properties, Section};
-use rncf_tests::section_chain::{Chain, Hold, Slot, Supports, straight};
-use rncf_tests::section_statics::{Load, Problem};
+use rncf_reference::section_beam::{Properties, Section};
+use rncf_reference::section_chain::{Chain, Hold, Slot, Supports, straight};
+use rncf_reference::section_statics::{Load, Problem};
 
 use crate::scenes::{at_rest, distance};
 

@@ -5,7 +5,7 @@ use rncf::equilibrium::{Uniform, follow};
 use rncf::modes::{Wanted, modes};
 use rncf::{Formulation, Joints, Model, Scene};
 use rncf_models::{Bend45, Elastica, PrincetonBeam, RollUp};
-use rncf_tests::rod::Rod;
+use rncf_reference::rod::Rod;
 
 use crate::scenes::{at_rest, distance, referenced, short};
 

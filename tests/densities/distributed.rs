@@ -1,7 +1,7 @@
 //! Loads per length that read velocity, slope and section axes, and gravity that changes from place to place.
 
 use rncf::prelude::*;
-use rncf_tests::tangents::compare_tangents;
+use rncf_reference::tangents::compare_tangents;
 
 rncf::model! {
     /// All kinds of bodies in all kinds of frames, in wind and under gravity of a point.

@@ -7,7 +7,7 @@ use rncf_codegen::elements::Library;
 use rncf_codegen::lower::Variant;
 use rncf_codegen::lower::elastic::{Form, Quantity, kernel};
 use rncf_codegen::model::{Evaluation, Quadrature};
-use rncf_tests::section_beam::{Element, Properties, Section, residual_and_jacobian};
+use rncf_reference::section_beam::{Element, Properties, Section, residual_and_jacobian};
 
 use crate::jacobians::{Random, assert_close, jacobian};
 use crate::materials::rank;

@@ -1,7 +1,7 @@
 //! Compiled elastic kernels against the element written by hand from THEORY 5.1.
 
 use rncf_models::{spin_up_equations as planar, spin_up_spatial_equations as spatial};
-use rncf_tests::element::{Data, ElasticForce, GaussElement, Weights};
+use rncf_reference::element::{Data, ElasticForce, GaussElement, Weights};
 
 use crate::jacobians::Random;
 use crate::models::{curved_damped_equations as curved, curved_exact_equations as curved_exact};

@@ -1,7 +1,7 @@
 //! Materials that are given by their energy per volume: compiled kernels against sums written out, against
 //! differences, and against the beam by its moduli.
 
-use rncf_tests::section_beam::particle;
+use rncf_reference::section_beam::particle;
 
 use crate::jacobians::Random;
 
@@ -315,7 +315,7 @@ fn a_rectangle_in_the_plane() {
 /// (radius / length)^2 as much as the shear itself.
 #[test]
 fn without_lateral_contraction_it_is_the_beam_by_its_moduli() {
-    use rncf_tests::section_beam::{Element, Properties, Section, residual_and_jacobian};
+    use rncf_reference::section_beam::{Element, Properties, Section, residual_and_jacobian};
     let q: [f64; 30] = straight(3).try_into().unwrap();
     for (radius, limit) in [(0.3, 0.1), (0.03, 1e-3), (0.0003, 1e-7)] {
         let material = kernels::BeamSpatialOfLinearRoundMaterial { lambda: 0.0, mu: MU };

@@ -3,7 +3,7 @@
 
 use rncf::prelude::*;
 use rncf_models::*;
-use rncf_tests::tangents::{compare_tangents, compare_tangents_near};
+use rncf_reference::tangents::{compare_tangents, compare_tangents_near};
 
 /// Scenes with a given number of elements have two of them: every kind of pair of nodes is there.
 fn small<M: Model>() -> M {

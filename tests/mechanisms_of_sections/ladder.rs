@@ -4,6 +4,8 @@
 use rncf::equilibrium::{Uniform, static_load};
 use rncf::modes::{Wanted, modes};
 use rncf::prelude::*;
+use rncf_reference::timoshenko::Beam;
+use rncf_test_models::{Flying, Ladder};
 
 use crate::running::{WAYS, build};
 
@@ -13,105 +15,21 @@ const YOUNG: f64 = 70e9;
 const POISSON: f64 = 0.33;
 const SIZE: [f64; 2] = [0.04, 0.02];
 
-rncf::model! {
-    /// The same cantilever whole and in modes, and a rigid one on a hinge with a spring.
-    pub model Ladder {
-        param elements: count = 8;
-        param modes: count = 6;
-        param press = 0 N;
-        material aluminium { density = 2700 kg/m^3; young = 70 GPa; poisson = 0.33; }
-        section strip = rectangle(y = 40 mm, z = 20 mm);
-        frame place = moving(origin = [0, 0, 1] m);
-        frame hinge = hinged(axis = z, angle = 20 deg);
-        body whole in place { spatial; line from [0, 0, 0] m to [1, 0, 0] m; mesh elements * beam(strip, aluminium); }
-        body in_modes in place { spatial; line from [0, 0, 0] m to [1, 0, 0] m; mesh elements * beam(strip, aluminium); modal(modes); }
-        body little in place { spatial; line from [0, 0, 0] m to [1, 0, 0] m; mesh elements * beam(strip, aluminium); small(modes); }
-        body stiff in hinge { spatial; line from [0, 0, 0] m to [1, 0, 0] m; mesh elements * beam(strip, aluminium); rigid; }
-        joint root_1 = clamp(whole.start, place);
-        joint root_2 = clamp(in_modes.start, place);
-        joint root_3 = clamp(little.start, place);
-        spring coil = torsional(hinge, stiffness = 200 N*m/rad, angle = 20 deg);
-        load push_1 = force(whole.end, [0, press, press / 2]);
-        load push_2 = force(in_modes.end, [0, press, press / 2]);
-        load push_3 = force(little.end, [0, press, press / 2]);
-        output tip_1 = whole.end;
-        output tip_2 = in_modes.end;
-        output tip_3 = little.end;
-        output tip_4 = stiff.end;
-    }
-}
-
-rncf::model! {
-    /// The beam in mean axes.
-    pub model Flying {
-        param elements: count = 8;
-        material aluminium { density = 2700 kg/m^3; young = 70 GPa; poisson = 0.33; }
-        section strip = rectangle(y = 40 mm, z = 20 mm);
-        frame place = free(velocity = [1, 0, 0] m/s);
-        body bar in place { spatial; line from [0, 0, 0] m to [1, 0, 0] m; mesh elements * beam(strip, aluminium); mean_axes; }
-        output tip = bar.end;
-    }
-}
-
-/// Frequencies of a Timoshenko beam with the size `high` in the plane of bending: sign changes of the determinant of the
-/// conditions at the ends.
-fn timoshenko(high: f64, is_free: bool, count: usize) -> Vec<f64> {
+/// The bar, bending over the size `high`.
+fn beam(high: f64) -> Beam {
     let area = SIZE[0] * SIZE[1];
     let second = area * high * high / 12.0;
-    let bending = YOUNG * second;
-    let shear = 5.0 / 6.0 * YOUNG / (2.0 * (1.0 + POISSON)) * area;
-    let (mass, rotary) = (DENSITY * area, DENSITY * second);
-    // Deflection, turning, moment, shear force along the beam, by the series of exp(A).
-    let transfer = |w: f64| -> [[f64; 4]; 4] {
-        let a = [
-            [0.0, 1.0, 0.0, 1.0 / shear],
-            [0.0, 0.0, 1.0 / bending, 0.0],
-            [0.0, -rotary * w * w, 0.0, -1.0],
-            [-mass * w * w, 0.0, 0.0, 0.0],
-        ];
-        let product = |x: &[[f64; 4]; 4], y: &[[f64; 4]; 4]| -> [[f64; 4]; 4] {
-            std::array::from_fn(|i| std::array::from_fn(|j| (0..4).map(|k| x[i][k] * y[k][j]).sum()))
-        };
-        let identity: [[f64; 4]; 4] = std::array::from_fn(|i| std::array::from_fn(|j| f64::from(i == j)));
-        let (mut sum, mut term) = (identity, identity);
-        for k in 1..120 {
-            term = product(&term, &a).map(|row| row.map(|x| x * LENGTH / f64::from(k)));
-            for i in 0..4 {
-                for j in 0..4 {
-                    sum[i][j] += term[i][j];
-                }
-            }
-        }
-        sum
-    };
-    let condition = |w: f64| {
-        let t = transfer(w);
-        // What is zero at the end, and what is free at the start.
-        let from = if is_free { [0, 1] } else { [2, 3] };
-        t[2][from[0]] * t[3][from[1]] - t[2][from[1]] * t[3][from[0]]
-    };
-    let mut found = Vec::new();
-    let (step, mut low) = (2.0, 5.0);
-    while found.len() < count {
-        let (mut a, mut b) = (low, low + step);
-        if condition(a) * condition(b) < 0.0 {
-            for _ in 0..100 {
-                let middle = 0.5 * (a + b);
-                if condition(a) * condition(middle) <= 0.0 {
-                    b = middle
-                } else {
-                    a = middle
-                }
-            }
-            found.push(0.5 * (a + b));
-        }
-        low += step;
+    Beam {
+        length: LENGTH,
+        mass: DENSITY * area,
+        rotary: DENSITY * second,
+        bending: YOUNG * second,
+        shear: 5.0 / 6.0 * YOUNG / (2.0 * (1.0 + POISSON)) * area,
     }
-    found
 }
 
 fn expected(is_free: bool, count: usize) -> Vec<f64> {
-    let mut all = [timoshenko(SIZE[0], is_free, count), timoshenko(SIZE[1], is_free, count)].concat();
+    let mut all = SIZE.map(|high| beam(high).frequencies(is_free, count)).concat();
     all.sort_by(f64::total_cmp);
     all.truncate(count);
     all

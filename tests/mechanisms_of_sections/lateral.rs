@@ -1,65 +1,10 @@
 //! Materials that are given by their energy: lateral strains and warping are free, so that a linear one is the linear
 //! beam whatever its Poisson's ratio, and rubber meets its closed forms.
 
+use rncf_test_models::Lateral;
 use std::f64::consts::PI;
 
 use crate::running::loaded;
-
-rncf::model! {
-    /// A round and a flat bar of a linear material, in space and in a plane, and a round one of rubber.
-    pub model Lateral {
-        param push = 0 N;
-        param pull = 0 N;
-        param turn = 0 N*m;
-        param nu = 0.3;
-        param bend_rubber = 0 N*m;
-        param turn_rubber = 0 N*m;
-        param mu = 1 MPa;
-        param lambda = 2 MPa;
-        const young = 1 GPa;
-        material linear {
-            density = 1000 kg/m^3;
-            energy = young / (2 * (1 + nu)) * (nu / (1 - 2*nu) * (E.xx + E.yy + E.zz)^2
-                + E.xx^2 + E.yy^2 + E.zz^2 + 2 * (E.xy^2 + E.xz^2 + E.yz^2));
-        }
-        material hooke {
-            density = 1100 kg/m^3;
-            energy = mu * (E.xx + E.yy + E.zz)
-                - mu / 2 * ln(
-                    (1 + 2*E.xx) * ((1 + 2*E.yy) * (1 + 2*E.zz) - 4*E.yz^2)
-                    - 2*E.xy * (2*E.xy * (1 + 2*E.zz) - 4*E.yz*E.xz)
-                    + 2*E.xz * (4*E.xy*E.yz - 2*E.xz * (1 + 2*E.yy)))
-                + lambda / 8 * ln(
-                    (1 + 2*E.xx) * ((1 + 2*E.yy) * (1 + 2*E.zz) - 4*E.yz^2)
-                    - 2*E.xy * (2*E.xy * (1 + 2*E.zz) - 4*E.yz*E.xz)
-                    + 2*E.xz * (4*E.xy*E.yz - 2*E.xz * (1 + 2*E.yy)))^2;
-        }
-        section round = circle(radius = 10 mm);
-        section flat = rectangle(y = 20 mm, z = 10 mm);
-        body rod { spatial; line from [0, 0, 0] m to [0.5, 0, 0] m; mesh 2 * beam(round, linear); }
-        body bar { spatial; line from [0, 0, 0] m to [0.5, 0, 0] m; mesh 2 * beam(flat, linear); }
-        body leaf { planar xy; line from [0, 0, 0] m to [0.5, 0, 0] m; mesh 2 * beam(flat, linear); }
-        body rubber { spatial; line from [0, 0, 0] m to [0.04, 0, 0] m; mesh 4 * beam(round, hooke); }
-        joint root_1 = clamp(rod.start, inertial);
-        joint root_2 = clamp(bar.start, inertial);
-        joint root_3 = clamp(leaf.start, inertial);
-        joint root_4 = clamp(rubber.start, inertial);
-        load push_1 = force(rod.end, [pull, push, push]);
-        load push_2 = force(bar.end, [pull, push, push]);
-        load push_3 = force(leaf.end, [pull, push, 0 N]);
-        load turn_1 = moment(rod.end, [turn, 0, 0]);
-        load turn_2 = moment(bar.end, [turn, 0, 0]);
-        load bend_4 = moment(rubber.end, [0, 0, bend_rubber]);
-        load turn_4 = moment(rubber.end, [turn_rubber, 0, 0]);
-        output rod = rod.end;
-        output bar = bar.end;
-        output leaf = leaf.end;
-        output rod_ey = rod.end.ey;
-        output bar_ey = bar.end.ey;
-        output rubber = rubber.end;
-        output rubber_ey = rubber.end.ey;
-    }
-}
 
 const LENGTH: f64 = 0.5;
 const YOUNG: f64 = 1e9;

@@ -1,7 +1,7 @@
 //! Rigid parts wherever they can be: in all ways to write a model its motion is the same, and momenta are kept.
 
 use rncf::Model;
-use rncf_tests::tangents::compare_tangents;
+use rncf_reference::tangents::compare_tangents;
 
 use crate::running::{WAYS, apart, build, rows, run};
 

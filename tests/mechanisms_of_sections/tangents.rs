@@ -1,12 +1,12 @@
 //! Tangents of these models against differences.
 
 use rncf::Model;
-use rncf_tests::tangents::compare_tangents;
+use rncf_reference::tangents::compare_tangents;
 
 use crate::chains::{Driven, Floating};
-use crate::materials::Materials;
 use crate::rotors::{Rotor, Spinning};
 use crate::running::WAYS;
+use rncf_test_models::Materials;
 
 fn both<M: Model>(model: &M) {
     compare_tangents(model, WAYS[0].0, WAYS[0].1);

@@ -1,10 +1,10 @@
 //! A balanced shaft (THEORY 10, T5): internal damping bends it above its critical speed, slowly and without end until
 //! the axial restraint holds it.
 
-use super::fit::{growth, strongest};
 use super::{RPM, equilibrium, history, scene};
 use rncf::{Scene, State};
 use rncf_models::Motor;
+use rncf_reference::fit::{growth, strongest};
 
 /// The motor behind its run-up, without unbalance.
 fn balanced(rpm: f64, damping: f64) -> Motor {

@@ -1,7 +1,6 @@
 //! The high-speed motor of THEORY 9.3: what its waves are, and which shafts are unstable.
 
 mod balanced;
-mod fit;
 mod steps;
 mod waves;
 

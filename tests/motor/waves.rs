@@ -1,8 +1,8 @@
 //! The waves behind the run-up are free oscillations about the bent, unbalanced equilibrium: frequency and decay.
 
-use super::fit::{growth, strongest};
 use super::{RPM, equilibrium, history, scene};
 use rncf_models::Motor;
+use rncf_reference::fit::{growth, strongest};
 
 /// Speed (rpm), time of the run-up (s), lowest frequency (rad/s) and, with damping 1e-6 s, largest real part (1/s) of
 /// THEORY 9.3. Below 15000 rpm a run-up of 1 s leaves no waves at all.

@@ -10,11 +10,11 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Duration;
 
-use rncf_tests::beam::{Beam, Root};
-use rncf_tests::element::Data;
-use rncf_tests::integrate::{Method, agreed};
-use rncf_tests::rotating_beam::RotatingBeam;
-use rncf_tests::swing::Swing;
+use rncf_reference::beam::{Beam, Root};
+use rncf_reference::element::Data;
+use rncf_reference::integrate::{Method, agreed};
+use rncf_reference::rotating_beam::RotatingBeam;
+use rncf_reference::swing::Swing;
 
 const ELEMENTS: usize = 5;
 const LENGTH: f64 = 1.2;

@@ -13,10 +13,12 @@
 //! - [`section_chain`], [`section_statics`], [`section_modes`]: chains of it in static and relative equilibrium, and
 //!   small motions about it.
 //! - [`rod`]: the geometrically exact rod of BENCHMARKS 1, 4 and 5.
+//! - [`timoshenko`]: natural frequencies of the uniform beam with shear and rotary inertia.
 //! - [`galerkin_rotor`]: the rotating cantilever on a hub (THEORY 8.2).
 //! - [`dense`], [`banded`], [`symmetric`]: the linear algebra of all that.
 //! - [`system`], [`integrate`]: what a first-order system offers, and its integration by russell_ode.
 //! - [`tangents`]: the derivatives of a whole scene against differences.
+//! - [`fit`]: one oscillation in a history, by least squares.
 //! - [`table`]: the published numbers and recorded histories.
 //!
 //! SI units throughout. Errors are plain sentences that name the argument.
@@ -25,6 +27,7 @@ pub mod banded;
 pub mod beam;
 pub mod dense;
 pub mod element;
+pub mod fit;
 pub mod free_cable;
 pub mod galerkin_rotor;
 pub mod governor;
@@ -50,6 +53,7 @@ pub mod system;
 pub mod table;
 pub mod tangents;
 pub mod tensor;
+pub mod timoshenko;
 
 /// Result of this crate: the error is one sentence that names what is wrong and what to do.
 pub type Result<T> = std::result::Result<T, String>;

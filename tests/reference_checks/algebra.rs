@@ -1,9 +1,9 @@
 //! The linear algebra of the references against each other and closed forms.
 
 use crate::differences::{Random, relative};
-use rncf_tests::banded::Banded;
-use rncf_tests::dense::Matrix;
-use rncf_tests::symmetric::{eigenvalues, generalised};
+use rncf_reference::banded::Banded;
+use rncf_reference::dense::Matrix;
+use rncf_reference::symmetric::{eigenvalues, generalised};
 use std::f64::consts::PI;
 
 #[test]

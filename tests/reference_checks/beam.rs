@@ -1,15 +1,15 @@
 //! The spin-up beam: derivatives, both frames against each other, and against the table of THEORY 9.1.
 
 use crate::differences::{Random, jacobian, largest, relative};
-use rncf_tests::beam::{Beam, Root};
-use rncf_tests::dense::{Cholesky, Matrix};
-use rncf_tests::element::Data;
-use rncf_tests::inertial_beam::InertialBeam;
-use rncf_tests::integrate::{Method, agreed, states};
-use rncf_tests::rotating_beam::RotatingBeam;
-use rncf_tests::spin_up::SpinUp;
-use rncf_tests::system::System;
-use rncf_tests::table::{EXTREMES, Record, STEADY_ELONGATIONS};
+use rncf_reference::beam::{Beam, Root};
+use rncf_reference::dense::{Cholesky, Matrix};
+use rncf_reference::element::Data;
+use rncf_reference::inertial_beam::InertialBeam;
+use rncf_reference::integrate::{Method, agreed, states};
+use rncf_reference::rotating_beam::RotatingBeam;
+use rncf_reference::spin_up::SpinUp;
+use rncf_reference::system::System;
+use rncf_reference::table::{EXTREMES, Record, STEADY_ELONGATIONS};
 
 const ROOTS: [Root; 3] = [Root::Pinned, Root::Clamped, Root::ClampedFully];
 
@@ -103,7 +103,7 @@ fn both_frames_give_one_motion() {
                 turned[b - 4] = 0.3;
             }
             let times = [0.0, 0.7, 1.4, 2.0, 2.5];
-            let run = |system: &dyn Fn() -> rncf_tests::integrate::Agreed| system().states;
+            let run = |system: &dyn Fn() -> rncf_reference::integrate::Agreed| system().states;
             let a = run(&|| agreed(&rotating, Method::DoPri8, 1e-11, &start, &times, 1e-7).unwrap());
             let b = run(&|| agreed(&inertial, Method::DoPri8, 1e-11, &turned, &times, 1e-7).unwrap());
             let mut worst = 0.0;

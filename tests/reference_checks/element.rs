@@ -1,8 +1,8 @@
 //! The Gauss-point element: forces and tangents against differences, objectivity, closed forms of THEORY 5.1.
 
 use crate::differences::{Random, jacobian, largest, relative};
-use rncf_tests::element::{Data, ElasticForce, GaussElement, Weights, shape, shape_x, shape_xx};
-use rncf_tests::quadrature::gauss_legendre;
+use rncf_reference::element::{Data, ElasticForce, GaussElement, Weights, shape, shape_x, shape_xx};
+use rncf_reference::quadrature::gauss_legendre;
 
 /// An element with numbers of one magnitude, so that no term hides behind another.
 pub fn data(dimension: usize, exponent: u32) -> Data {

@@ -1,6 +1,6 @@
 //! The rotor on a hub against the table of THEORY 8.2, closed limits and itself.
 
-use rncf_tests::galerkin_rotor::Rotor;
+use rncf_reference::galerkin_rotor::Rotor;
 
 /// THEORY 8.2: eta, flap 1 to 3, lag 1 and 2; zero hub radius.
 const TABLE: [(f64, [f64; 5]); 13] = [

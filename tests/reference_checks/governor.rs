@@ -1,7 +1,7 @@
 //! The flyball governor in three coordinates against BENCHMARKS 6.
 
-use rncf_tests::governor::{Governor, SPIN, START};
-use rncf_tests::integrate::{Method, agreed};
+use rncf_reference::governor::{Governor, SPIN, START};
+use rncf_reference::integrate::{Method, agreed};
 
 #[test]
 fn published_numbers() {

@@ -1,7 +1,7 @@
 //! The heavy top: the numbers of BENCHMARKS 3, the start's multiplier, energy, and equations of motion by differences.
 
-use rncf_tests::heavy_top::{GRAVITY, HeavyTop, MASS, START};
-use rncf_tests::integrate::{Method, agreed};
+use rncf_reference::heavy_top::{GRAVITY, HeavyTop, MASS, START};
+use rncf_reference::integrate::{Method, agreed};
 
 fn far(a: [f64; 3], b: [f64; 3]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)

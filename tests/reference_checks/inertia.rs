@@ -2,9 +2,9 @@
 
 use crate::differences::{Random, jacobian, relative};
 use crate::element::{bent, data};
-use rncf_tests::element::{ElasticForce, GaussElement, Weights, shape};
-use rncf_tests::inertia::{Frame, Inertia, State, residual, residual_and_jacobian};
-use rncf_tests::quadrature::gauss_legendre;
+use rncf_reference::element::{ElasticForce, GaussElement, Weights, shape};
+use rncf_reference::inertia::{Frame, Inertia, State, residual, residual_and_jacobian};
+use rncf_reference::quadrature::gauss_legendre;
 
 /// A frame that moves every way that the dimension allows.
 fn frame(dimension: usize, random: &mut Random) -> Frame {

@@ -1,8 +1,8 @@
 //! The pendulum: its multiplier solves the equations of motion, energy is kept, both methods agree.
 
-use rncf_tests::integrate::{Method, agreed};
-use rncf_tests::pendulum::Pendulum;
-use rncf_tests::system::System;
+use rncf_reference::integrate::{Method, agreed};
+use rncf_reference::pendulum::Pendulum;
+use rncf_reference::system::System;
 
 #[test]
 fn multiplier_solves_the_equations_of_motion() {

@@ -1,6 +1,6 @@
 //! Gauss rules against known nodes and exact integrals.
 
-use rncf_tests::quadrature::gauss_legendre;
+use rncf_reference::quadrature::gauss_legendre;
 
 #[test]
 fn integrates_its_degree_and_no_more() {

@@ -1,6 +1,6 @@
 //! The geometrically exact rod against BENCHMARKS 1, 2, 4 and 5.
 
-use rncf_tests::rod::{Rod, Tip};
+use rncf_reference::rod::{Rod, Tip};
 use std::f64::consts::PI;
 
 /// Inextensible, rigid in shear, unit length and bending stiffness.

@@ -1,13 +1,13 @@
 //! The ten-vector element: derivatives, objectivity, zero modes, mass, and the planar version inside the spatial one.
 
 use crate::differences::{Random, jacobian, largest, relative};
-use rncf_tests::element::{Data, Weights};
-use rncf_tests::inertia::{Frame, Inertia, State};
-use rncf_tests::section_beam::{Element, Properties, Section, residual_and_jacobian};
-use rncf_tests::section_chain::{Chain, Shape, Supports, straight};
-use rncf_tests::section_inertia::MovingElement;
-use rncf_tests::section_modes::dense;
-use rncf_tests::symmetric::eigenvalues;
+use rncf_reference::element::{Data, Weights};
+use rncf_reference::inertia::{Frame, Inertia, State};
+use rncf_reference::section_beam::{Element, Properties, Section, residual_and_jacobian};
+use rncf_reference::section_chain::{Chain, Shape, Supports, straight};
+use rncf_reference::section_inertia::MovingElement;
+use rncf_reference::section_modes::dense;
+use rncf_reference::symmetric::eigenvalues;
 
 /// A section in which every stiffness counts.
 const SECTION: Section = Section {

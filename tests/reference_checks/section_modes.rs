@@ -1,11 +1,11 @@
 //! The motor of THEORY 9.3, critical and above, and the rotor on a hub with ten-vector elements.
 
-use rncf_tests::galerkin_rotor::Rotor;
-use rncf_tests::motor::{equilibria, motor};
-use rncf_tests::section_beam::{Properties, Section};
-use rncf_tests::section_chain::{Chain, Hold, Slot, Supports, straight};
-use rncf_tests::section_modes::Damping;
-use rncf_tests::section_statics::Problem;
+use rncf_reference::galerkin_rotor::Rotor;
+use rncf_reference::motor::{equilibria, motor};
+use rncf_reference::section_beam::{Properties, Section};
+use rncf_reference::section_chain::{Chain, Hold, Slot, Supports, straight};
+use rncf_reference::section_modes::Damping;
+use rncf_reference::section_statics::Problem;
 use std::f64::consts::PI;
 
 const RPM: f64 = PI / 30.0;

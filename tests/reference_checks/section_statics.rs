@@ -1,9 +1,9 @@
 //! Static and relative equilibria of the ten-vector beam against THEORY 5.2, 5.2.1, 9.2, 9.3 and the exact rod.
 
-use rncf_tests::rod::Rod;
-use rncf_tests::section_beam::{Properties, Section};
-use rncf_tests::section_chain::{Chain, Hold, Shape, Slot, Supports, straight};
-use rncf_tests::section_statics::{Load, Problem};
+use rncf_reference::rod::Rod;
+use rncf_reference::section_beam::{Properties, Section};
+use rncf_reference::section_chain::{Chain, Hold, Shape, Slot, Supports, straight};
+use rncf_reference::section_statics::{Load, Problem};
 use std::f64::consts::PI;
 
 /// Arc in the plane of x and y.

@@ -1,8 +1,8 @@
 //! The motions: their derivatives, and the join at the end of the run-up.
 
 use crate::differences::jacobian;
-use rncf_tests::spin_up::{Motion, SpinUp};
-use rncf_tests::swing::Swing;
+use rncf_reference::spin_up::{Motion, SpinUp};
+use rncf_reference::swing::Swing;
 
 /// Rate and acceleration against differences.
 fn check(motion: &impl Motion, times: &[f64]) {

@@ -1,6 +1,6 @@
 //! The records read as they are described, and agree with the table of extremes.
 
-use rncf_tests::table::{EXTREMES, History, Record};
+use rncf_reference::table::{EXTREMES, History, Record};
 
 #[test]
 fn records_hold_the_extremes_of_the_table() {

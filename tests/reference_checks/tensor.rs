@@ -2,8 +2,8 @@
 
 use crate::differences::{Random, relative};
 use crate::element::{bent, data, errors, force};
-use rncf_tests::element::{Data, ElasticForce, GaussElement};
-use rncf_tests::tensor::TensorElement;
+use rncf_reference::element::{Data, ElasticForce, GaussElement};
+use rncf_reference::tensor::TensorElement;
 
 #[test]
 fn same_energy_force_and_derivatives_as_gauss_points() {

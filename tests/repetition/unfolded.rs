@@ -30,7 +30,7 @@ rncf::model! {
 }
 
 rncf::model! {
-    use rncf_tests::shared::blades;
+    use rncf_reference::shared::blades;
     pub model ThreeBlades {
         param speed = 12.1 rpm;
         param elements: count = 6;
@@ -57,7 +57,7 @@ rncf::model! {
 
 /// A library of another crate under a path of this one.
 mod taken {
-    pub(super) use rncf_tests::shared::blades;
+    pub(super) use rncf_reference::shared::blades;
 }
 
 /// Angular frequencies, ascending.

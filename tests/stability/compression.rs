@@ -3,7 +3,7 @@
 
 use rncf::app::{RunSettings, run};
 use rncf::equilibrium::critical_factor;
-use rncf_tests::element::{Data, ElasticForce, GaussElement, Weights};
+use rncf_reference::element::{Data, ElasticForce, GaussElement, Weights};
 
 use crate::scenes::referenced;
 

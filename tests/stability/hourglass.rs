@@ -4,11 +4,11 @@ use std::f64::consts::PI;
 
 use rncf::equilibrium::Uniform;
 use rncf::modes::{Wanted, modes};
-use rncf_tests::section_beam::{Properties, Section};
-use rncf_tests::section_chain::{Chain, Hold, Supports, straight};
-use rncf_tests::section_modes::dense;
-use rncf_tests::section_statics::{Load, Problem};
-use rncf_tests::symmetric::eigenvalues;
+use rncf_reference::section_beam::{Properties, Section};
+use rncf_reference::section_chain::{Chain, Hold, Supports, straight};
+use rncf_reference::section_modes::dense;
+use rncf_reference::section_statics::{Load, Problem};
+use rncf_reference::symmetric::eigenvalues;
 
 use crate::scenes::referenced;
 

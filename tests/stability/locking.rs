@@ -5,10 +5,10 @@ use std::f64::consts::PI;
 use rncf::Model;
 use rncf::equilibrium::{Uniform, follow};
 use rncf_models::{Elastica, RollUp};
-use rncf_tests::dense::Matrix;
-use rncf_tests::section_beam::{Properties, Section};
-use rncf_tests::section_chain::{Chain, Hold, Shape, Slot, Supports, straight};
-use rncf_tests::section_statics::{Load, Problem};
+use rncf_reference::dense::Matrix;
+use rncf_reference::section_beam::{Properties, Section};
+use rncf_reference::section_chain::{Chain, Hold, Shape, Slot, Supports, straight};
+use rncf_reference::section_statics::{Load, Problem};
 
 use crate::scenes::referenced;
 

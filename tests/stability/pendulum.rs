@@ -1,8 +1,8 @@
 //! The pendulum of THEORY 10, T1 and T2, as a model, and its exact motion.
 
 use rncf::{Formulation, Integrator, Joints, Method, Model, Options, Scene, State, StepSize, Stop};
-use rncf_tests::integrate::{Method as Explicit, agreed};
-use rncf_tests::pendulum::Pendulum as Exact;
+use rncf_reference::integrate::{Method as Explicit, agreed};
+use rncf_reference::pendulum::Pendulum as Exact;
 
 use crate::failing::index_3::{Change, Family, Index3};
 

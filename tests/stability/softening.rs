@@ -1,11 +1,11 @@
 //! T10 of THEORY 10: a floating frame with linear elastic forces loses the stiffness of a rotor as it spins up.
 
 use rncf_models::RotatingCantilever;
-use rncf_tests::beam::{Beam, Chain, Root};
-use rncf_tests::dense::Matrix;
-use rncf_tests::element::{Data, Weights};
-use rncf_tests::inertia::{Frame, State};
-use rncf_tests::symmetric::generalised;
+use rncf_reference::beam::{Beam, Chain, Root};
+use rncf_reference::dense::Matrix;
+use rncf_reference::element::{Data, Weights};
+use rncf_reference::inertia::{Frame, State};
+use rncf_reference::symmetric::generalised;
 
 use crate::scenes::{equilibrium, referenced};
 

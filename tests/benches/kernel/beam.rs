@@ -4,10 +4,10 @@ use std::hint::black_box;
 
 use rncf_models::motor_equations as motor;
 use rncf_models::{princeton_beam_equations as straight, roll_up_equations as planar};
-use rncf_tests::element::Weights;
-use rncf_tests::inertia::{Frame, State};
-use rncf_tests::section_beam::{Element, Properties, Section, residual_and_jacobian};
-use rncf_tests::section_inertia::MovingElement;
+use rncf_reference::element::Weights;
+use rncf_reference::inertia::{Frame, State};
+use rncf_reference::section_beam::{Element, Properties, Section, residual_and_jacobian};
+use rncf_reference::section_inertia::MovingElement;
 
 use super::{scene, time};
 

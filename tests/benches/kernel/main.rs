@@ -13,9 +13,9 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use rncf_models::{spin_up_equations as planar, spin_up_spatial_equations as spatial};
-use rncf_tests::element::{Data, ElasticForce, GaussElement, Weights};
-use rncf_tests::inertia::{Frame, Inertia, State, residual_and_jacobian};
-use rncf_tests::tensor::TensorElement;
+use rncf_reference::element::{Data, ElasticForce, GaussElement, Weights};
+use rncf_reference::inertia::{Frame, Inertia, State, residual_and_jacobian};
+use rncf_reference::tensor::TensorElement;
 
 /// Evaluations of one timing, and timings of which the fastest counts: short ones, some of which nothing disturbs.
 const REPETITIONS: usize = 500;

@@ -1,11 +1,13 @@
 //! A mean and one oscillation in a history, by least squares.
 
-use rncf_tests::dense::Matrix;
+use crate::dense::Matrix;
 
 /// `mean + amplitude cos(frequency t + phase)`.
 #[derive(Clone, Copy, Debug)]
 pub struct Wave {
+    /// Unit of the values.
     pub mean: f64,
+    /// Unit of the values.
     pub amplitude: f64,
     /// rad/s.
     pub frequency: f64,
