@@ -1,5 +1,5 @@
 //! Bodies from finite-element programs against closed forms, conservation, rigid bodies and our own beams. The files are written by
-//! `tests/reference/data/finite_elements.py`.
+//! `tests/reference/data/finite_elements.py` and `solid_elements.py`.
 
 // One declaration serves several models: not all of them need all of its params.
 #![allow(deprecated)]
@@ -128,6 +128,29 @@ rncf::model! {
         output moment = grip.moment.z;
     }
 }
+
+/// A bar of 8 solid elements of second order, which `tests/reference/data/solid_elements.py` made with scikit-fem.
+macro_rules! solid {
+    ($name:ident, $($word:tt)*) => {
+        rncf::model! {
+            pub model $name {
+                param push = 0 N;
+                body bar in inertial {
+                    import "reference/data/solid.npz";
+                    interface root = nodes [1, 2, 3, 4, 5, 6, 7, 8, 9];
+                    interface tip = node 149;
+                    $($word)*
+                }
+                joint grip = clamp(bar.root, inertial);
+                load tug = force(bar.tip, [0 N, 0 N, push]);
+                output z = bar.tip.z;
+                output mass = bar.mass;
+            }
+        }
+    };
+}
+solid!(Solid, small(6););
+solid!(PulledSolid, small(6); interface_modes;);
 
 /// Our own beam with sections, and what `modes --export` wrote of it.
 macro_rules! strip {
@@ -258,6 +281,34 @@ fn motions_of_the_interfaces_bend_it_exactly_under_a_force_there() {
     println!("{:e} m: {:.1e}; {:e} N m", row[0], row[0] / expected - 1.0, row[1]);
     assert!((row[0] / expected - 1.0).abs() < 1e-6);
     assert!((row[1].abs() / 6.0 - 1.0).abs() < 1e-6);
+}
+
+/// Frequencies and deflection as scipy has them of the same matrices: `solid_elements.py` prints them.
+#[test]
+fn solid_elements_of_another_program_have_its_frequencies_and_deflection() {
+    let found = natural(&mut *build(&Solid::default()), 6).unwrap();
+    let wanted = [
+        662.545_825_569_431,
+        1315.579_342_944_297_2,
+        4129.917_627_555_702,
+        7934.571_780_761,
+        10_191.366_919_785_525,
+        11_491.599_287_616_029,
+    ];
+    for (found, wanted) in found.iter().zip(wanted) {
+        println!("{found:.6} rad/s: {:.1e}", found / wanted - 1.0);
+        assert!((found / wanted - 1.0).abs() < 1e-8);
+    }
+    let mut scene = build(&PulledSolid {
+        push: 100.0,
+        ..PulledSolid::default()
+    });
+    let state = rncf::steady(&mut *scene, 0.0).unwrap().state().unwrap().clone();
+    let mut row = vec![0.0; scene.output_columns()];
+    scene.outputs(&state, &mut row);
+    println!("{:e} m, {} kg", row[0], row[1]);
+    assert!((row[0] / 3.751_204_260_202_968_4e-4 - 1.0).abs() < 1e-7);
+    assert!((row[1] / (7850.0 * 0.4 * 0.04 * 0.02) - 1.0).abs() < 1e-12);
 }
 
 /// What the program wrote of our own beam is what it is made of, and runs as it does.
