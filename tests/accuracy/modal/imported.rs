@@ -288,10 +288,10 @@ fn motions_of_the_interfaces_bend_it_exactly_under_a_force_there() {
 fn solid_elements_of_another_program_have_its_frequencies_and_deflection() {
     let found = natural(&mut *build(&Solid::default()), 6).unwrap();
     let wanted = [
-        662.545_825_569_431,
-        1315.579_342_944_297_2,
-        4129.917_627_555_702,
-        7934.571_780_761,
+        662.545825569431,
+        1315.5793429442972,
+        4129.917627555702,
+        7934.571780761,
         10_191.366_919_785_525,
         11_491.599_287_616_029,
     ];
@@ -299,10 +299,7 @@ fn solid_elements_of_another_program_have_its_frequencies_and_deflection() {
         println!("{found:.6} rad/s: {:.1e}", found / wanted - 1.0);
         assert!((found / wanted - 1.0).abs() < 1e-8);
     }
-    let mut scene = build(&PulledSolid {
-        push: 100.0,
-        ..PulledSolid::default()
-    });
+    let mut scene = build(&PulledSolid { push: 100.0 });
     let state = rncf::steady(&mut *scene, 0.0).unwrap().state().unwrap().clone();
     let mut row = vec![0.0; scene.output_columns()];
     scene.outputs(&state, &mut row);

@@ -67,7 +67,7 @@ pub fn items(tokens: TokenStream, tree: &Tree) -> TokenStream {
     });
     let modules = module(&found.scopes, 0);
     quote! {
-        #[allow(warnings, clippy::all)]
+        #[allow(nonstandard_style, unused, missing_docs, unreachable_pub, unused_qualifications, unused_results, clippy::all, clippy::pedantic)]
         const _: () = {
             #modules
             fn uses(model: &#model) { #(#uses)* }
