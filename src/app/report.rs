@@ -43,7 +43,6 @@ pub(super) fn page(model: &dyn AnyModel, what: &str, summary: &Summary, results:
         let _ = write!(page, "<section><h2>{head}</h2>\n{}</section>\n", values(summary, keys));
     }
     page += "</div>\n";
-    notes(&mut page, model, summary);
     let _ = write!(page, "<h2>Model</h2>\n<pre>{}</pre>\n", escape(model.source().trim()));
     let version = env!("CARGO_PKG_VERSION");
     let _ = writeln!(
@@ -96,11 +95,21 @@ fn header(model: &dyn AnyModel, page: &mut String, title: &str, summary: &Summar
         let _ = writeln!(page, "<p class=\"doc\">{}</p>", escape(paragraph));
     }
     let reason = summary.get("reason").and_then(Value::as_str);
+    let notes = notes(model, summary);
     let (class, head, text) = match reason {
-        None => ("status", "Complete", String::new()),
         Some(reason) => ("status bad", "Stopped before the end", format!(": {}", escape(reason))),
+        None if notes.is_empty() => ("status", "Complete", String::new()),
+        None => ("status noted", "Complete", ", with notes:".into()),
     };
-    let _ = writeln!(page, "<p class=\"{class}\"><b>{head}</b>{text}</p>");
+    let _ = writeln!(page, "<div class=\"{class}\"><p><b>{head}</b>{text}</p>");
+    if !notes.is_empty() {
+        let items: String = notes
+            .iter()
+            .map(|note| format!("<li>{}</li>\n", escape(note)))
+            .collect();
+        let _ = writeln!(page, "<ul>\n{items}</ul>");
+    }
+    page.push_str("</div>\n");
     page.push_str("<dl class=\"facts\">\n");
     let facts = [
         "points",
@@ -269,24 +278,13 @@ fn values(summary: &Summary, keys: &[&str]) -> String {
     text + "</table>\n"
 }
 
-/// What the run has to say; what the generator left out stands on the card.
-fn notes(page: &mut String, model: &dyn AnyModel, summary: &Summary) {
-    let notes: Vec<&str> = match summary.get("notes") {
-        Some(Value::Array(notes)) => notes
-            .iter()
-            .filter_map(Value::as_str)
-            .filter(|note| !summary.contains_key("unknowns") || !model.notes().contains(note))
-            .collect(),
-        _ => Vec::new(),
-    };
-    if notes.is_empty() {
-        return;
-    }
-    page.push_str("<h2>Notes</h2>\n<ul>\n");
-    for note in notes {
-        let _ = writeln!(page, "<li>{}</li>", escape(note));
-    }
-    page.push_str("</ul>\n");
+/// What the command told of these results; what it says of the model stands in the card.
+fn notes<'s>(model: &dyn AnyModel, summary: &'s Summary) -> Vec<&'s str> {
+    let notes = summary.get("notes").and_then(Value::as_array);
+    let texts = notes.into_iter().flatten().filter_map(Value::as_str);
+    texts
+        .filter(|note| !summary.contains_key("unknowns") || !model.notes().contains(note))
+        .collect()
 }
 
 /// A key as words: `cpu_seconds` is the processor time.
@@ -355,4 +353,27 @@ pub(super) fn escape(text: &str) -> String {
         }
     }
     escaped
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+    use crate::app::testing::Rotor;
+
+    /// Who reads a page from above learns what is wrong with its numbers before them.
+    #[test]
+    fn notes_stand_before_all_numbers() {
+        let mut summary = Summary::new();
+        let page_of = |summary: &Summary| page(&Rotor::default(), "run", summary, "");
+        assert!(page_of(&summary).contains("<b>Complete</b></p>"));
+        summary.insert("notes".into(), json!(["`u` is off by 3 %, < all."]));
+        let noted = page_of(&summary);
+        let note = noted.find("<li>`u` is off by 3 %, &lt; all.</li>").unwrap();
+        assert!(noted.find("<b>Complete</b>, with notes:").unwrap() < note);
+        assert!(note < noted.find("class=\"facts\"").unwrap());
+        summary.insert("reason".into(), json!("Newton"));
+        assert!(page_of(&summary).contains("<b>Stopped before the end</b>: Newton"));
+    }
 }
