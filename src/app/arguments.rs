@@ -126,11 +126,15 @@ fn matched(line: &clap::Command, program: &Program<'_>, words: Vec<OsString>) ->
     let words = std::iter::once(program.name.into()).chain(words);
     line.clone()
         .try_get_matches_from(words)
-        .map_err(|error| match error.kind() {
+        .map_err(|mut error| match error.kind() {
             clap::error::ErrorKind::DisplayHelp | clap::error::ErrorKind::DisplayVersion => {
                 Refusal::Help(error.to_string())
             }
-            _ => Refusal::Mistake(error.to_string().trim_start_matches("error: ").trim_end().into()),
+            _ => {
+                // No flag is meant as a param: the tip to write `-- --flag` only leads on.
+                error.remove(clap::error::ContextKind::Suggested);
+                Refusal::Mistake(error.to_string().trim_start_matches("error: ").trim_end().into())
+            }
         })
 }
 

@@ -191,6 +191,11 @@ fn flags_that_make_no_sense_together_are_refused() {
 
 #[test]
 fn mistyped_flags_and_choices_show_the_nearest() {
+    let far = mistake(&["--hht", "1e-4"]);
+    assert!(
+        far.contains("unexpected argument '--hht'") && !far.contains("tip"),
+        "{far}"
+    );
     let text = mistake(&["--integratr", "hht"]);
     assert!(
         text.contains("--integratr") && text.contains("'--integrator'"),
