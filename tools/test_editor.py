@@ -15,34 +15,13 @@ import threading
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-MODEL = """rncf::model! {
-    pub model Rotor {
-        /// Length of one.
-        param long = 1 m;
-        const blades = 3;
-        material steel { density = 7850 kg/m^3; young = 210 GPa; }
-        section round { area = 1 cm^2; second_moment = 1 cm^4; }
-        frame hub = rotating(axis = z, angle = turn(t));
-        motion turn(t) = 2 [rad/s] * t;
-        component Blade(azimuth: angle, root: frame) {
-            body spar in root {
-                planar xy;
-                line from [0, 0, 0] m to [long * cos(azimuth), long * sin(azimuth), 0];
-                mesh 4 * cable(round, steel);
-            }
-            joint clip = clamp(spar.start, root);
-            output pull = clip.force.x;
-        }
-        for b in 0..blades {
-            part blade[b] = Blade(azimuth = 2*pi*b/blades, root = hub);
-        }
-        output tip = blade[1].spar.end;
-    }
-}
-fn main() {
-    let rotor = Rotor { long: 2.0, ..Rotor::default() };
-    println!("{}", rotor.long);
-}
+ROTOR = (ROOT / "rncf-macros/codegen/src/editor/rotor.txt").read_text()
+MODEL = f"""rncf::model! {{
+{ROTOR}}}
+fn main() {{
+    let rotor = Rotor {{ long: 2.0, ..Rotor::default() }};
+    println!("{{}}", rotor.long);
+}}
 """
 
 

@@ -6,7 +6,7 @@ use std::collections::HashSet;
 use super::{Check, fold, say};
 use crate::errors::Area;
 use crate::model::{Body, Expr as Value, Line, Model, SectionShape, Space, Table};
-use crate::parse::tree::{Expr, Fields, Item, ItemKind, Keyword, Statement};
+use crate::parse::tree::{Fields, Item, ItemKind, Keyword, Name, Statement};
 use crate::vocabulary::{BOTH_AXES, LAW, MATERIAL, Range, SECTION};
 
 /// Relative size of what counts as round-off of places along an axis: that of the runtime's tables.
@@ -48,15 +48,13 @@ impl Axis {
         let even = (0..=PARTS).map(|part| (part as f64 / PARTS as f64).clamp(1e-6, 1.0 - 1e-6));
         let mut places: Vec<Place> = Vec::new();
         for table in tables {
-            for (row, &place) in table.places.iter().enumerate() {
-                let x = if table.is_relative { place * self.whole } else { place };
-                let is_before_step = table.places.get(row + 1) == Some(&place);
-                let x = if is_before_step { x.next_down() } else { x };
-                if x >= self.from && x <= self.to {
-                    let row = Some((table.name.clone(), row + 1));
-                    places.push(Place { x, row });
-                }
-            }
+            let within = table
+                .rows(self.whole)
+                .filter(|(x, _)| (self.from..=self.to).contains(x));
+            places.extend(within.map(|(x, row)| Place {
+                x,
+                row: Some((table.name.clone(), row)),
+            }));
         }
         places.extend(even.map(|part| Place {
             x: self.from + part * length,
@@ -289,19 +287,12 @@ pub(super) fn area_in(item: &Item, name: &str) -> Option<Area> {
     match &item.kind {
         ItemKind::Section(fields) | ItemKind::Material(fields) => of_fields(fields),
         ItemKind::NamedSection(call) => {
-            let is_it = |word: &str| word == argument;
-            let found = call
-                .arguments
-                .iter()
-                .find(|one| one.name.as_ref().is_some_and(|word| is_it(&word.text)));
-            found.map(|found: &crate::parse::tree::Argument| -> Area { area(&found.value) })
+            let is_it = |name: &Name| name.text == argument;
+            let found = call.arguments.iter().find(|one| one.name.as_ref().is_some_and(is_it));
+            found.map(|found| found.value.area)
         }
         _ => None,
     }
-}
-
-fn area(expr: &Expr) -> Area {
-    expr.area
 }
 
 fn words(range: Range) -> &'static str {

@@ -84,15 +84,11 @@ fn places<'t>(tables: &[&'t Table]) -> Vec<(f64, Option<(&'t str, usize)>)> {
     if tables.iter().any(|table| table.is_relative != tables[0].is_relative) {
         return Vec::new();
     }
-    let mut places = Vec::new();
-    for table in tables {
-        for (row, &place) in table.places.iter().enumerate() {
-            let is_before_step = table.places.get(row + 1) == Some(&place);
-            let x = if is_before_step { place.next_down() } else { place };
-            places.push((x, Some((table.name.as_str(), row + 1))));
-        }
-    }
-    places
+    let of_rows = |table: &&'t Table| {
+        let name = table.name.as_str();
+        table.rows(1.0).map(move |(x, row)| (x, Some((name, row))))
+    };
+    tables.iter().flat_map(of_rows).collect()
 }
 
 fn symmetric(upper: &[f64]) -> Matrix {

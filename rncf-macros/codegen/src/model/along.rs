@@ -39,6 +39,15 @@ pub struct Column {
 }
 
 impl Table {
+    /// Where along an axis of this length (m, or 1) each row stands, with its number from 1 on; in front of a step just before it.
+    pub fn rows(&self, length: f64) -> impl Iterator<Item = (f64, usize)> {
+        self.places.iter().enumerate().map(move |(row, &place)| {
+            let x = if self.is_relative { place * length } else { place };
+            let is_before_step = self.places.get(row + 1) == Some(&place);
+            (if is_before_step { x.next_down() } else { x }, row + 1)
+        })
+    }
+
     /// Name in generated code.
     pub fn constant(&self) -> String {
         format!("TABLE_{}", super::identifier(&self.name).to_uppercase())
