@@ -169,7 +169,7 @@ fn an_element_that_spans_a_winding_is_refused() {
         .map(|error| error.to_string());
     assert!(
         refused.is_some_and(
-            |text| text.contains("each of its 8 element(s) is bent by 3") && text.contains("take at least 3")
+            |text| text.contains("each of its 8 elements is bent by 3") && text.contains("take at least 3")
         )
     );
 }

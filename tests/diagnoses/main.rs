@@ -28,6 +28,7 @@ fn contains(text: &str, parts: &[&str]) {
     assert!(!unreadable.iter().any(|part| text.contains(part)), "{text}");
 }
 
+mod computed;
 mod senseless;
 
 mod redundant {

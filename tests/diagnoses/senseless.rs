@@ -7,7 +7,7 @@ use rncf::{Formulation, Integrator, Joints, Method, Model, ModelError, Options, 
 
 use crate::contains;
 
-mod models {
+pub mod models {
     rncf::model! {
         /// A strip in a hub and an arm, both of which can be made to jump.
         pub model Shaken {

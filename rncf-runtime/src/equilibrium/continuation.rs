@@ -1,7 +1,7 @@
 //! Continuation of equilibria from the start, in the scale of the motion or of the loads.
 
 use super::newton::{Failure, Newton, Patience};
-use crate::error::{SolveError, SolveErrorKind};
+use crate::error::{Short, SolveError, SolveErrorKind};
 use crate::model::{Kind, Scene, Uniform};
 use crate::space::product;
 use crate::system::State;
@@ -391,7 +391,7 @@ pub(super) fn failed(scene: &dyn Scene, at: &Uniform, failure: &Failure, scale: 
         Kind::Steady => "the angular velocity",
         Kind::Static => "the load",
     };
-    let (text, row) = failure.explain(&format!("beyond {scale} of {of}"));
+    let (text, row) = failure.explain(&format!("beyond {} of {of}", Short(scale)));
     error(at, text, row.map(|row| describe(scene, row)))
 }
 

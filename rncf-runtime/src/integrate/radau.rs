@@ -141,8 +141,13 @@ impl Radau {
                     self.tangent = Age::Stale;
                     continue;
                 }
+                // A shorter step has another middle, which may be where forces have values.
+                self.tangent = Age::Stale;
                 let worst = super::newton::row(singular, self.now.x.len());
-                return Err((0.5, Cause::Singular { worst }));
+                return Err(match self.matrices.is_finite() {
+                    true => (0.5, Cause::Singular { worst }),
+                    false => (0.25, Cause::NotFinite),
+                });
             }
             let (coefficients, matrices) = (&self.coefficients, &mut self.matrices);
             let (is_fresh, stages) = (self.tangent == Age::Fresh, &mut self.trial);
@@ -164,7 +169,10 @@ impl Radau {
             }
             return Err(match failure {
                 Failure::Slow { worst, ratio } => (ratio, Cause::Newton { worst }),
-                Failure::NotFinite => (0.25, Cause::NotFinite),
+                Failure::NotFinite => {
+                    self.tangent = Age::Stale;
+                    (0.25, Cause::NotFinite)
+                }
             });
         }
     }

@@ -93,7 +93,7 @@ pub(crate) fn check_body(spec: &BodySpec) -> Result<(), ModelError> {
         // The macro has the same limit for the defaults.
         if each > FRAC_PI_2 * (1.0 + 1e-6) {
             return Err(ModelError::new(format!(
-                "body `{}`: each of its {} element(s) is {what} by {:.0} deg, and none follows more than 90 deg: take at least {} elements",
+                "body `{}`: each of its {} elements is {what} by {:.0} deg, and none follows more than 90 deg: take at least {} elements",
                 spec.label(),
                 spec.count,
                 each.to_degrees(),

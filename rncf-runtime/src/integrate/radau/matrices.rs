@@ -101,6 +101,12 @@ impl Matrices {
         self.factored = None;
     }
 
+    /// Whether all entries that were factored last are numbers.
+    pub(super) fn is_finite(&self) -> bool {
+        let entries = self.real_block.iter().chain(&self.slopes.jacobian);
+        entries.copied().all(f64::is_finite)
+    }
+
     /// Factors for step size `h` unless that is done.
     pub(super) fn factor(
         &mut self,
