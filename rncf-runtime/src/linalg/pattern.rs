@@ -14,9 +14,13 @@ impl Pattern {
     /// # Panics
     /// If an entry lies outside: a defect of the caller, not of a user's model.
     pub fn new(rows: usize, columns: usize, entries: impl IntoIterator<Item = (usize, usize)>) -> Self {
+        // The work is compiled once, not for each of fifty kinds of iterators.
+        Self::of_list(rows, columns, entries.into_iter().collect())
+    }
+
+    fn of_list(rows: usize, columns: usize, entries: Vec<(usize, usize)>) -> Self {
         // Sorted by counting, by rows and then by columns: large scenes have millions of entries, most of them several
         // times.
-        let entries: Vec<(usize, usize)> = entries.into_iter().collect();
         let mut row_starts = vec![0; rows + 1];
         for &(row, column) in &entries {
             assert!(
