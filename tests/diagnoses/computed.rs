@@ -43,6 +43,22 @@ mod models {
         }
     }
     rncf::model! {
+        /// A ball on a spring, drawn by a force that ends at a place.
+        pub model Stretched {
+            /// Of the force at rest.
+            param k = 1 N;
+            /// Where it ends, from where the ball is at rest.
+            param reach = 100 mm;
+            rigid ball { mass = 1 kg; origin = [1, 0, 0] m; }
+            spring cord = linear(inertial.at([0, 0, 0] m), ball, stiffness = 10 [N/m], length = 1 m);
+            constraint rail_y = ball.y;
+            constraint rail_z = ball.z;
+            load pull = force(ball, [k * (2 + sqrt(1 - (ball.x - 1 m) / reach)), 0 [N], 0 [N]]);
+            output x = ball.x;
+            run { t_end = 1 s; every = 0.1 s; }
+        }
+    }
+    rncf::model! {
         /// A wheel on an axle, with or without a spring and under a moment.
         pub model Wheel {
             /// Stiffness of the spring on its axle.
@@ -76,7 +92,7 @@ mod models {
         }
     }
 }
-use models::{Drawn, Nut, Spun, Wheel};
+use models::{Drawn, Nut, Spun, Stretched, Wheel};
 
 fn model(name: &str) -> Box<dyn AnyModel> {
     match name {
@@ -91,6 +107,7 @@ fn model(name: &str) -> Box<dyn AnyModel> {
         "Pendulum" => Box::new(Pendulum::default()),
         "Shaken" => Box::new(Shaken::default()),
         "Spun" => Box::new(Spun::default()),
+        "Stretched" => Box::new(Stretched::default()),
         "Struts" => Box::new(Struts::default()),
         "Wheel" => Box::new(Wheel::default()),
         other => panic!("the page names a model `{other}`, which no test holds"),

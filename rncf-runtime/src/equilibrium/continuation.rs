@@ -121,7 +121,7 @@ pub(super) fn along(
             (Patience::Patient, Kind::Steady) if scale == 0.0 => &[Patience::Strict, Patience::Patient][..],
             _ => &[patience],
         };
-        let mut result = Err(Failure::NotFinite);
+        let mut result = Err(Failure::NotFinite(None));
         for &patience in patiences {
             if result.is_err() {
                 let wasted;

@@ -44,7 +44,8 @@ const FAR: f64 = 1e-3;
 /// Why no equilibrium was found; rows count unknowns first, then constraints.
 pub(super) enum Failure {
     Singular(usize),
-    NotFinite,
+    /// What has no value, where it can be named.
+    NotFinite(Option<String>),
     Slow(usize),
     Unbalanced(usize),
     /// What was found does not continue the equilibria before.
@@ -54,28 +55,29 @@ pub(super) enum Failure {
 impl Failure {
     /// What happened, and the row that it happened at; `where_` says at which part of the load.
     pub fn explain(&self, where_: &str) -> (String, Option<usize>) {
-        match *self {
-            Failure::Singular(row) => (
+        match self {
+            &Failure::Singular(row) => (
                 format!("the stiffness is singular {where_}: a motion is neither tied nor stiff, or the bodies buckle"),
                 Some(row),
             ),
-            Failure::NotFinite => (
+            Failure::NotFinite(Some(text)) => (format!("{where_}, {text}"), None),
+            Failure::NotFinite(None) => (
                 format!("a force is not finite {where_}: a parameter is unphysical"),
                 None,
             ),
-            Failure::Slow(row) => (
+            &Failure::Slow(row) => (
                 format!(
                     "Newton's iteration does not converge {where_}: the bodies may buckle or have no equilibrium there"
                 ),
                 Some(row),
             ),
-            Failure::Leapt(row) => (
+            &Failure::Leapt(row) => (
                 format!(
                     "no equilibrium next to those before is found {where_}: the bodies may buckle or snap through there"
                 ),
                 Some(row),
             ),
-            Failure::Unbalanced(row) => (
+            &Failure::Unbalanced(row) => (
                 format!(
                     "a force or moment along a motion that nothing ties is not balanced {where_}: tie that motion, or leave the force away"
                 ),
@@ -272,7 +274,7 @@ impl Newton {
     /// the forces that make the rest stiff.
     pub fn flow(&mut self, scene: &mut dyn Scene, at: &Uniform, state: &mut State, speed: f64) -> Result<(), Failure> {
         if speed.is_nan() || speed <= 0.0 {
-            return Err(Failure::NotFinite);
+            return Err(Failure::NotFinite(None));
         }
         self.untied.clear();
         state.rebase(scene.turns());
@@ -294,7 +296,7 @@ impl Newton {
                     .chain(&self.values)
                     .all(|value| value.is_finite())
                 {
-                    return Err(Failure::NotFinite);
+                    return Err(Failure::NotFinite(scene.undefined(state)));
                 }
                 let is_factored = self.lu.factor(&self.values).is_ok();
                 // With a negative direction the step would go uphill.
@@ -351,7 +353,7 @@ impl Newton {
             self.linearize(scene, at, state);
             let all = self.increments.iter().chain(&self.values);
             if !all.copied().all(f64::is_finite) {
-                return (Err(Failure::NotFinite), iteration);
+                return (Err(Failure::NotFinite(scene.undefined(state))), iteration);
             }
             if let Err(row) = self.lu.factor(&self.values) {
                 return (Err(Failure::Singular(row)), iteration);
@@ -359,7 +361,7 @@ impl Newton {
             self.lu.solve(&mut self.increments);
             let size = self.size();
             if !size.is_finite() {
-                return (Err(Failure::NotFinite), iteration);
+                return (Err(Failure::NotFinite(None)), iteration);
             }
             let part = self.stride(patience);
             self.wandered |= part < 1.0 || iteration > 2 && size > last;
