@@ -5,7 +5,7 @@
 //! the run is the error of the run. Where that takes too long, the run is repeated with a hundred times the tolerance, in a fifth of the steps: its
 //! distance, over what the order of the method promises, is the least error of the run.
 
-use super::marks::{Again, Marks, TOLD, again, is_of_motion, told};
+use super::marks::{Again, Marks, Off, TOLD, again, is_of_motion, told};
 use crate::{Method, Options, Output, Scene, State, StepSize};
 
 /// Tolerance of the second run, in those of the first, and the largest one.
@@ -67,7 +67,7 @@ pub(super) fn accumulated(
     let looser = Options { rtol, ..options };
     let rows = whole(scene, start, (run.t_end, method, looser, most[1]), run.marks, goes_on)?;
     let mut found = run.marks.differences(outputs, &rows, options.rtol);
-    found.iter_mut().for_each(|(_, part)| *part /= ORDER - 1.0);
+    found.iter_mut().for_each(|off| off.part /= ORDER - 1.0);
     let names = told_of_motion(outputs, &found)?;
     Some(format!(
         "The tolerance holds for each step, and errors of {} steps add up: the same run with a hundred times the tolerance ends so far away that outputs of this one may be off by parts of their largest change or value, {names} or more. Take `--integrator radau`, or a smaller `--rtol`.",
@@ -76,8 +76,8 @@ pub(super) fn accumulated(
 }
 
 /// What is off, where places or speeds are: errors of forces alone do not add up.
-fn told_of_motion(outputs: &[Output], found: &[(usize, f64)]) -> Option<String> {
-    let moves = |&(index, part): &(usize, f64)| part > TOLD && is_of_motion(&outputs[index]);
+fn told_of_motion(outputs: &[Output], found: &[Off]) -> Option<String> {
+    let moves = |off: &Off| off.part > TOLD && is_of_motion(&outputs[off.output]);
     found.iter().any(moves).then(|| told(outputs, found))?
 }
 
@@ -126,7 +126,7 @@ mod tests {
         let outputs = AnyModel::outputs(&rotor);
         let rows: Vec<Vec<f64>> = exact.marks.rows.iter().map(|(_, row)| row.clone()).collect();
         let found = result.marks.differences(outputs, &rows, rtol);
-        let error = found.first().map_or(0.0, |found| found.1);
+        let error = found.first().map_or(0.0, |off| off.part);
         let mut scene = rotor
             .build_as(settings(method, rtol).formulation, crate::Joints::Eliminated, &[])
             .unwrap();

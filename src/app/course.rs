@@ -5,6 +5,7 @@
 use super::cautions;
 use super::clock::{Clock, Seconds};
 use super::coarse::Coarseness;
+use super::finer::Judging;
 use super::history::SKETCHED;
 use super::marks::Marks;
 use super::pictures::Pictures;
@@ -14,6 +15,9 @@ use super::run_error::Incomplete;
 use super::sketch::Sketch;
 use crate::archive::{Archive, Keep};
 use crate::{Integrator, Scene, State, Warning};
+
+/// Rows at which it is looked at what outputs are made of.
+const OPERANDS: u64 = 32;
 
 type Running<'s> = Integrator<'s, dyn Scene + 's>;
 
@@ -250,6 +254,11 @@ impl Rows {
         recorder.row(time, &self.values);
         result.envelopes.meet(integrator.system(), time, &self.state);
         self.marks.meet(self.next, t, &self.values);
+        if result.settings.judged != Judging::No && self.next.is_multiple_of(self.count / OPERANDS + 1) {
+            let mut operands = vec![0.0; self.values.len()];
+            integrator.system().operands(&self.state, &mut operands);
+            self.marks.meet_operands(&operands);
+        }
         self.coarseness.meet(integrator.system(), &self.state, self.t_end);
         if let Some(pictures) = &mut result.pictures {
             pictures.take(

@@ -7,7 +7,7 @@
 //! of its steps.
 
 use super::accumulated::Ended;
-use super::marks::{Again, Marks, TOLD, again, is_of_motion, largest, told};
+use super::marks::{Again, Marks, Off, TOLD, again, is_of_motion, largest, sorted, told};
 use crate::model::Fidelity;
 use crate::{Method, Options, Output, Scene, State, StepSize};
 
@@ -80,8 +80,8 @@ struct Kind<'r> {
     /// Until when they were compared, s.
     until: f64,
     /// Parts of outputs that are off for the mesh, until then, and, with the tolerance of Radau that tells it, for steps.
-    mesh: Vec<(usize, f64)>,
-    steps: (f64, Vec<(usize, f64)>),
+    mesh: Vec<Off>,
+    steps: (f64, Vec<Off>),
 }
 
 impl<'r> Kind<'r> {
@@ -99,17 +99,23 @@ impl<'r> Kind<'r> {
     }
 
     /// The parts that are of this kind.
-    fn of(&self, parts: &[(usize, f64)]) -> Vec<(usize, f64)> {
-        let same = |&&(index, _): &&(usize, f64)| is_of_motion(&self.outputs[index]) == self.is_of_motion;
+    fn of(&self, parts: &[Off]) -> Vec<Off> {
+        let same = |off: &&Off| is_of_motion(&self.outputs[off.output]) == self.is_of_motion;
         parts.iter().filter(same).copied().collect()
+    }
+
+    /// Whether one of these outputs is of this kind.
+    fn has(&self, those: &[bool]) -> bool {
+        let same = |(output, &is): (&Output, &bool)| is && is_of_motion(output) == self.is_of_motion;
+        self.outputs.iter().zip(those).any(same)
     }
 
     /// Nothing differs on finer meshes, found with a tolerance. The same method with a larger one is farther from the truth than the run is;
     /// another method may be off by as much, to the same side.
-    fn meet_finer(&mut self, rtol: f64, until: f64, beyond: &[(usize, f64)]) {
+    fn meet_finer(&mut self, rtol: f64, until: f64, beyond: &[Off], open: &[bool]) {
         if !self.is_settled && largest(&self.of(beyond)) <= TOLD {
-            self.is_near = true;
-            self.is_settled = is_exact(&self.run) || rtol <= self.run.options.rtol;
+            self.is_near = !self.has(open);
+            self.is_settled = self.is_near && (is_exact(&self.run) || rtol <= self.run.options.rtol);
             if until >= self.until {
                 (self.until, self.mesh) = (until, Vec::new());
             }
@@ -117,7 +123,7 @@ impl<'r> Kind<'r> {
     }
 
     /// What other meshes and other steps make of a second run with a tolerance.
-    fn meet(&mut self, rtol: f64, is_last: bool, until: f64, meshes: &[(usize, f64)], steps: &[(usize, f64)]) {
+    fn meet(&mut self, rtol: f64, is_last: bool, until: f64, [meshes, steps]: [&[Off]; 2], open: &[bool]) {
         if self.is_settled {
             return;
         }
@@ -127,29 +133,83 @@ impl<'r> Kind<'r> {
         let mut is_clear = by_steps <= STEPS * by_meshes.max(TOLD);
         if !self.is_of_motion {
             // Steps that suffice for one force do not for another.
-            let of =
-                |parts: &[(usize, f64)], index: usize| parts.iter().find(|of| of.0 == index).map_or(0.0, |of| of.1);
+            let of = |parts: &[Off], index: usize| parts.iter().find(|of| of.output == index).map_or(0.0, |of| of.part);
             is_clear = steps
                 .iter()
-                .all(|&(index, part)| part <= STEPS * of(&meshes, index).max(TOLD));
-            meshes.retain(|&(index, part)| of(&steps, index) <= (STEPS * part).max(TOLD));
+                .all(|off| off.part <= STEPS * of(&meshes, off.output).max(TOLD));
+            meshes.retain(|off| of(&steps, off.output) <= (STEPS * off.part).max(TOLD));
         }
         let looser = rtol / self.run.options.rtol;
         if !is_exact && is_last || is_exact && looser < 2.0 * TEN {
             // The error of the run is at most so much less than that of larger steps.
             let less = if is_exact { looser.max(1.0) } else { 1.0 };
-            steps.iter_mut().for_each(|(_, part)| *part /= less);
+            steps.iter_mut().for_each(|off| off.part /= less);
             if largest(&steps) > TOLD {
                 self.steps = (rtol, steps);
             }
         }
-        self.is_settled = is_last || is_clear;
+        self.is_settled = is_last || is_clear && !self.has(open);
         // Otherwise the errors of these steps stand in the way of what is looked for.
         if (self.is_settled || by_meshes > by_steps) && until >= self.until {
-            meshes.retain(|mesh| mesh.1 > TOLD);
+            meshes.retain(|mesh| mesh.part > TOLD);
             (self.until, self.mesh) = (until, meshes);
         }
     }
+}
+
+/// What runs with different steps have found.
+struct Sets<'r> {
+    run: Ended<'r>,
+    outputs: &'r [Output],
+    /// Rows with the tolerance of Radau that found them, of finer meshes or not.
+    sets: Vec<(Vec<Vec<f64>>, f64, bool)>,
+    /// Outputs that two of them find alike: small as they may be beside what they are made of, they are there.
+    known: Vec<bool>,
+}
+
+impl<'r> Sets<'r> {
+    fn new(run: Ended<'r>, outputs: &'r [Output]) -> Self {
+        Self {
+            run,
+            outputs,
+            sets: Vec::new(),
+            known: vec![false; outputs.len()],
+        }
+    }
+
+    fn meet(&mut self, rows: &[Vec<f64>], rtol: f64, is_finer: bool) {
+        let marks = self.run.marks;
+        let mut alike = Vec::new();
+        // Errors of the same steps may be alike.
+        if !is_exact(&self.run) || differ(self.run.options.rtol, rtol) {
+            alike.push(marks.known(self.outputs, &marks.rows, rows));
+        }
+        for (others, ..) in self.sets.iter().filter(|set| set.2 == is_finer && differ(set.1, rtol)) {
+            alike.push(marks.known(self.outputs, &marks.with(others.clone()).rows, rows));
+        }
+        for alike in alike {
+            self.known
+                .iter_mut()
+                .zip(alike)
+                .for_each(|(known, alike)| *known |= alike);
+        }
+        self.sets.push((rows.to_vec(), rtol, is_finer));
+    }
+
+    fn from_run(&self, rows: &[Vec<f64>], rtol: f64) -> Vec<Off> {
+        let marks = self.run.marks;
+        marks.between(self.outputs, &marks.rows, rows, &self.known, rtol)
+    }
+
+    fn open(&self, rows: &[Vec<f64>]) -> Vec<bool> {
+        let marks = self.run.marks;
+        marks.open(self.outputs, rows, &self.known, self.run.options.rtol)
+    }
+}
+
+/// Whether tolerances differ by so much that errors of steps do.
+fn differ(one: f64, other: f64) -> bool {
+    one.max(other) > 0.5 * TEN * one.min(other)
 }
 
 /// Compares a run that went from the start of `own` with the motion of the `finer` meshes, where there are any, and with that of other steps.
@@ -183,6 +243,7 @@ pub(super) fn compare(
         rows
     };
     let mut kinds = [true, false].map(|is_motion| Kind::new(run, outputs, is_motion));
+    let mut found_so_far = Sets::new(run, outputs);
     let tolerances = tolerances(run.options.rtol, is_exact(&run), finer.is_some());
     for (place, &rtol) in tolerances.iter().enumerate() {
         if kinds.iter().all(|kind| kind.is_settled) {
@@ -195,10 +256,12 @@ pub(super) fn compare(
         let there = finer.map(|finer| rows(finer, rtol, FIRST, run.marks));
         if let Some(there) = &there {
             seen.rows.truncate(there.len());
-            let beyond = run.marks.differences(outputs, there, rtol);
+            found_so_far.meet(there, rtol, true);
+            let beyond = found_so_far.from_run(there, rtol);
+            let open = found_so_far.open(there);
             kinds
                 .iter_mut()
-                .for_each(|kind| kind.meet_finer(rtol, seen.until(), &beyond));
+                .for_each(|kind| kind.meet_finer(rtol, seen.until(), &beyond, &open));
             if kinds.iter().all(|kind| kind.is_settled) {
                 break;
             }
@@ -207,16 +270,21 @@ pub(super) fn compare(
             }
         }
         // The run itself serves where its steps are those of the second one.
-        let mut steps = Vec::new();
+        let (mut steps, mut open) = (Vec::new(), Vec::new());
         if !is_exact(&run) || run.options.rtol != rtol {
             let here = rows(&mut own, rtol, 1.0, &seen);
-            steps = run.marks.differences(outputs, &here, rtol);
+            found_so_far.meet(&here, rtol, false);
+            steps = found_so_far.from_run(&here, rtol);
+            open = found_so_far.open(&here);
             seen = run.marks.with(here);
         }
-        let meshes = there.map_or(Vec::new(), |there| run.marks.between(outputs, &seen, &there, rtol));
+        let meshes = there.map_or(Vec::new(), |there| {
+            run.marks
+                .between(outputs, &seen.rows, &there, &found_so_far.known, rtol)
+        });
         kinds
             .iter_mut()
-            .for_each(|kind| kind.meet(rtol, is_last, seen.until(), &meshes, &steps));
+            .for_each(|kind| kind.meet(rtol, is_last, seen.until(), [&meshes, &steps], &open));
     }
     found(own.scene, &run, outputs, judging, kinds)
 }
@@ -231,15 +299,13 @@ fn found(scene: &dyn Scene, run: &Ended<'_>, outputs: &[Output], judging: Judgin
     let until = there().map(|kind| kind.until).fold(f64::INFINITY, f64::min);
     let until = if until.is_finite() { until } else { 0.0 };
     let whole = run.marks.until();
-    let mut meshes: Vec<(usize, f64)> = kinds.iter().flat_map(|kind| kind.mesh.clone()).collect();
-    meshes.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let meshes = sorted(kinds.iter().flat_map(|kind| kind.mesh.clone()).collect());
     let seen = kinds.iter().filter(|kind| !kind.mesh.is_empty()).map(|kind| kind.until);
     let seen = Some(seen.fold(whole, f64::min)).filter(|&seen| seen < whole);
     let [motion, others] = kinds.map(|kind| kind.steps);
     // What is off in places is off in forces too.
     let rtol = if motion.1.is_empty() { others.0 } else { motion.0 };
-    let mut steps = [motion.1, others.1].concat();
-    steps.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let steps = sorted([motion.1, others.1].concat());
     Found {
         until,
         is_whole: until >= whole,
@@ -267,12 +333,12 @@ fn tolerances(rtol: f64, is_exact: bool, has_meshes: bool) -> Vec<f64> {
 }
 
 /// What parts of outputs say of the steps of a run, from what Radau finds with a tolerance.
-fn sentence_on_steps(run: &Ended<'_>, rtol: f64, outputs: &[Output], parts: &[(usize, f64)]) -> Option<String> {
+fn sentence_on_steps(run: &Ended<'_>, rtol: f64, outputs: &[Output], parts: &[Off]) -> Option<String> {
     let names = told(outputs, parts)?;
     let is_exact = is_exact(run);
     let moves = parts
         .iter()
-        .any(|&(index, part)| part > TOLD && is_of_motion(&outputs[index]));
+        .any(|off| off.part > TOLD && is_of_motion(&outputs[off.output]));
     if !is_exact && !moves {
         return Some(format!(
             "Radau with a tolerance of {rtol:.0e} finds the same motion with other forces, accelerations or energies, which differ by parts of their largest change or value, {names}. They follow vibrations that are too quick for the steps, which one method damps and the other keeps. Take a smaller `--rtol`, or give the model the damping that such vibrations have."

@@ -11,10 +11,14 @@ const NUMBERS: u64 = 400_000;
 const BESIDE: u64 = 4;
 /// Part of the largest change of an output from which on its error is told.
 pub(super) const TOLD: f64 = 0.01;
-/// Least change that counts: of the largest change of an output of the same unit, and, times the tolerance, of the largest value. Less is what
-/// a motion leaves where nothing moves, or a number that should not change.
-const SMALL: f64 = 1e-3;
+/// Least change that counts, in tolerances and at most: of the largest value of an output, and where nothing says that it is there, of what it is made of.
+/// Less is what a motion leaves where nothing moves, or a number that should not change.
 const KEPT: f64 = 1e3;
+const SMALL: f64 = 1e-3;
+/// Part of the tolerance, of what an output is made of, below which it is nothing.
+const NOTHING: f64 = 1e-3;
+/// Part of what an output is made of that may be the same noise in two runs.
+const LEAST: f64 = 1e-10;
 /// Relative error of a state that many steps leave.
 const ROUND_OFF: f64 = 1e-13;
 /// Part beyond which both are different motions.
@@ -30,6 +34,56 @@ pub(super) struct Marks {
     left_out: u64,
     /// What round-off makes of the outputs, by columns; empty until it is known.
     pub round_off: Vec<f64>,
+    /// Largest sizes of what the outputs are made of, by columns; empty where that is not looked at.
+    pub operands: Vec<f64>,
+}
+
+/// How far an output is off.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Off {
+    pub output: usize,
+    /// As part of its largest change or value, whichever is less,
+    pub part: f64,
+    /// or of this, in its unit, where both are nothing.
+    pub nothing: Option<f64>,
+}
+
+/// Rows of two runs in one output.
+struct Compared {
+    output: usize,
+    /// Their largest distance.
+    away: f64,
+    /// Largest change or value, whichever is less, of all rows of the run; largest value.
+    size: f64,
+    value: f64,
+    /// The same size of both runs as far as both go.
+    sizes: [f64; 2],
+    operands: f64,
+    round_off: f64,
+}
+
+impl Compared {
+    /// Two runs with different steps agree that there is something: it is no error of steps.
+    fn agrees(&self) -> bool {
+        let size = self.sizes[0].min(self.sizes[1]);
+        size > LEAST * self.operands && self.away <= WRONG * size
+    }
+
+    /// The size by which a distance is measured, of an output that is known to be there or not.
+    fn measure(&self, is_known: bool, rtol: f64) -> f64 {
+        let floor = if is_known { 0.0 } else { self.operands };
+        let kept = (KEPT * rtol).min(SMALL) * self.value.max(floor);
+        self.size.max(kept).max(self.round_off)
+    }
+
+    fn off(&self, is_known: bool, rtol: f64) -> Off {
+        let measure = self.measure(is_known, rtol);
+        Off {
+            output: self.output,
+            part: self.away / measure,
+            nothing: Some(measure).filter(|measure| *measure > self.size),
+        }
+    }
 }
 
 impl Keep for Marks {
@@ -38,9 +92,11 @@ impl Keep for Marks {
             rows,
             left_out: _,
             round_off,
+            operands,
         } = self;
         rows.keep(archive);
         round_off.keep(archive);
+        operands.keep(archive);
     }
 }
 
@@ -72,57 +128,98 @@ impl Marks {
             rows: times.zip(rows).collect(),
             left_out: self.left_out,
             round_off: self.round_off.clone(),
+            operands: self.operands.clone(),
         }
     }
 
-    /// The outputs with their distance from other rows, as part of their largest change, or of their largest
-    /// value where that is less; the largest first. Rows that are
-    /// not there are not compared; `rtol` is the tolerance of the run.
-    pub fn differences(&self, outputs: &[Output], rows: &[Vec<f64>], rtol: f64) -> Vec<(usize, f64)> {
-        self.between(outputs, self, rows, rtol)
+    /// Takes in what outputs are made of at a row.
+    pub fn meet_operands(&mut self, values: &[f64]) {
+        self.operands.resize(values.len(), 0.0);
+        for (largest, value) in self.operands.iter_mut().zip(values) {
+            // What has no size there may have one elsewhere.
+            *largest = largest.max(*value);
+        }
     }
 
-    /// The same of two other runs.
-    pub fn between(&self, outputs: &[Output], here: &Self, there: &[Vec<f64>], rtol: f64) -> Vec<(usize, f64)> {
+    /// The outputs with their distance from the rows of a run with other steps, as part of their largest change, or of their largest value where that is
+    /// less; the largest first. Rows that are not there are not compared; `rtol` is the tolerance of the run.
+    pub fn differences(&self, outputs: &[Output], rows: &[Vec<f64>], rtol: f64) -> Vec<Off> {
+        self.between(outputs, &self.rows, rows, &self.known(outputs, &self.rows, rows), rtol)
+    }
+
+    /// The same of two other runs, and outputs that are known to be there.
+    pub fn between(
+        &self,
+        outputs: &[Output],
+        here: &[(f64, Vec<f64>)],
+        there: &[Vec<f64>],
+        known: &[bool],
+        rtol: f64,
+    ) -> Vec<Off> {
+        let compared = self.compared(outputs, here, there);
+        let off = |of: &Compared| of.off(known[of.output], rtol);
+        sorted(compared.iter().map(off).collect())
+    }
+
+    /// Which outputs two runs with different steps find alike.
+    pub fn known(&self, outputs: &[Output], here: &[(f64, Vec<f64>)], there: &[Vec<f64>]) -> Vec<bool> {
+        let compared = self.compared(outputs, here, there);
+        compared.iter().map(Compared::agrees).collect()
+    }
+
+    /// Which outputs differ by no more than what they are made of is known to, but would be off by much if they were there.
+    pub fn open(&self, outputs: &[Output], there: &[Vec<f64>], known: &[bool], rtol: f64) -> Vec<bool> {
+        let compared = self.compared(outputs, &self.rows, there);
+        let is_open = |of: &Compared| {
+            let nothing = (NOTHING * rtol * of.operands).max(of.round_off);
+            !known[of.output]
+                && of.away <= TOLD * of.measure(false, rtol)
+                && of.away > TOLD * of.measure(true, rtol)
+                && of.sizes[0].max(of.sizes[1]) > nothing
+        };
+        compared.iter().map(is_open).collect()
+    }
+
+    fn compared(&self, outputs: &[Output], here: &[(f64, Vec<f64>)], there: &[Vec<f64>]) -> Vec<Compared> {
         let Some((_, begin)) = self.rows.first() else {
             return Vec::new();
         };
         let mut first = 0;
-        let mut judged = Vec::new();
+        let mut compared = Vec::with_capacity(outputs.len());
         for (index, output) in outputs.iter().enumerate() {
             let columns = first..first + output.width();
             first = columns.end;
             let size = |row: &[f64]| norm(row[columns.clone()].iter().copied());
-            let over = |value: &dyn Fn(&[f64]) -> f64| self.rows.iter().map(|(_, row)| value(row)).fold(0.0, f64::max);
-            let value = over(&size);
-            let whole = turn(output.unit).filter(|turn| {
-                let others = there.iter().map(|row| size(row)).fold(0.0, f64::max);
-                value.max(others) <= 0.5 * turn * (1.0 + 1e-9)
-            });
             let distance = |a: &[f64], b: &[f64]| norm(columns.clone().map(|column| a[column] - b[column]));
+            let of = |rows: &mut dyn Iterator<Item = &[f64]>| {
+                rows.fold([0.0f64, 0.0f64], |[change, value], row| {
+                    [change.max(distance(row, begin)), value.max(size(row))]
+                })
+            };
+            let own = |rows: &[(f64, Vec<f64>)], count: usize| of(&mut rows.iter().take(count).map(|row| &row.1[..]));
+            let [change, value] = own(&self.rows, usize::MAX);
+            let both = [
+                own(here, there.len()),
+                of(&mut there.iter().take(here.len()).map(|row| &row[..])),
+            ];
+            let whole = turn(output.unit).filter(|turn| value.max(both[1][1]) <= 0.5 * turn * (1.0 + 1e-9));
             let apart = |a: &[f64], b: &[f64]| {
                 let far = distance(a, b);
                 whole.map_or(far, |turn| far.min(turn - far))
             };
-            let pairs = here.rows.iter().zip(there);
-            let away = pairs.map(|((_, row), other)| apart(row, other)).fold(0.0, f64::max);
-            let change = over(&|row| distance(row, begin));
-            let round_off = self.round_off.get(columns).unwrap_or_default();
-            judged.push((index, change, value, away, norm(round_off.iter().copied())));
+            let pairs = here.iter().zip(there);
+            let in_columns = |of: &[f64]| norm(of.get(columns.clone()).unwrap_or_default().iter().copied());
+            compared.push(Compared {
+                output: index,
+                away: pairs.map(|((_, row), other)| apart(row, other)).fold(0.0, f64::max),
+                size: change.min(value),
+                value,
+                sizes: both.map(|[change, value]| change.min(value)),
+                operands: in_columns(&self.operands),
+                round_off: in_columns(&self.round_off),
+            });
         }
-        let least = |unit: &str| {
-            let same = || judged.iter().filter(|of| outputs[of.0].unit == unit);
-            let change = SMALL * same().map(|of| of.1).fold(0.0, f64::max);
-            let kept = (KEPT * rtol).min(SMALL) * same().map(|of| of.2).fold(0.0, f64::max);
-            change.max(kept)
-        };
-        let parts = judged.iter().map(|&(index, change, value, away, round_off)| {
-            let size = change.min(value).max(least(outputs[index].unit)).max(round_off);
-            (index, away / size)
-        });
-        let mut found: Vec<(usize, f64)> = parts.collect();
-        found.sort_by(|a, b| b.1.total_cmp(&a.1));
-        found
+        compared
     }
 }
 
@@ -170,20 +267,32 @@ pub(super) fn is_of_motion(output: &Output) -> bool {
 }
 
 /// The largest part.
-pub(super) fn largest(found: &[(usize, f64)]) -> f64 {
-    found.first().map_or(0.0, |found| found.1)
+pub(super) fn largest(found: &[Off]) -> f64 {
+    found.first().map_or(0.0, |off| off.part)
+}
+
+/// The largest first.
+pub(super) fn sorted(mut found: Vec<Off>) -> Vec<Off> {
+    found.sort_by(|a, b| b.part.total_cmp(&a.part));
+    found
 }
 
 /// The outputs whose errors are worth to be told, with these.
-pub(super) fn told(outputs: &[Output], found: &[(usize, f64)]) -> Option<String> {
-    let name = |&(output, part): &(usize, f64)| {
-        if part > WRONG {
-            return format!("`{}` by more than {:.0} %", outputs[output].name, 100.0 * WRONG);
+pub(super) fn told(outputs: &[Output], found: &[Off]) -> Option<String> {
+    let name = |&Off { output, part, nothing }: &Off| {
+        let Output { name, unit, .. } = outputs[output];
+        match nothing {
+            // What should not change has no part of its change.
+            Some(size) if unit == "1" => format!("`{name}` by about {:.1e}", part * size),
+            Some(size) => format!("`{name}` by about {:.1e} {unit}", part * size),
+            None if part > WRONG => format!("`{name}` by more than {:.0} %", 100.0 * WRONG),
+            None => {
+                let digits = usize::from(part < 0.1);
+                format!("`{name}` by about {:.digits$} %", 100.0 * part)
+            }
         }
-        let digits = usize::from(part < 0.1);
-        format!("`{}` by about {:.digits$} %", outputs[output].name, 100.0 * part)
     };
-    let worth = found.iter().filter(|&&(_, part)| part > TOLD);
+    let worth = found.iter().filter(|off| off.part > TOLD);
     listed(&worth.map(name).collect::<Vec<_>>(), MOST)
 }
 
@@ -252,12 +361,14 @@ mod tests {
         }
     }
 
-    /// Of three places one moves, one hardly and one not at all; energy is kept but for round-off; a force is as good as it is in any unit.
+    /// Of four places one moves, two hardly, of which the runs agree on one, and one not at all; energy is kept in one run and not in the other; a force is as good
+    /// as it is in any unit.
     #[test]
-    fn what_does_not_move_is_compared_with_what_does() {
+    fn what_two_runs_do_not_agree_on_is_compared_with_what_it_is_made_of() {
         let outputs = [
             output("moves", "m"),
             output("hardly", "m"),
+            output("little", "m"),
             output("stays", "m"),
             output("energy", "J"),
             output("force", "kN"),
@@ -265,22 +376,38 @@ mod tests {
         let mut marks = Marks::default();
         for k in 0..=40u32 {
             let t = f64::from(k) / 40.0;
-            marks.meet(k.into(), t, &[t, 1e-6 * t, 1e-13 * t, 5.0 + 1e-9 * t, t]);
+            marks.meet(k.into(), t, &[t, 1e-6 * t, 1e-6 * t, 1e-13 * t, 5.0 + 1e-9 * t, t]);
         }
-        let others: Vec<Vec<f64>> = marks
-            .rows
-            .iter()
-            .map(|(t, _)| vec![1.02 * t, 2e-6 * t, 0.0, 5.0, 1.05 * t])
-            .collect();
-        let found = marks.differences(&outputs, &others, 1e-6);
-        assert_eq!(found.len(), 5);
-        assert!(found[1].0 == 0 && (found[1].1 - 0.02).abs() < 1e-12, "{found:?}");
+        let others = |hardly: f64| -> Vec<Vec<f64>> {
+            let row = |t: f64| vec![1.02 * t, hardly * t, 1.04e-6 * t, 0.0, 5.0 + 1e-3 * t, 1.05 * t];
+            marks.rows.iter().map(|(t, _)| row(*t)).collect()
+        };
+        let rows = others(3e-6);
+        // What nothing is known of is made of itself.
+        let part = |marks: &Marks, rows: &[Vec<f64>], index: usize| {
+            let found = marks.differences(&outputs, rows, 1e-6);
+            found.iter().find(|found| found.output == index).unwrap().part
+        };
+        assert!((part(&marks, &rows, 1) - 2.0).abs() < 1e-9);
+        let mut measured = marks.clone();
+        measured.meet_operands(&[1.0, 1.0, 1.0, 1.0, 5.0, 1.0]);
+        let found = measured.differences(&outputs, &rows, 1e-6);
         assert_eq!(
             told(&outputs, &found).unwrap(),
-            "`force` by about 5.0 %, `moves` by about 2.0 %"
+            "`energy` by about 1.0e-3 J, `force` by about 5.0 %, `little` by about 4.0 %, `moves` by about 2.0 %"
         );
+        // A number that is 1e-6 of what it is made of may be an error of the steps, or there: another comparison has to tell.
+        let known = measured.known(&outputs, &measured.rows, &rows);
+        assert_eq!(known, [true, false, true, false, false, true]);
+        let open = measured.open(&outputs, &rows, &known, 1e-6);
+        assert_eq!(open, [false, true, false, false, false, false]);
+        let nearer = others(2.8e-6);
+        let known = measured.known(&outputs, &measured.with(rows.clone()).rows, &nearer);
+        assert!(known[1] && !known[3]);
+        let found = measured.between(&outputs, &measured.rows, &nearer, &known, 1e-6);
+        assert!(found[0].output == 1 && (found[0].part - 1.8).abs() < 1e-9, "{found:?}");
         // As far as there are rows.
-        assert!(told(&outputs, &marks.differences(&outputs, &others[..6], 1e-6)).is_none());
+        assert!(told(&outputs, &measured.differences(&outputs, &rows[..1], 1e-6)).is_none());
     }
 
     /// Between axes an angle jumps back by a turn: not at the same time in two runs.
@@ -293,7 +420,7 @@ mod tests {
         (0..1000).for_each(|k| marks.meet(k, k as f64, &row(k as f64)));
         let others: Vec<Vec<f64>> = (0..1000).map(|k| row(k as f64 + 2.0)).collect();
         let found = marks.differences(&outputs, &others, 1e-6);
-        let of = |index: usize| found.iter().find(|found| found.0 == index).unwrap().1;
+        let of = |index: usize| found.iter().find(|found| found.output == index).unwrap().part;
         assert!(
             (of(0) - 2.0 / 180.0).abs() < 1e-9 && (of(1) - 2.0 / 999.0).abs() < 1e-9,
             "{found:?}"

@@ -21,8 +21,10 @@ const AFFORDED: usize = 500_000;
 const TIMES: usize = 256;
 /// Least amplitude that is told, of the largest value seen.
 const TOLD: f64 = 0.05;
-/// What is below this part of the largest output of the same unit is small altogether.
-const SMALL: f64 = 1e-2;
+/// Amplitude that is nothing, in tolerances of what the output is made of.
+const SMALL: f64 = 10.0;
+/// States of which it is looked at what outputs are made of: one of so many.
+const LOOKED_AT: usize = 16;
 /// Least changes of sign about the mean.
 const CHANGES: usize = 5;
 /// A vibration lasts whose amplitude in the second half of the look is at least this part of that in the first half.
@@ -84,7 +86,16 @@ pub(super) fn unfollowed(scene: &mut dyn Scene, start: State, run: Followed<'_>,
         row
     };
     let rows: Vec<(f64, Vec<f64>)> = states.iter().map(|state| (state.t, read(state))).collect();
-    let mut found = missing(outputs, &rows, &read(run.end), step);
+    let last = read(run.end);
+    let mut nothing = vec![0.0; last.len()];
+    let mut operands = nothing.clone();
+    for state in states.iter().step_by(LOOKED_AT).chain([run.end]) {
+        scene.operands(state, &mut operands);
+        for (nothing, size) in nothing.iter_mut().zip(&operands) {
+            *nothing = f64::max(*nothing, SMALL * rtol * size);
+        }
+    }
+    let mut found = missing(outputs, &rows, &last, &nothing, step);
     found.sort_by(|a, b| b.part.total_cmp(&a.part));
     let told = |missed: &Missed| {
         let name = outputs[missed.output].name;
@@ -128,8 +139,8 @@ fn look(scene: &mut dyn Scene, start: State, (t_end, rtol): (f64, f64), ends: &E
     Some(states)
 }
 
-/// Outputs that swing quicker than steps of `step` (s) follow.
-fn missing(outputs: &[Output], rows: &[(f64, Vec<f64>)], last: &[f64], step: f64) -> Vec<Missed> {
+/// Outputs that swing quicker than steps of `step` (s) follow, by more than is nothing in a column.
+fn missing(outputs: &[Output], rows: &[(f64, Vec<f64>)], last: &[f64], nothing: &[f64], step: f64) -> Vec<Missed> {
     let mut first = 0;
     let columns: Vec<std::ops::Range<usize>> = outputs
         .iter()
@@ -145,18 +156,10 @@ fn missing(outputs: &[Output], rows: &[(f64, Vec<f64>)], last: &[f64], step: f64
     };
     let sizes: Vec<f64> = columns.iter().map(size).collect();
     let mut found = Vec::new();
-    for (index, output) in outputs.iter().enumerate() {
-        let alike = outputs
-            .iter()
-            .zip(&sizes)
-            .filter(|(other, _)| other.unit == output.unit);
-        let largest = alike.map(|(_, size)| *size).fold(0.0, f64::max);
-        if sizes[index].is_nan() || sizes[index] <= SMALL * largest {
-            continue;
-        }
-        let swings = columns[index].clone().filter_map(|column| {
+    for (index, columns) in columns.iter().enumerate() {
+        let swings = columns.clone().filter_map(|column| {
             let values: Vec<(f64, f64)> = rows.iter().map(|(t, row)| (*t, row[column])).collect();
-            swing(&values)
+            swing(&values).filter(|swing| swing.amplitude > nothing[column])
         });
         let Some(swing) = swings.max_by(|a, b| a.amplitude.total_cmp(&b.amplitude)) else {
             continue;
@@ -326,8 +329,11 @@ mod tests {
             vec![1.0 + quick, 1e-6 * quick, 1.0 + 1e-3 * quick]
         };
         let rows: Vec<(f64, Vec<f64>)> = seen(|t| t).iter().map(|&(t, _)| (t, values(t))).collect();
-        let found = missing(&outputs, &rows, &values(1.0), 0.1);
+        let found = missing(&outputs, &rows, &values(1.0), &[1e-5; 3], 0.1);
         assert!(found.len() == 1 && found[0].output == 0, "{found:?}");
-        assert!(missing(&outputs, &rows, &values(1.0), 0.01).is_empty());
+        assert!(missing(&outputs, &rows, &values(1.0), &[1e-5; 3], 0.01).is_empty());
+        // Of small things a small number is all.
+        let found = missing(&outputs, &rows, &values(1.0), &[1e-5, 1e-8, 1e-5], 0.1);
+        assert!(found.len() == 2 && found[1].output == 1, "{found:?}");
     }
 }

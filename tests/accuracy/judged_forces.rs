@@ -34,6 +34,41 @@ rncf::model! {
     }
 }
 
+rncf::model! {
+    /// A bob that bounces on a steel wire, by millimetres, and a stone that flies by, by kilometres.
+    pub model Bouncing {
+        material steel { density = 7800 kg/m^3; young = 210 GPa; damping = 1 ms; }
+        section round { area = 1 mm^2; second_moment = 0.08 mm^4; }
+        body wire { planar xy; line from [0, 0, 0] m to [0, -10, 0] m; mesh 4 * cable(round, steel); }
+        fixture bob on wire.end { mass = 5 kg; }
+        joint hook = pin(wire.start, inertial);
+        rigid stone { mass = 1 kg; origin = [0, 0, 100] m; velocity = [2, 0, 0] km/s; }
+        load weight = gravity([0, -9.81, 0] m/s^2);
+        output stretch = -10 m - wire.end.y;
+        output aside = wire.end.x;
+        output way = stone.position;
+        run { t_end = 1 s; every = 0.01 s; }
+    }
+}
+
+rncf::model! {
+    /// Two equal ropes that swing down, one turned and elsewhere: what they differ by is nothing.
+    pub model Copies {
+        material rubber { density = 1100 kg/m^3; young = 5 MPa; damping = 2 ms; }
+        section round { area = 78.5 mm^2; second_moment = 491 mm^4; }
+        body a { spatial; line from [0, 0, 0] m to [1, 0, 0] m; mesh 4 * cable(round, rubber); }
+        body b { spatial; line from [3.3, 1.7, 0.4] m to [4.1, 2.3, 0.4] m; mesh 4 * cable(round, rubber); }
+        joint hook_a = pin(a.start, inertial);
+        joint hook_b = pin(b.start, inertial);
+        load weight = gravity([0, 0, -9.81] m/s^2);
+        output lengths = norm(a.end) - norm(b.end - [3.3, 1.7, 0.4] m);
+        output heights = a.end.z - b.end.z + 0.4 m;
+        output pulls = hook_a.force.z - hook_b.force.z;
+        output tensions = a.start.axial_force - b.start.axial_force;
+        run { t_end = 0.5 s; every = 0.01 s; }
+    }
+}
+
 fn judged(elements: usize, method: Method, rtol: f64, judged: Judging) -> RunResult {
     run(&Flapping { elements }, &settings(method, rtol, judged)).unwrap()
 }
@@ -181,4 +216,44 @@ fn a_start_that_dies_away_within_a_row_is_told() {
         "{:?}",
         found.warnings
     );
+}
+
+/// An output is measured by its own size, whatever stands beside it.
+#[test]
+fn a_small_output_beside_large_ones_is_told() {
+    let hht = Method::Hht { alpha: -0.05 };
+    let of = |method, rtol, judging| run(&Bouncing::default(), &settings(method, rtol, judging)).unwrap();
+    let exact = of(Method::Radau, 1e-9, Judging::No);
+    for (method, rtol) in [(hht, 1e-6), (Method::Radau, 1e-4)] {
+        let found = of(method, rtol, Judging::Affordable);
+        let error = part_off(&[0], &found, &exact);
+        let told = found.warnings.iter().find_map(|note| told(note, "stretch"));
+        let told = told.unwrap_or_else(|| panic!("{method:?} {rtol}: {error}, {:?}", found.warnings));
+        assert!(
+            error > 0.02 && (1.0 / 3.0..3.0).contains(&(told / error)),
+            "{method:?} {rtol}: {error}, told {told}"
+        );
+        assert!(
+            !found.warnings.iter().any(|note| note.contains("`aside`")),
+            "{:?}",
+            found.warnings
+        );
+    }
+    assert_eq!(
+        of(Method::Radau, 1e-7, Judging::Affordable).warnings,
+        Vec::<String>::new()
+    );
+}
+
+/// A difference that is nothing is measured by what it is made of.
+#[test]
+fn a_difference_of_equal_copies_is_not_told() {
+    for (method, rtol) in [
+        (Method::Radau, 1e-4),
+        (Method::Radau, 1e-6),
+        (Method::Hht { alpha: -0.05 }, 1e-5),
+    ] {
+        let found = run(&Copies::default(), &settings(method, rtol, Judging::Affordable)).unwrap();
+        assert_eq!(found.warnings, Vec::<String>::new(), "{method:?} {rtol}");
+    }
 }

@@ -40,6 +40,11 @@ impl Scene for ModalScene {
         self.in_elements(|scene, full| scene.outputs(full, out));
     }
 
+    fn operands(&mut self, state: &State, out: &mut [f64]) {
+        self.expand(state);
+        self.in_elements(|scene, full| scene.operands(full, out));
+    }
+
     fn curves(&self) -> Vec<Curve> {
         self.scene.curves()
     }

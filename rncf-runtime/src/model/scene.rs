@@ -20,6 +20,13 @@ pub trait Scene: System + Send {
     /// Values of all outputs, SI, at a state.
     fn outputs(&mut self, state: &State, out: &mut [f64]);
 
+    /// Sizes of what all outputs are made of at a state, SI, one for each column: a difference of two ways has that of the ways. An output is
+    /// known as well as these are. Default: the values themselves.
+    fn operands(&mut self, state: &State, out: &mut [f64]) {
+        self.outputs(state, out);
+        out.iter_mut().for_each(|value| *value = value.abs());
+    }
+
     /// The flexible bodies whose section states are told, in the order of [`Scene::section_states`].
     fn section_bodies(&self) -> Vec<SectionBody> {
         Vec::new()

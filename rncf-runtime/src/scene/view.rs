@@ -29,6 +29,12 @@ impl Scene for MeshScene {
         self.evaluate_outputs(state.t, 1.0, &state.lambda, out);
     }
 
+    fn operands(&mut self, state: &State, out: &mut [f64]) {
+        self.load_state(state);
+        self.follow();
+        self.operands_of_outputs(state, out);
+    }
+
     fn bodies(&self) -> Vec<DescribedBody> {
         self.described_bodies()
     }

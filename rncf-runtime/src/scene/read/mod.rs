@@ -7,6 +7,7 @@ pub(crate) mod configuration;
 pub(crate) mod followed;
 pub(crate) mod masses;
 pub(crate) mod mesh_error;
+pub(crate) mod operands;
 pub(crate) mod outputs;
 pub(crate) mod overstretch;
 pub(crate) mod point_forces;

@@ -162,7 +162,7 @@ impl MeshScene {
 
     /// What a joint exerts on its body, in the joint's frame: the unbalanced generalised force on
     /// its node is what the joint must supply; `m = slope x force on the slope`.
-    fn reaction(&self, joint: usize, moment: bool, t: f64, lambda: &[f64]) -> Vector {
+    pub(crate) fn reaction(&self, joint: usize, moment: bool, t: f64, lambda: &[f64]) -> Vector {
         let spec = &self.joints[joint];
         let body = &self.bodies[spec.body];
         let frames = &self.buffers.frames;
@@ -267,11 +267,17 @@ impl MeshScene {
         if has_sections {
             self.set_sections(t, load_scale, lambda);
         }
+        let observed = self.observed_values(t, lambda);
+        self.parts.outputs(t, &observed, out);
+    }
+
+    /// What outputs read at the loaded state; forces must be evaluated for reactions.
+    pub(crate) fn observed_values(&mut self, t: f64, lambda: &[f64]) -> Vec<f64> {
         let mut reaches = self.taken_reaches();
-        let observed: Vec<f64> = (0..self.observed.len())
+        let observed = (0..self.observed.len())
             .map(|index| self.observe(index, t, lambda, &mut reaches))
             .collect();
         self.buffers.reaches = reaches;
-        self.parts.outputs(t, &observed, out);
+        observed
     }
 }
