@@ -196,7 +196,7 @@ impl<'r> Sets<'r> {
         self.sets.push((rows.to_vec(), rtol, is_finer));
     }
 
-    fn from_run(&self, rows: &[Vec<f64>], rtol: f64) -> Vec<Off> {
+    fn off(&self, rows: &[Vec<f64>], rtol: f64) -> Vec<Off> {
         let marks = self.run.marks;
         marks.between(self.outputs, &marks.rows, rows, &self.known, rtol)
     }
@@ -257,7 +257,7 @@ pub(super) fn compare(
         if let Some(there) = &there {
             seen.rows.truncate(there.len());
             found_so_far.meet(there, rtol, true);
-            let beyond = found_so_far.from_run(there, rtol);
+            let beyond = found_so_far.off(there, rtol);
             let open = found_so_far.open(there);
             kinds
                 .iter_mut()
@@ -274,7 +274,7 @@ pub(super) fn compare(
         if !is_exact(&run) || run.options.rtol != rtol {
             let here = rows(&mut own, rtol, 1.0, &seen);
             found_so_far.meet(&here, rtol, false);
-            steps = found_so_far.from_run(&here, rtol);
+            steps = found_so_far.off(&here, rtol);
             open = found_so_far.open(&here);
             seen = run.marks.with(here);
         }

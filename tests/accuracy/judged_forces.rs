@@ -54,10 +54,10 @@ rncf::model! {
 rncf::model! {
     /// Two equal ropes that swing down, one turned and elsewhere: what they differ by is nothing.
     pub model Copies {
-        material rubber { density = 1100 kg/m^3; young = 5 MPa; damping = 2 ms; }
+        material _rubber { density = 1100 kg/m^3; young = 5 MPa; damping = 2 ms; }
         section round { area = 78.5 mm^2; second_moment = 491 mm^4; }
-        body a { spatial; line from [0, 0, 0] m to [1, 0, 0] m; mesh 4 * cable(round, rubber); }
-        body b { spatial; line from [3.3, 1.7, 0.4] m to [4.1, 2.3, 0.4] m; mesh 4 * cable(round, rubber); }
+        body a { spatial; line from [0, 0, 0] m to [1, 0, 0] m; mesh 4 * cable(round, _rubber); }
+        body b { spatial; line from [3.3, 1.7, 0.4] m to [4.1, 2.3, 0.4] m; mesh 4 * cable(round, _rubber); }
         joint hook_a = pin(a.start, inertial);
         joint hook_b = pin(b.start, inertial);
         load weight = gravity([0, 0, -9.81] m/s^2);
