@@ -114,6 +114,26 @@ def test_stubs_are_up_to_date():
         assert file.read() == text, "write them anew: python -c 'import swing; print(swing.stubs(swing), end=\"\")' > swing.pyi"
 
 
+def test_type_checkers_know_what_may_be_set_and_read():
+    try:
+        from mypy import api
+    except ImportError:
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "use.py")
+
+        def told(text):
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(f"import swing\nmodel = swing.Swing(elements=8)\n{text}\n")
+            os.environ["MYPYPATH"] = HERE
+            return api.run(["--strict", "--cache-dir", os.path.join(folder, "cache"), path])[0]
+
+        right = 'model.length = "2 m"\nlength: float = model.length\nlen(model.modes(3))\nmodel.params["g"]["unit"]'
+        assert told(right).startswith("Success"), told(right)
+        assert "lenght" in told('swing.Swing(lenght="2 m")')
+        assert "Incompatible types" in told("model.elements = 2.5")
+
+
 if __name__ == "__main__":
     warnings.simplefilter("error")
     for name, test in list(globals().items()):

@@ -15,10 +15,13 @@ pub mod linalg;
 mod modal;
 pub mod model;
 pub mod modes;
+pub mod nearest;
 mod scene;
 pub mod space;
 pub mod system;
+pub mod units;
 
+pub use emitted::TableFile;
 pub use equilibrium::{Equilibrium, steady};
 pub use error::{ModelError, SolveError};
 pub use integrate::{Integrator, Method, Options, Parameter, Statistics, StepSize, Stop};

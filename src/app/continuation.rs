@@ -594,7 +594,9 @@ fn check(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<(), Run
             range.param
         )));
     };
-    let problem = if param.kind == ParamKind::Count {
+    let problem = if let ParamKind::Table(_) = param.kind {
+        "a file does not change continuously: give one value"
+    } else if param.kind == ParamKind::Count {
         "a count does not change continuously: give one value"
     } else if !(range.from.is_finite() && range.to.is_finite()) {
         "the range is not finite"

@@ -10,7 +10,7 @@ use super::arguments::{Program, Refusal, parse};
 use super::command::Command;
 use super::doubts::doubts;
 use super::execute::{Failure, INTERRUPTION, MISTAKE, execute};
-use super::nearest::nearest;
+use crate::nearest::nearest;
 use crate::{AnyModel, Model};
 
 /// Set by Ctrl-C, or another signal that asks for the end; the work ends after its step, and its files are written.

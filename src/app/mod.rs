@@ -79,7 +79,6 @@ mod map;
 mod marks;
 mod mass_table;
 mod modes;
-mod nearest;
 #[cfg(test)]
 mod page_tests;
 mod parallel;
@@ -101,10 +100,11 @@ mod sketch;
 mod steady;
 mod summary;
 #[cfg(test)]
+mod table_file_tests;
+#[cfg(test)]
 mod testing;
 mod tracker;
 mod unfollowed;
-mod units;
 
 pub use advise::{Advised, AdvisedRung, Wanted, advise};
 pub use campbell::{Campbell, Crossing, campbell, campbell_watched};

@@ -1,8 +1,11 @@
 //! Parameters and other quantities as text: `omega_s="40 rad/s"`, `elements=24`, `--t-end "20 s"`.
 
+use std::path::Path;
+
 use super::command::Command;
-use super::nearest::nearest;
-use super::units::{Dimension, Number, SECOND, Unit};
+use crate::emitted::{TableFile, TableForm};
+use crate::nearest::nearest;
+use crate::units::{Dimension, Number, SECOND, Unit};
 use crate::{AnyModel, Param, ParamKind};
 
 /// What is given of a parameter: one value, or several in some way.
@@ -86,6 +89,10 @@ fn read(model: &dyn AnyModel, word: &str) -> Result<(usize, Given), String> {
         return Err(unknown(model, name));
     };
     let param = &model.params()[index];
+    if let ParamKind::Table(form) = param.kind {
+        let number = file(form, text).map_err(|mistake| format!("`{name}={text}`: {mistake}"))?;
+        return Ok((index, Given::One(number)));
+    }
     let given = if let Some(inside) = text.strip_prefix("normal(") {
         normal(param, inside).map(Given::Several)
     } else if text.contains(',') {
@@ -106,7 +113,23 @@ fn value(param: &Param, text: &str) -> Result<f64, String> {
     match param.kind {
         ParamKind::Count => count(text),
         ParamKind::Quantity => quantity(text, param.unit, param.dimension),
+        ParamKind::Table(form) => file(form, text),
     }
+}
+
+/// The number of a file with a table. The path of the declaration is, where it leads nowhere from here, the table that the model was
+/// built with.
+fn file(form: &'static TableForm, text: &str) -> Result<f64, String> {
+    if !Path::new(text).exists() {
+        if text == form.file {
+            return Ok(0.0);
+        }
+        if text.contains(',') {
+            return Err("a parameter that names a file takes one: make a run for each".into());
+        }
+    }
+    let read = TableFile::declared(form).read(text);
+    Ok(read.map_err(|error| error.to_string())?.number())
 }
 
 /// A value whose unit may stand behind a later one.
@@ -295,6 +318,9 @@ pub(super) fn angular_velocity(flag: &str, text: &str, example: &str) -> Result<
 
 /// A value in the declared unit, e.g. `4 rad/s`; `value` in SI.
 pub(super) fn in_unit(param: &Param, value: f64) -> String {
+    if let ParamKind::Table(form) = param.kind {
+        return TableFile::declared(form).numbered(value).path().to_owned();
+    }
     let number = short(value / param.unit_si);
     match (param.kind, param.unit) {
         (ParamKind::Count, _) | (_, "1" | "") => number,

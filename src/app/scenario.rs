@@ -24,8 +24,8 @@ use super::command::Command;
 use super::execute::{FAILURE, Failure, MISTAKE};
 use super::files;
 use super::hash::hash;
-use super::nearest::nearest;
 use super::parameters::in_unit;
+use crate::nearest::nearest;
 use crate::{AnyModel, ParamKind};
 
 /// Flags that say where something goes and not what it is.
@@ -253,7 +253,7 @@ impl Reader<'_> {
             };
             let example = match param.kind {
                 ParamKind::Count => in_unit(param, param.default),
-                ParamKind::Quantity => quoted(&in_unit(param, param.default)),
+                ParamKind::Quantity | ParamKind::Table(_) => quoted(&in_unit(param, param.default)),
             };
             let text = match value.get_ref() {
                 DeValue::Array(parts) => {

@@ -307,6 +307,20 @@ pub(super) fn put(summary: &mut Summary, key: &str, value: Value) {
     summary.insert(key.into(), value);
 }
 
+/// Checksums of what parameters that name files have read: 0 for a table of the build.
+pub(super) fn checksums(model: &dyn AnyModel) -> Summary {
+    let params = model.params().iter().enumerate();
+    let files = params.filter(|(_, param)| matches!(param.kind, ParamKind::Table(_)));
+    files
+        .map(|(index, param)| {
+            (
+                param.name.to_owned(),
+                json!(format!("{:013x}", model.get(index) as u64)),
+            )
+        })
+        .collect()
+}
+
 pub(super) fn head(model: &dyn AnyModel, command: &str) -> Summary {
     let mut summary = Summary::new();
     put(&mut summary, "model", json!(model.name()));
@@ -318,6 +332,7 @@ pub(super) fn head(model: &dyn AnyModel, command: &str) -> Summary {
         let value = match param.kind {
             ParamKind::Count => json!(value as u64),
             ParamKind::Quantity => json!(value),
+            ParamKind::Table(_) => json!(in_unit(param, value)),
         };
         (param.name.to_owned(), value)
     });
@@ -327,6 +342,10 @@ pub(super) fn head(model: &dyn AnyModel, command: &str) -> Summary {
         (param.name.to_owned(), value)
     });
     put(&mut summary, "parameters_in_units", Value::Object(given.collect()));
+    let files = checksums(model);
+    if !files.is_empty() {
+        put(&mut summary, "checksums_of_tables", Value::Object(files));
+    }
     put(
         &mut summary,
         "model_hash",

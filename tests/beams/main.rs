@@ -12,4 +12,5 @@ mod roll_up;
 mod runs;
 mod scenes;
 mod statics;
+mod table_files;
 mod timed_elements;

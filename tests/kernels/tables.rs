@@ -16,10 +16,14 @@ fn the_generator_reads_tables_as_programs_do() {
             is_relative,
             is_smooth,
             columns: vec![model::Column {
+                header: None,
                 name: "EI".into(),
                 dimension: [0; 6],
                 values: VALUES.to_vec(),
             }],
+            placed_by: vec![0],
+            alike: Vec::new(),
+            is_param: false,
         };
         let theirs = Table {
             name: "rows",

@@ -156,10 +156,7 @@ pub fn format(text: &str) -> String {
 fn names(tree: &Tree) -> HashMap<String, Span> {
     let spans = Spans::of(tree);
     let mut names = HashMap::from([(tree.name.text.clone(), spans.name)]);
-    let params = tree
-        .items
-        .iter()
-        .filter(|item| item.keyword == parse::tree::Keyword::Param);
+    let params = tree.items.iter().filter(|item| item.is_param());
     names.extend(
         params
             .zip(spans.params)

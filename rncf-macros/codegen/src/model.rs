@@ -115,6 +115,8 @@ pub struct Param {
     pub default: f64,
     /// Whether it counts things (a `usize` field).
     pub is_count: bool,
+    /// Whether it names the file of the table with its name (a `TableFile` field).
+    pub is_table: bool,
 }
 
 /// `motion theta(t) = ...`

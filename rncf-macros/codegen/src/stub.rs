@@ -5,7 +5,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use crate::check::Spans;
-use crate::parse::tree::{Item, ItemKind, Keyword, Tree};
+use crate::parse::tree::{Item, ItemKind, Tree};
 
 /// The struct of the declaration with its parameters (also of those whose value could not be read)
 /// and a stub of `::rncf::Model`. Emit it beside the errors; without any tree there is nothing to
@@ -73,11 +73,7 @@ pub fn stub(tree: &Tree) -> TokenStream {
 
 /// One field per parameter; of two with the same name the first.
 fn fields(tree: &Tree) -> Vec<TokenStream> {
-    let params: Vec<&Item> = tree
-        .items
-        .iter()
-        .filter(|item| item.keyword == Keyword::Param)
-        .collect();
+    let params: Vec<&Item> = tree.items.iter().filter(|item| item.is_param()).collect();
     let is_first = |at: usize| params[..at].iter().all(|other| other.name.text != params[at].name.text);
     (0..params.len())
         .filter(|at| is_first(*at))
@@ -94,6 +90,7 @@ fn field(item: &Item) -> TokenStream {
     };
     let kind = match item.kind {
         ItemKind::Param { count: true, .. } => quote!(usize),
+        ItemKind::FileTable { .. } => quote!(::rncf::TableFile),
         _ => quote!(f64),
     };
     quote!(#[doc = #doc] pub #name: #kind)

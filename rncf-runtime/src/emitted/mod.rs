@@ -28,6 +28,7 @@ mod section_energy;
 mod section_spec;
 mod spline;
 mod table;
+mod table_file;
 
 pub use crate::import::{Imported, ImportedSpec};
 pub use crate::space::{Matrix, Vector};
@@ -64,6 +65,7 @@ pub use repeated::{DensitySpec, Reduction, ShareSpec, StartSpec, declared, first
 pub use section_energy::{Section, SectionPoint};
 pub use section_spec::{SectionQuantity, SectionShape, SectionSpec};
 pub use table::Table;
+pub use table_file::{FileColumn, TableFile, TableForm};
 
 pub(crate) use body_spec::MAX_SIZE;
 pub(crate) use gauss::{FIVE, legendre};

@@ -15,6 +15,7 @@ pub use picture::{Configuration, Curve, Sign, SignKind, SignPlace};
 pub use scene::{FrameState, Pose, Scene, Warning};
 pub use uniform::{Kind, Spin, Uniform};
 
+use crate::emitted::TableForm;
 use crate::error::ModelError;
 
 /// How the bodies are described.
@@ -86,6 +87,8 @@ pub enum ParamKind {
     Quantity,
     /// A number of things: a whole number of at least 1.
     Count,
+    /// A file with a table, as [`TableFile::number`].
+    Table(&'static TableForm),
 }
 
 /// A run-time parameter of a model.
@@ -331,6 +334,12 @@ pub fn check_params<M: Model>(model: &M) -> Result<(), ModelError> {
 fn check_values(params: &[Param], value_of: &dyn Fn(usize) -> f64) -> Result<(), ModelError> {
     for (index, param) in params.iter().enumerate() {
         let value = value_of(index);
+        if let (ParamKind::Table(_), false) = (param.kind, value.is_finite()) {
+            return Err(ModelError::new(format!(
+                "parameter `{}` has the number of no file that was read: set it to one by `TableFile::read`",
+                param.name
+            )));
+        }
         if !value.is_finite() {
             return Err(ModelError::new(format!(
                 "parameter `{}` is {value}: give it a finite value",

@@ -4,8 +4,8 @@ use clap::{Arg, ArgAction, ArgMatches};
 
 use crate::app::arguments::text;
 use crate::app::flags::value;
-use crate::app::nearest::nearest;
 use crate::app::parameters::{short, time};
+use crate::nearest::nearest;
 use crate::{AnyModel, Formulation, Method, Output};
 
 /// Tolerances, loosest first, where none are given.

@@ -7,8 +7,8 @@ use crate::AnyModel;
 use crate::app::arguments::text;
 use crate::app::chart::flags::column_names;
 use crate::app::command::Command;
-use crate::app::nearest::nearest;
 use crate::app::parameters::{digits, in_unit_of};
+use crate::nearest::nearest;
 
 /// The flags of which one says what is looked for.
 const FLAGS: [&str; 3] = ["minimise", "maximise", "fit"];

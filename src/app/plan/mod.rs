@@ -35,7 +35,7 @@ use super::hash::hash;
 use super::parallel::on_all_cores;
 use super::parameters::{Varied, digits, in_unit, short, time};
 use super::progress::Bar;
-use super::summary::{self, put};
+use super::summary::{self, checksums, put};
 use super::{chart, files};
 use crate::AnyModel;
 
@@ -111,7 +111,12 @@ impl Plan {
 fn name_of(arguments: &Arguments, text: &str) -> String {
     let version = env!("CARGO_PKG_VERSION");
     let (of, source) = (arguments.plan.of.name(), arguments.model().source());
-    format!("{:016x}", hash(&format!("{version} {of}\n{text}\n{source}")))
+    let mut whole = format!("{version} {of}\n{text}\n{source}");
+    // Under the same path another table may stand.
+    for (name, number) in checksums(arguments.model()) {
+        whole += &format!("\n{name} {number}");
+    }
+    format!("{:016x}", hash(&whole))
 }
 
 /// The flags of plans; `--outputs`, `--limit` and `--fresh` are those of `chart`, too.

@@ -251,6 +251,10 @@ class _Model:
         if isinstance(value, (list, tuple, np.ndarray)):
             return f"{name}=" + ",".join(cls._word(name, one).split("=", 1)[1] for one in value)
         param, number = cls._params()[name], _number(value)
+        if param["is_file"]:
+            if not hasattr(value, "__fspath__"):
+                raise TypeError(f"`{name}` is the path of a file with a table")
+            return f"{name}={os.fspath(value)}"
         if number is None:
             raise TypeError(f"`{name}` is a text with its unit, as in '4 {param['unit']}', or a number in SI")
         if param["is_count"]:
@@ -269,25 +273,33 @@ class _Model:
     def __getattr__(self, name):
         names = list(self._params())
         if name in names:
-            value = self._core.values(["run", *self._given.values()])[names.index(name)]
-            return int(value) if self._params()[name]["is_count"] else value
+            return self._values()[name]
         raise AttributeError(_unknown("param or method", name, [*names, "run", "steady", "static", "modes", "sweep"]))
+
+    def _values(self):
+        """Names and values of the params: SI, whole numbers for counts, paths for files."""
+        words = ["run", *self._given.values()]
+        values, texts = self._core.values(words), self._core.texts(words)
+        return {
+            name: text if param["is_file"] else int(value) if param["is_count"] else value
+            for (name, param), value, text in zip(self._params().items(), values, texts)
+        }
 
     def __dir__(self):
         return [*super().__dir__(), *self._params()]
 
     def __repr__(self):
-        values = self._core.values(["run", *self._given.values()])
-        shown = [f"{name}={value:.6g}" for name, value in zip(self._params(), values)]
+        values = self._values().items()
+        shown = [f"{name}={value!r}" if isinstance(value, str) else f"{name}={value:.6g}" for name, value in values]
         return f"{type(self).__name__}({', '.join(shown)})"
 
     @property
     def params(self):
         """Names, units and meanings of the params, with the values in SI."""
-        values = self._core.values(["run", *self._given.values()])
+        values = self._values()
         return {
-            name: {"value": value, "unit": param["unit"], "doc": param["doc"]}
-            for (name, param), value in zip(self._params().items(), values)
+            name: {"value": values[name], "unit": param["unit"], "doc": param["doc"]}
+            for name, param in self._params().items()
         }
 
     @property
@@ -373,7 +385,9 @@ def model_class(core, module):
     """The class of a model."""
     described = json.loads(core.describe())
     doc = [described["doc"], "", "Params (texts with a unit, or numbers in SI):"]
-    doc += [f"    {param['name']} [{param['unit']}]: {param['doc']}" for param in described["params"]]
+    for param in described["params"]:
+        unit = "path of a file" if param["is_file"] else param["unit"]
+        doc.append(f"    {param['name']} [{unit}]: {param['doc']}")
     doc += ["", "Outputs:"]
     doc += [f"    {output['name']} [{output['unit']}]: {output['doc']}" for output in described["outputs"]]
     fields = {"_core": core, "_described": described, "_notes": described["notes"], "__doc__": "\n".join(doc)}
@@ -382,7 +396,10 @@ def model_class(core, module):
 
 def stubs(module):
     """The text of the module's .pyi file, for editors and type checkers."""
-    lines = ["from typing import Any, Callable", "", "import numpy as np", ""]
+    models = [value for value in vars(module).values() if isinstance(value, type) and issubclass(value, _Model)]
+    has_files = any(param["is_file"] for model in models for param in model._params().values())
+    lines = ["from os import PathLike"] if has_files else []
+    lines += ["from typing import Any, Callable", "", "import numpy as np", ""]
     lines += ["Progress = bool | Callable[[float, float], Any]", ""]
     shown = {
         "Incomplete(RuntimeError)": ["result: Any"],
@@ -392,6 +409,7 @@ def stubs(module):
             "damping_ratios: np.ndarray",
             "summary: dict[str, Any]",
             "notes: list[str]",
+            "def __len__(self) -> int: ...",
             "def to_pandas(self) -> Any: ...",
         ],
         "_Table": [
@@ -416,6 +434,7 @@ def stubs(module):
             "notes: list[str]",
             "def __getitem__(self, name: str) -> Any: ...",
             "def __len__(self) -> int: ...",
+            "def keys(self) -> list[str]: ...",
             "def to_pandas(self) -> Any: ...",
         ],
     }
@@ -423,11 +442,18 @@ def stubs(module):
         lines += [f"class {name}:", *(f"    {line}" for line in body), ""]
     for name, value in vars(module).items():
         if isinstance(value, type) and issubclass(value, _Model):
-            params = {param: "int" if told["is_count"] else "float" for param, told in value._params().items()}
+            kinds = value._params().items()
+            params = {name: "str" if one["is_file"] else "int" if one["is_count"] else "float" for name, one in kinds}
             params = {param: kind for param, kind in params.items() if not keyword.iskeyword(param)}
             lines.append(f"class {name}:")
-            lines += [f"    {param}: {kind}" for param, kind in params.items()]
-            given = "".join(f", {param}: {kind} | str = ..." for param, kind in params.items())
+            wider = {"str": "str | PathLike[str]", "int": "int | str", "float": "float | str"}
+            for param, kind in params.items():
+                # More can be set than is read: texts with units.
+                lines += ["    @property", f"    def {param}(self) -> {kind}: ..."]
+                lines += [f"    @{param}.setter", f"    def {param}(self, value: {wider[kind]}) -> None: ..."]
+            lines += ["    @property", "    def params(self) -> dict[str, dict[str, Any]]: ..."]
+            lines += ["    @property", "    def source(self) -> str: ..."]
+            given = "".join(f", {param}: {wider[kind]} = ..." for param, kind in params.items())
             star = ", *" if params else ""
             lines.append(f"    def __init__(self{star}{given}) -> None: ...")
             lines.append("    def run(self, *, progress: Progress = ..., **settings: Any) -> Run: ...")

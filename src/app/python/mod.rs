@@ -23,6 +23,7 @@ use super::execute::{MISTAKE, execute};
 use super::flags::command_line;
 use super::history::History;
 use super::modes::modes;
+use super::parameters::in_unit;
 use super::run::run_watched;
 use super::run_error::RunError;
 use super::scenario;
@@ -192,6 +193,7 @@ impl Core {
                 "unit": param.unit,
                 "dimension": param.dimension,
                 "is_count": param.kind == ParamKind::Count,
+                "is_file": matches!(param.kind, ParamKind::Table(_)),
                 "doc": param.doc.trim(),
             })
         });
@@ -216,6 +218,14 @@ impl Core {
         let arguments = self.arguments(words)?;
         let model = arguments.model();
         Ok((0..model.params().len()).map(|index| model.get(index)).collect())
+    }
+
+    /// The same as texts with their units, and paths of files.
+    fn texts(&self, words: Vec<String>) -> PyResult<Vec<String>> {
+        let arguments = self.arguments(words)?;
+        let model = arguments.model();
+        let params = model.params().iter().enumerate();
+        Ok(params.map(|(index, param)| in_unit(param, model.get(index))).collect())
     }
 
     #[pyo3(signature = (words, progress=None))]

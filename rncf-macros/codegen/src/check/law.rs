@@ -92,6 +92,8 @@ impl<'a> Check<'a> {
                     self.errors.at(call.area, message);
                     return None;
                 }
+                let other = columns.iter().position(|column| column.name == other.name);
+                self.model.tables[table.0].alike.extend(other.map(|other| [other, at]));
                 continue;
             }
             if let Some((_, area)) = values.get(property.name) {

@@ -147,6 +147,10 @@ impl<'a> Check<'a> {
     fn curve(&mut self, name: &Name, known: &Known) -> Option<Line> {
         let id = self.table(name)?;
         let table = &self.model.tables[id.0];
+        if table.is_param {
+            self.errors.at(name.span, say::CURVE_OF_PARAM);
+            return None;
+        }
         let coordinate = |word: &str| {
             let column = table.columns.iter().find(|column| column.name == word)?;
             (column.dimension == FROM.dimension).then(|| column.values.clone())

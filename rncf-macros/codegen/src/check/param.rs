@@ -4,7 +4,7 @@ use super::expr::Scope;
 use super::quantity::{Nature, Typed, Wanted};
 use super::{Check, fold, say};
 use crate::model::{Expr as Value, Param, ParamId};
-use crate::parse::tree::{Expr, ExprKind, Item, ItemKind, Keyword, UnitText};
+use crate::parse::tree::{Expr, ExprKind, Item, ItemKind, UnitText};
 use crate::suggest;
 
 const RUN_FIELDS: &[&str] = &["t_end", "every"];
@@ -12,9 +12,14 @@ const RUN_FIELDS: &[&str] = &["t_end", "every"];
 impl<'a> Check<'a> {
     /// Parameters in order, then constants.
     pub(super) fn params(&mut self) {
-        for item in self.items(Keyword::Param) {
-            let ItemKind::Param { count, value } = &item.kind else {
-                continue;
+        for item in self.tree.items.iter().filter(|item| item.is_param()) {
+            let (count, value) = match &item.kind {
+                ItemKind::Param { count, value } => (count, value),
+                ItemKind::FileTable { .. } => {
+                    self.model.params.push(table_param(item));
+                    continue;
+                }
+                _ => continue,
             };
             let param = value.as_ref().and_then(|value| {
                 if *count {
@@ -57,6 +62,7 @@ impl<'a> Check<'a> {
                 dimension,
                 default,
                 is_count: false,
+                is_table: false,
             },
             typed.nature,
         ))
@@ -80,6 +86,7 @@ impl<'a> Check<'a> {
                 dimension: [0; 6],
                 default,
                 is_count: true,
+                is_table: false,
             },
             Nature::default(),
         ))
@@ -158,6 +165,20 @@ impl<'a> Check<'a> {
                 }
             }
         }
+    }
+}
+
+/// A parameter whose value is a file.
+fn table_param(item: &Item) -> Param {
+    Param {
+        name: item.name.text.clone(),
+        doc: item.doc.clone(),
+        unit: "1".to_string(),
+        unit_si: 1.0,
+        dimension: [0; 6],
+        default: 0.0,
+        is_count: false,
+        is_table: true,
     }
 }
 

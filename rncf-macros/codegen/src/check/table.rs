@@ -25,7 +25,9 @@ impl<'a> Check<'a> {
         for item in self.items(Keyword::Table) {
             let id = match &item.kind {
                 ItemKind::Table(fields) => self.table_of_columns(item, fields),
-                ItemKind::FileTable { path, area, arguments } => self.table_of_file(item, path, *area, arguments),
+                ItemKind::FileTable {
+                    path, area, arguments, ..
+                } => self.table_of_file(item, path, *area, arguments),
                 _ => None,
             };
             self.tables.insert(item.name.text.as_str(), id);
@@ -47,6 +49,7 @@ impl<'a> Check<'a> {
             match self.column_values(&field.value) {
                 Some((values, dimension)) => columns.push(Column {
                     name: field.name.text.clone(),
+                    header: None,
                     dimension,
                     values,
                 }),
@@ -236,6 +239,7 @@ impl<'a> Check<'a> {
         };
         let column = Column {
             name: name.to_string(),
+            header: None,
             dimension: compound.dimension,
             values: Vec::new(),
         };
@@ -264,6 +268,7 @@ impl<'a> Check<'a> {
                 Some(&(word, _)) => {
                     let column = Column {
                         name: word.to_string(),
+                        header: Some(name.to_string()),
                         ..column.clone()
                     };
                     columns.retain(|column| column.name != word);
@@ -312,6 +317,12 @@ impl<'a> Check<'a> {
             self.errors.at(area, say::STEP_AT_END);
             return None;
         }
+        let by = |name: &str| columns.iter().position(|column| column.name == name);
+        let placed_by = match (looked_up, is_points) {
+            (Some(column), _) => by(&column.name).into_iter().collect(),
+            (None, true) => COORDINATES.into_iter().filter_map(by).collect(),
+            (None, false) => by(PLACES[usize::from(is_relative)].0).into_iter().collect(),
+        };
         let of_axis = PLACES[usize::from(is_relative)].1;
         let id = TableId(self.model.tables.len());
         self.model.tables.push(Table {
@@ -322,6 +333,9 @@ impl<'a> Check<'a> {
             is_relative,
             is_smooth,
             columns,
+            placed_by,
+            alike: Vec::new(),
+            is_param: item.is_param(),
         });
         Some(id)
     }

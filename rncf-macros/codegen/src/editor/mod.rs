@@ -9,7 +9,7 @@ mod tests;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
-use crate::parse::tree::{Keyword, Tree};
+use crate::parse::tree::Tree;
 
 /// A declared name.
 #[derive(Debug)]
@@ -49,7 +49,7 @@ pub fn items(tokens: TokenStream, tree: &Tree) -> TokenStream {
     let params: Vec<&str> = tree
         .items
         .iter()
-        .filter(|item| item.keyword == Keyword::Param)
+        .filter(|item| item.is_param())
         .map(|item| item.name.text.as_str())
         .collect();
     let uses = found.uses.iter().map(|found_use| {

@@ -7,7 +7,8 @@ use super::parts::Parts;
 use crate::elements::Interpolant;
 use crate::lower::camel_case;
 use crate::lower::elastic::kept;
-use crate::model::{Body, Law, Model, Piece, Stations, fold};
+use crate::model::{Body, Law, Model, Piece, Stations, Table, fold};
+use crate::units::Dimension;
 use crate::vocabulary::{CENTRES, DAMPINGS, MASS_ENTRIES, MASSES, STIFFNESS_ENTRIES};
 
 /// Statics with the tables of a model.
@@ -33,8 +34,33 @@ pub fn tables(model: &Model) -> String {
             table.is_smooth,
             columns.join(", ")
         );
+        if table.is_param {
+            text += &form(table);
+        }
     }
     text
+}
+
+/// What the files that stand for a table must have.
+fn form(table: &Table) -> String {
+    let columns = table.columns.iter().map(|column| {
+        let name = column.header.as_ref().unwrap_or(&column.name);
+        let unit = Dimension::of(column.dimension).symbol(column.dimension[5] != 0);
+        format!(
+            "::rncf::emitted::FileColumn {{ name: {name:?}, unit: {unit:?}, dimension: {:?} }}",
+            column.dimension
+        )
+    });
+    format!(
+        "/// What a file for `{0}` has.\npub static {1}: ::rncf::emitted::TableForm = ::rncf::emitted::TableForm {{ table: &{2}, file: {3:?}, columns: &[{4}], places: &{5:?}, alike: &{6:?} }};\n",
+        table.name,
+        table.form(),
+        table.constant(),
+        table.file.as_deref().unwrap_or_default(),
+        columns.collect::<Vec<_>>().join(", "),
+        table.placed_by,
+        table.alike
+    )
 }
 
 impl Parts<'_> {
@@ -44,7 +70,7 @@ impl Parts<'_> {
             None => "::std::vec::Vec::new()".to_string(),
             Some(Stations { table, each }) => format!(
                 "{}.stations({}.length(), {} as usize)",
-                self.model.tables[table.0].constant(),
+                self.model.tables[table.0].reference(),
                 self.line(body),
                 self.expr(each)
             ),
@@ -151,6 +177,16 @@ impl Parts<'_> {
         )
     }
 
+    /// A table as a reference that lives as long as the program.
+    pub(super) fn table_itself(&self, table: usize, model: &str) -> String {
+        let table = &self.model.tables[table];
+        if table.is_param {
+            format!("{model}.{}.table()", table.name)
+        } else {
+            format!("&{}", table.constant())
+        }
+    }
+
     /// The tables that a body reads.
     fn tables_of(&self, body: &Body) -> Vec<usize> {
         let values = body
@@ -184,7 +220,7 @@ impl Parts<'_> {
             let _ = writeln!(
                 text,
                 "{}.check({:?}, {whole})?;",
-                self.model.tables[table].constant(),
+                self.model.tables[table].reference(),
                 body.name
             );
         }
@@ -194,6 +230,23 @@ impl Parts<'_> {
             body.identifier(),
             body.name
         );
+        // Of files that a run names, it is the row that is told.
+        let from = body
+            .piece
+            .as_ref()
+            .map_or("0.0".to_string(), |piece| self.expr(&piece.from));
+        for table in self
+            .tables_of(body)
+            .into_iter()
+            .filter(|&table| self.model.tables[table].is_param)
+        {
+            let _ = writeln!(
+                text,
+                "{}.check_rows([{from}, length, {whole}], |x| along_{}(model, x, length).map(|_| ()))?;",
+                self.model.tables[table].reference(),
+                body.identifier()
+            );
+        }
         let damping = body.properties.get("damping").filter(|_| variant.damped);
         let damping = damping.map_or(String::new(), |value| format!(", damping: {}", self.expr(value)));
         text += self.at_start(body);
@@ -259,9 +312,7 @@ impl Parts<'_> {
         let kind = self.kind();
         let arms = self.by_body(|_, body| {
             let tables = self.tables_of(body).into_iter();
-            let names: Vec<String> = tables
-                .map(|table| format!("&{}", self.model.tables[table].constant()))
-                .collect();
+            let names: Vec<String> = tables.map(|table| self.table_itself(table, "self.model")).collect();
             format!("::std::vec::Vec::from([{}])", names.join(", "))
         });
         format!(

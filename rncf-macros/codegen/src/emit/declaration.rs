@@ -9,7 +9,7 @@ use super::notes::notes;
 use super::number::number;
 use super::{module_name, visibility, visibility_inside};
 use crate::elements::Library;
-use crate::model::Model;
+use crate::model::{Model, Param, Table};
 use crate::symbolic::Time;
 
 /// The struct, visible one module farther out than it stands.
@@ -25,9 +25,15 @@ pub fn structure(model: &Model, library: &Library, equations: &Equations) -> Str
         visibility_inside(model)
     );
     for param in &model.params {
-        let kind = if param.is_count { "usize" } else { "f64" };
+        let kind = match param {
+            Param { is_table: true, .. } => "::rncf::TableFile",
+            Param { is_count: true, .. } => "usize",
+            _ => "f64",
+        };
         let unit = if param.is_count {
             "count".to_string()
+        } else if param.is_table {
+            "a file with this table".to_string()
         } else {
             format!("SI; declared in {}", param.unit)
         };
@@ -60,7 +66,9 @@ pub fn declaration(model: &Model, library: &Library, equations: &Equations) -> S
         "#[allow(clippy::all)]\nimpl Default for {name} {{\nfn default() -> Self {{\nSelf {{"
     );
     for param in &model.params {
-        let value = if param.is_count {
+        let value = if param.is_table {
+            format!("::rncf::TableFile::declared(&{module}::{})", form_of(model, param))
+        } else if param.is_count {
             format!("{}", param.default as usize)
         } else {
             number(param.default)
@@ -69,6 +77,12 @@ pub fn declaration(model: &Model, library: &Library, equations: &Equations) -> S
     }
     text += "}\n}\n}\n";
     text + &implementation(model, &notes, equations)
+}
+
+/// What is said of the files of a parameter.
+fn form_of(model: &Model, param: &Param) -> String {
+    let table = model.tables.iter().find(|table| table.name == param.name);
+    table.map_or_else(String::new, Table::form)
 }
 
 fn implementation(model: &Model, notes: &[String], equations: &Equations) -> String {
@@ -85,13 +99,24 @@ fn implementation(model: &Model, notes: &[String], equations: &Equations) -> Str
         notes.join(", ")
     );
     text += &derived(equations);
-    text += "fn params() -> &'static [::rncf::Param] {\n&[\n";
+    // An expression of its own may not name the statics of tables.
+    let is_static = model.params.iter().any(|param| param.is_table);
+    text += "fn params() -> &'static [::rncf::Param] {\n";
+    text += if is_static {
+        "static PARAMS: &[::rncf::Param] = &[\n"
+    } else {
+        "&[\n"
+    };
     for param in &model.params {
         let _ = writeln!(
             text,
             "::rncf::Param {{ name: {:?}, kind: ::rncf::ParamKind::{}, unit: {:?}, unit_si: {}, dimension: {:?}, default: {}, doc: {:?} }},",
             param.name,
-            if param.is_count { "Count" } else { "Quantity" },
+            match param {
+                Param { is_table: true, .. } => format!("Table(&{module}::{})", form_of(model, param)),
+                Param { is_count: true, .. } => "Count".to_string(),
+                _ => "Quantity".to_string(),
+            },
             param.unit,
             number(param.unit_si),
             param.dimension,
@@ -99,7 +124,8 @@ fn implementation(model: &Model, notes: &[String], equations: &Equations) -> Str
             param.doc
         );
     }
-    text += "]\n}\nfn outputs() -> &'static [::rncf::Output] {\n&[\n";
+    text += if is_static { "];\nPARAMS" } else { "]" };
+    text += "\n}\nfn outputs() -> &'static [::rncf::Output] {\n&[\n";
     for output in &model.outputs {
         let scalar = output.components.len() == 1 && output.components[0].0.is_empty();
         let components: Vec<&String> = output.components.iter().map(|(suffix, _)| suffix).collect();
@@ -118,7 +144,7 @@ fn implementation(model: &Model, notes: &[String], equations: &Equations) -> Str
         );
     }
     text += "]\n}\n";
-    let arms = |template: &dyn Fn(usize, &crate::model::Param) -> String| -> String {
+    let arms = |template: &dyn Fn(usize, &Param) -> String| -> String {
         model
             .params
             .iter()
@@ -127,10 +153,17 @@ fn implementation(model: &Model, notes: &[String], equations: &Equations) -> Str
             .collect()
     };
     let get = arms(&|index, param| {
-        let cast = if param.is_count { " as f64" } else { "" };
+        let cast = match param {
+            Param { is_table: true, .. } => ".number()",
+            Param { is_count: true, .. } => " as f64",
+            _ => "",
+        };
         format!("{index} => self.{}{cast},\n", param.name)
     });
     let set = arms(&|index, param| {
+        if param.is_table {
+            return format!("{index} => self.{0} = self.{0}.numbered(value),\n", param.name);
+        }
         let cast = if param.is_count { " as usize" } else { "" };
         format!("{index} => self.{} = value{cast},\n", param.name)
     });

@@ -78,7 +78,7 @@ impl Parts<'_> {
         tables.dedup();
         let tables: Vec<String> = tables
             .into_iter()
-            .map(|table| format!("&{}", self.model.tables[table].constant()))
+            .map(|table| self.table_itself(table, "model"))
             .collect();
         let vectors: Vec<usize> = kernels.vectors.iter().map(|&vector| vector as usize).collect();
         let entry = format!(

@@ -269,7 +269,7 @@ impl<'g> Writer<'g> {
             }
             Node::Lookup(column, a) => {
                 let (argument, operations) = self.operand(a, Binding::Sum);
-                let table = self.graph.table(column).constant();
+                let table = self.graph.table(column).reference();
                 Text {
                     text: format!("{table}.look_up({}, {}, {argument})", column.column, column.order),
                     binding: Binding::Atom,

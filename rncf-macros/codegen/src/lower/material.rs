@@ -92,6 +92,7 @@ impl Material {
             dimension: [0; 6],
             default: 1.0,
             is_count: *is_count,
+            is_table: false,
         };
         let model = Model {
             params: self.params.iter().map(param).collect(),

@@ -25,6 +25,12 @@ pub struct Table {
     pub is_smooth: bool,
     /// Columns in SI.
     pub columns: Vec<Column>,
+    /// Columns that the places are made of: one, or the three coordinates of points.
+    pub placed_by: Vec<usize>,
+    /// Columns that say the same entry of a symmetric matrix.
+    pub alike: Vec<[usize; 2]>,
+    /// Whether its file is a parameter of the program, so that the rows of a run may be others.
+    pub is_param: bool,
 }
 
 /// A column of a table.
@@ -32,6 +38,8 @@ pub struct Table {
 pub struct Column {
     /// Name.
     pub name: String,
+    /// Name in the header of the file, where that is another.
+    pub header: Option<String>,
     /// Exponents of m, kg, s, K, A, angle.
     pub dimension: [i8; 6],
     /// One value for each row, SI.
@@ -48,14 +56,28 @@ impl Table {
         })
     }
 
+    /// What generated code reads, where `model` is at hand.
+    pub fn reference(&self) -> String {
+        if self.is_param {
+            format!("model.{}", self.name)
+        } else {
+            self.constant()
+        }
+    }
+
     /// Name in generated code.
     pub fn constant(&self) -> String {
         format!("TABLE_{}", super::identifier(&self.name).to_uppercase())
     }
 
+    /// Name of what is said of its files in generated code.
+    pub fn form(&self) -> String {
+        format!("FILE_{}", super::identifier(&self.name).to_uppercase())
+    }
+
     /// Text of a column's value at the arclength `x` of an axis with the length `length`.
     pub fn lookup(&self, column: usize) -> String {
-        format!("{}.at({column}, x, length)", self.constant())
+        format!("{}.at({column}, x, length)", self.reference())
     }
 
     /// Whether its rows stand along an axis; else it is looked up.

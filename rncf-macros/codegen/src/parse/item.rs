@@ -112,6 +112,11 @@ pub fn check_name(name: &Name) -> Parsed<()> {
 /// Content of an item; unreadable content is reported and left out.
 fn item(cursor: &mut Cursor, doc: String, keyword: Keyword, name: Name, errors: &mut Errors) -> Item {
     let kind = match keyword {
+        Keyword::Param if table::is_param(cursor) => table::param(cursor).unwrap_or_else(|mistake| {
+            errors.push(mistake);
+            recover(cursor);
+            ItemKind::Broken
+        }),
         Keyword::Param => param(cursor, errors),
         _ => content(cursor, keyword, errors).unwrap_or_else(|mistake| {
             errors.push(mistake);
@@ -119,9 +124,11 @@ fn item(cursor: &mut Cursor, doc: String, keyword: Keyword, name: Name, errors: 
             ItemKind::Broken
         }),
     };
+    // What reads a table does not ask where its rows come from.
+    let is_table = matches!(kind, ItemKind::FileTable { .. });
     Item {
         doc,
-        keyword,
+        keyword: if is_table { Keyword::Table } else { keyword },
         name,
         repeat: None,
         is_shared: false,
@@ -142,11 +149,11 @@ fn param(cursor: &mut Cursor, errors: &mut Errors) -> ItemKind {
 
 fn param_value(cursor: &mut Cursor, count: &mut bool) -> Parsed<Option<super::tree::Expr>> {
     if cursor.eat_punct(':') {
-        let kind = cursor.expect_name("`count`")?;
+        let kind = cursor.expect_name("`count` or `table`")?;
         if kind.text != "count" {
             return Err(Mistake::new(
                 kind.span,
-                say::unknown("kind of parameter", &kind.text, ["count"]),
+                say::unknown("kind of parameter", &kind.text, ["count", "table"]),
             ));
         }
         *count = true;
@@ -178,7 +185,7 @@ fn content(cursor: &mut Cursor, keyword: Keyword, errors: &mut Errors) -> Parsed
             time_argument(cursor)?;
             ItemKind::Motion(assignment(cursor)?)
         }
-        Keyword::Table if cursor.is_punct('=') => table::file_table(cursor)?,
+        Keyword::Table if cursor.is_punct('=') => table::file_table(cursor, false)?,
         Keyword::Table => ItemKind::Table(table::columns(cursor, area, errors)?),
         Keyword::Material => ItemKind::Material(fields(cursor, area, errors)?),
         Keyword::Section if cursor.is_punct('=') => {

@@ -75,8 +75,10 @@ fn shared(items: &Group, tree: &mut Tree, errors: &mut Errors) {
     item::items(&mut Cursor::of(items), tree, None, errors);
     for item in &mut tree.items[first..] {
         item.is_shared = true;
-        if !SHARED.contains(&item.keyword) {
-            errors.at(item.name.span, say::not_shared(item.keyword.word()));
+        // A table whose file a run names, too.
+        if item.is_param() || !SHARED.contains(&item.keyword) {
+            let keyword = if item.is_param() { Keyword::Param } else { item.keyword };
+            errors.at(item.name.span, say::not_shared(keyword.word()));
         }
     }
     for run in tree.runs.drain(..) {

@@ -126,8 +126,10 @@ fn is_only(group: &Group, word: &str) -> bool {
 
 /// Refuses an item that is not repeated; `keyword` is where its keyword stands.
 pub fn may_be_repeated(item: &Item, keyword: Span, errors: &mut Errors) {
-    if matches!(item.keyword, Keyword::Param | Keyword::Element) {
-        errors.at(keyword, say::outside_of_loops(item.keyword.word()));
+    let is_param = item.is_param();
+    if is_param || item.keyword == Keyword::Element {
+        let word = if is_param { Keyword::Param } else { item.keyword }.word();
+        errors.at(keyword, say::outside_of_loops(word));
     }
 }
 

@@ -8,8 +8,8 @@ use super::item::fields_of;
 use super::tree::{Field, Fields, ItemKind};
 use crate::errors::{Area, Errors};
 
-/// `= file("path", interpolation = monotone);`
-pub(super) fn file_table(cursor: &mut Cursor) -> Parsed<ItemKind> {
+/// `= file("path", interpolation = monotone);`, of a table or of a parameter that names a file.
+pub(super) fn file_table(cursor: &mut Cursor, is_param: bool) -> Parsed<ItemKind> {
     cursor.expect_punct('=')?;
     cursor.expect_word("file")?;
     let Some(group) = cursor.eat_group(Delimiter::Parenthesis) else {
@@ -34,7 +34,24 @@ pub(super) fn file_table(cursor: &mut Cursor) -> Parsed<ItemKind> {
         return Err(inner.expected("`,` or `)`"));
     }
     cursor.expect_end()?;
-    Ok(ItemKind::FileTable { path, area, arguments })
+    Ok(ItemKind::FileTable {
+        path,
+        area,
+        arguments,
+        is_param,
+    })
+}
+
+/// Whether the parameter whose name was read names a file, `: table`.
+pub(super) fn is_param(cursor: &Cursor) -> bool {
+    cursor.is_punct(':') && cursor.is_second_word("table")
+}
+
+/// `: table = file(..);`
+pub(super) fn param(cursor: &mut Cursor) -> Parsed<ItemKind> {
+    cursor.next();
+    cursor.next();
+    file_table(cursor, true)
 }
 
 /// `{ column = [..] unit; interpolation = monotone; }`

@@ -282,6 +282,13 @@ pub struct Item {
     pub kind: ItemKind,
 }
 
+impl Item {
+    /// Whether it is a parameter of the program, of whatever kind.
+    pub fn is_param(&self) -> bool {
+        self.keyword == Keyword::Param || matches!(self.kind, ItemKind::FileTable { is_param: true, .. })
+    }
+}
+
 /// Content of an item.
 #[derive(Clone, Debug)]
 pub enum ItemKind {
@@ -306,6 +313,8 @@ pub enum ItemKind {
         area: Area,
         /// The arguments behind it.
         arguments: Vec<Argument>,
+        /// Whether it is the default of a parameter that names a file.
+        is_param: bool,
     },
     /// `material name { field = value; .. }`
     Material(Fields),

@@ -328,7 +328,7 @@ impl<'t, 'e> Unfold<'t, 'e> {
                 keyword => say::not_kept(keyword.word()),
             };
             // A param has been reported.
-            if item.keyword != Keyword::Param && !self.kept[kept].is_wrong {
+            if !item.is_param() && !self.kept[kept].is_wrong {
                 self.errors.at(item.name.span, message);
             }
             is_broken = true;
@@ -352,7 +352,7 @@ impl<'t, 'e> Unfold<'t, 'e> {
             item,
             name,
             repeat: kept,
-            is_broken: is_broken && item.keyword != Keyword::Param,
+            is_broken: is_broken && !item.is_param(),
         }));
     }
 

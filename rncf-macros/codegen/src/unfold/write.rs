@@ -99,7 +99,7 @@ impl<'t> Unfold<'t, '_> {
         } else {
             self.kind(at, &item.kind)
         };
-        let is_param = item.keyword == Keyword::Param;
+        let is_param = item.is_param();
         let is_hidden = std::mem::take(&mut self.is_hidden);
         let is_broken = (self.errors.len() > before || is_hidden) && !is_param;
         Item {
@@ -121,10 +121,16 @@ impl<'t> Unfold<'t, '_> {
             ItemKind::Const(value) => ItemKind::Const(self.expr(at, value)),
             ItemKind::Let(value) => ItemKind::Let(self.expr(at, value)),
             ItemKind::Table(fields) => ItemKind::Table(self.fields(at, fields)),
-            ItemKind::FileTable { path, area, arguments } => ItemKind::FileTable {
+            ItemKind::FileTable {
+                path,
+                area,
+                arguments,
+                is_param,
+            } => ItemKind::FileTable {
                 path: path.clone(),
                 area: *area,
                 arguments: self.arguments(at, arguments),
+                is_param: *is_param,
             },
             ItemKind::Material(fields) => {
                 // The strain in an energy.

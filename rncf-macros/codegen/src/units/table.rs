@@ -1,6 +1,6 @@
 //! The table of units, as data. Dimensions are exponents of m, kg, s, K, A, angle.
 //!
-//! Compiled twice: into the macro, and into the command line of the facade (`src/app/units.rs`), so that both know the
+//! Compiled twice: into the macro, and into the runtime (`units.rs`) for the command line and for files, so that all know the
 //! same units; hence nothing here refers to the rest of the crate.
 
 use std::f64::consts::PI;

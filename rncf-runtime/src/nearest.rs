@@ -1,7 +1,7 @@
 //! The known name nearest to a mistyped one.
 
 /// The candidate with the smallest edit distance to `text`, if it is near enough to be meant.
-pub(super) fn nearest<'n>(text: &str, candidates: impl IntoIterator<Item = &'n str>) -> Option<&'n str> {
+pub fn nearest<'n>(text: &str, candidates: impl IntoIterator<Item = &'n str>) -> Option<&'n str> {
     let limit = (text.chars().count() / 2).clamp(1, 3);
     // One letter more, less or other makes another word of one that has no more than two.
     let is_alike = |name: &str| text.len().min(name.len()) > 2 || letters(text) == letters(name);

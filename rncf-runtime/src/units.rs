@@ -9,12 +9,12 @@ use table::UNITS;
 mod table;
 
 /// Exponents of m, kg, s, K, A and angle.
-pub(super) type Dimension = [i8; 6];
+pub type Dimension = [i8; 6];
 
 /// A unit: one of it is `factor * 10^decimal` in SI. The decimal exponent is kept apart so that
 /// `68.95 GPa` becomes the number nearest to 68.95e9.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Unit {
+pub struct Unit {
     factor: f64,
     decimal: i32,
     /// Exponents of the base units.
@@ -23,7 +23,7 @@ pub(super) struct Unit {
 
 /// A number as written: sign and digits, and the exponent after `e`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Number<'t> {
+pub struct Number<'t> {
     mantissa: &'t str,
     exponent: i32,
 }
@@ -31,7 +31,7 @@ pub(super) struct Number<'t> {
 const NONE: Dimension = [0; 6];
 
 /// Dimension of a time, for the flags that take one.
-pub(super) const SECOND: Dimension = [0, 0, 1, 0, 0, 0];
+pub const SECOND: Dimension = [0, 0, 1, 0, 0, 0];
 
 impl Unit {
     const ONE: Unit = Unit {
@@ -221,7 +221,7 @@ fn symbol(text: &str) -> Result<Unit, String> {
     }
     // Of three letters one other one is another unit.
     let is_alike = |near: &&str| text.len() > 3 || near.eq_ignore_ascii_case(text);
-    let near = || super::nearest::nearest(text, UNITS.iter().map(|unit| unit.symbol));
+    let near = || crate::nearest::nearest(text, UNITS.iter().map(|unit| unit.symbol));
     let near = || near().filter(is_alike).map(ToString::to_string);
     Err(match table::meant(text).or_else(near) {
         Some(name) => format!("`{text}` is not a unit; did you mean `{name}`?"),

@@ -1,0 +1,495 @@
+//! Tables whose file a run may name: read, checked against the one that the model was built with, and kept as long as the
+//! program runs.
+
+use std::ops::Deref;
+use std::path::Path;
+use std::sync::{Mutex, PoisonError};
+
+use super::Table;
+use crate::error::ModelError;
+use crate::nearest::nearest;
+use crate::units::{Number, Unit};
+
+/// All files that were read, so that one that is read again takes no more memory.
+static READ: Mutex<Vec<TableFile>> = Mutex::new(Vec::new());
+
+/// Part of an axis by which places stay off its ends, where a section may come to a point.
+const OFF_ENDS: f64 = 1e-6;
+
+/// What the files of a parameter have, after the one that the model was built with.
+#[derive(Debug)]
+pub struct TableForm {
+    /// The table that the model was built with.
+    pub table: &'static Table,
+    /// Its file, beside the manifest of the model's crate.
+    pub file: &'static str,
+    /// Its columns, in the order of those of the table.
+    pub columns: &'static [FileColumn],
+    /// Columns that the places are made of: one, or the coordinates of points.
+    pub places: &'static [usize],
+    /// Columns that say the same entry of a symmetric matrix.
+    pub alike: &'static [[usize; 2]],
+}
+
+/// A column of a file.
+#[derive(Clone, Copy, Debug)]
+pub struct FileColumn {
+    /// Name in the header.
+    pub name: &'static str,
+    /// SI unit of its values.
+    pub unit: &'static str,
+    /// Exponents of m, kg, s, K, A, angle.
+    pub dimension: [i8; 6],
+}
+
+impl PartialEq for TableForm {
+    fn eq(&self, other: &Self) -> bool {
+        std::ptr::eq(self, other)
+    }
+}
+
+impl Eq for TableForm {}
+
+/// The value of a parameter that names the file of a table: what the model was built with, or the numbers of another file.
+#[derive(Clone, Copy, Debug)]
+pub struct TableFile {
+    form: &'static TableForm,
+    table: &'static Table,
+    path: &'static str,
+    number: f64,
+}
+
+impl PartialEq for TableFile {
+    fn eq(&self, other: &Self) -> bool {
+        self.form == other.form && self.number == other.number
+    }
+}
+
+impl Deref for TableFile {
+    type Target = Table;
+
+    fn deref(&self) -> &Table {
+        self.table
+    }
+}
+
+impl TableFile {
+    /// The table that the model was built with.
+    pub const fn declared(form: &'static TableForm) -> Self {
+        Self {
+            form,
+            table: form.table,
+            path: form.file,
+            number: 0.0,
+        }
+    }
+
+    /// The table of another file, as `model.blade = model.blade.read("data/other.csv")?`.
+    ///
+    /// A file is CSV with the columns of the one that the model was built with, in any order, and the unit of each in brackets
+    /// behind its name, `EI [N*m^2]`. Columns whose name begins with `_` are left alone. What is read stays in memory as long as
+    /// the program runs.
+    ///
+    /// # Errors
+    /// The file, its line or column, and what would be right.
+    pub fn read(self, path: impl AsRef<Path>) -> Result<Self, ModelError> {
+        let path = path.as_ref();
+        let shown = path.display().to_string();
+        let text = std::fs::read_to_string(path)
+            .map_err(|error| ModelError::new(format!("the file `{shown}` cannot be read: {error}")))?;
+        let (places, columns) = self.form.parse(&text).map_err(|mistake| {
+            let name = self.form.table.name;
+            ModelError::new(format!("the file `{shown}` for `{name}`: {mistake}"))
+        })?;
+        let number = checksum(&shown, &places, &columns);
+        let mut read = READ.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(same) = read
+            .iter()
+            .find(|other| other.form == self.form && other.number == number)
+        {
+            return Ok(*same);
+        }
+        let declared = self.form.table;
+        let table = Table {
+            name: keep(format!("{shown}` for `{}", declared.name)),
+            places: Box::leak(places.into_boxed_slice()),
+            is_relative: declared.is_relative,
+            is_smooth: declared.is_smooth,
+            columns: keep_columns(columns),
+        };
+        let file = Self {
+            form: self.form,
+            table: Box::leak(Box::new(table)),
+            path: keep(shown),
+            number,
+        };
+        read.push(file);
+        Ok(file)
+    }
+
+    /// Its number among the values of a parameter: 0 for the table that the model was built with, else a checksum of path and rows.
+    pub fn number(self) -> f64 {
+        self.number
+    }
+
+    /// The file with this number; one that no file has that was read is no number, and refused when a scene is built.
+    pub fn numbered(self, number: f64) -> Self {
+        if number == 0.0 {
+            return Self::declared(self.form);
+        }
+        let read = READ.lock().unwrap_or_else(PoisonError::into_inner);
+        let is_it = |other: &&Self| other.form == self.form && other.number == number;
+        read.iter().find(is_it).copied().unwrap_or(Self {
+            number: f64::NAN,
+            ..Self::declared(self.form)
+        })
+    }
+
+    /// The path of the file: that of the declaration, or as it was read.
+    pub fn path(self) -> &'static str {
+        self.path
+    }
+
+    /// The rows.
+    pub fn table(self) -> &'static Table {
+        self.table
+    }
+
+    /// Tries what depends on the rows along a body at each of them: the place where the body begins on the axis, the body's length
+    /// and that of the whole axis, m.
+    ///
+    /// # Errors
+    /// That of the first row at which there is one, with the row.
+    pub fn check_rows(
+        self,
+        [from, length, whole]: [f64; 3],
+        at: impl Fn(f64) -> Result<(), ModelError>,
+    ) -> Result<(), ModelError> {
+        for (row, &place) in self.table.places.iter().enumerate() {
+            let x = if self.table.is_relative { place * whole } else { place } - from;
+            if !(-OFF_ENDS * length..=length * (1.0 + OFF_ENDS)).contains(&x) {
+                continue;
+            }
+            // In front of a step what holds there.
+            let is_before_step = self.table.places.get(row + 1) == Some(&place);
+            let x = if is_before_step { x.next_down() } else { x };
+            let x = x.clamp(OFF_ENDS * length, length * (1.0 - OFF_ENDS));
+            at(x).map_err(|error| {
+                let name = self.table.name;
+                ModelError::new(format!("{error}; it stands in row {} of table `{name}`", row + 1))
+            })?;
+        }
+        Ok(())
+    }
+}
+
+fn keep(text: String) -> &'static str {
+    Box::leak(text.into_boxed_str())
+}
+
+fn keep_columns(columns: Vec<Vec<f64>>) -> &'static [&'static [f64]] {
+    let kept = columns
+        .into_iter()
+        .map(|column| Box::leak(column.into_boxed_slice()) as &[f64]);
+    Box::leak(kept.collect::<Vec<_>>().into_boxed_slice())
+}
+
+/// Fowler, Noll and Vo's hash of a path and the bits of all values, as a whole number of 52 bits that is not zero.
+fn checksum(path: &str, places: &[f64], columns: &[Vec<f64>]) -> f64 {
+    let mut hash: u64 = 0xcbf2_9ce4_8422_2325;
+    let all = std::iter::once(places).chain(columns.iter().map(Vec::as_slice));
+    let values = all.flatten().flat_map(|value| value.to_bits().to_le_bytes());
+    for byte in path.bytes().chain(values) {
+        hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+    }
+    ((hash >> 12) as f64).max(1.0)
+}
+
+type Columns = Vec<Vec<f64>>;
+
+impl TableForm {
+    /// Places and columns that a text has.
+    fn parse(&self, text: &str) -> Result<(Vec<f64>, Columns), String> {
+        let text = text.trim_start_matches('\u{feff}');
+        let mut lines = text.lines().enumerate().filter(|(_, line)| {
+            let line = line.trim();
+            !line.is_empty() && !line.starts_with('#')
+        });
+        let Some((_, header)) = lines.next() else {
+            return Err("it is empty; its first line names the columns, `x [m], EI [N*m^2]`".into());
+        };
+        let cells: Vec<&str> = header.split(',').map(str::trim).collect();
+        let sources = self.sources(&cells)?;
+        let (mut columns, mut numbers) = (vec![Vec::new(); self.columns.len()], Vec::new());
+        for (line, row) in lines {
+            let row: Vec<&str> = row.split(',').map(str::trim).collect();
+            if row.len() != cells.len() {
+                return Err(format!(
+                    "line {} has {} numbers, and the header {} columns",
+                    line + 1,
+                    row.len(),
+                    cells.len()
+                ));
+            }
+            numbers.push(line + 1);
+            for (column, (cell, unit)) in sources.iter().enumerate() {
+                let value = Number::split(row[*cell])
+                    .filter(|(_, rest)| rest.is_empty())
+                    .map(|(number, _)| unit.to_si(number));
+                let Some(value) = value.filter(|value| value.is_finite()) else {
+                    return Err(format!(
+                        "line {}: `{}` in column `{}` is no finite number",
+                        line + 1,
+                        row[*cell],
+                        self.columns[column].name
+                    ));
+                };
+                columns[column].push(value);
+            }
+        }
+        let places = self.placed(&columns, &numbers)?;
+        for &[one, other] in self.alike {
+            let differ = (0..places.len()).find(|&row| columns[one][row] != columns[other][row]);
+            if let Some(row) = differ {
+                let [one, other] = [one, other].map(|column| self.columns[column].name);
+                return Err(format!(
+                    "line {}: `{one}` and `{other}` are one entry of a symmetric matrix, and differ",
+                    numbers[row]
+                ));
+            }
+        }
+        Ok((places, columns))
+    }
+
+    /// Where in a header each column stands, and in which unit.
+    fn sources(&self, cells: &[&str]) -> Result<Vec<(usize, Unit)>, String> {
+        let named: Vec<(&str, &str)> = cells
+            .iter()
+            .map(|cell| match cell.split_once('[') {
+                Some((name, unit)) => (name.trim(), unit.trim_end_matches(']').trim()),
+                None => (*cell, ""),
+            })
+            .collect();
+        let known = || self.columns.iter().map(|column| column.name);
+        for (at, (name, _)) in named.iter().enumerate() {
+            if named[..at].iter().any(|(other, _)| other == name) {
+                return Err(format!("two columns have the name `{name}`"));
+            }
+            if !known().any(|known| known == *name) && !name.starts_with('_') {
+                let near = nearest(name, known()).map_or(String::new(), |near| format!("did you mean `{near}`? Or "));
+                return Err(format!(
+                    "nothing reads the column `{name}`, which `{}` does not have; {near}take it out, or call it `_{name}`",
+                    self.file
+                ));
+            }
+        }
+        let source = |column: &FileColumn| {
+            let Some(cell) = named.iter().position(|(name, _)| *name == column.name) else {
+                let unit = if column.unit == "1" { "-" } else { column.unit };
+                return Err(format!("the column `{} [{unit}]` is missing", column.name));
+            };
+            let unit = unit_of(named[cell].1).map_err(|mistake| format!("column `{}`: {mistake}", column.name))?;
+            if unit.dimension != column.dimension {
+                return Err(format!(
+                    "the unit `{}` of column `{}` does not have the dimension of {}",
+                    named[cell].1, column.name, column.unit
+                ));
+            }
+            Ok((cell, unit))
+        };
+        self.columns.iter().map(source).collect()
+    }
+
+    /// The places of the rows, which ascend.
+    fn placed(&self, columns: &[Vec<f64>], numbers: &[usize]) -> Result<Vec<f64>, String> {
+        let places = match *self.places {
+            [x, y, z] => chords([&columns[x], &columns[y], &columns[z]]),
+            [one, ..] => columns[one].clone(),
+            [] => Vec::new(),
+        };
+        let is_points = self.places.len() == 3;
+        if places.len() < 2 {
+            return Err("it has fewer than two rows".into());
+        }
+        for row in 1..places.len() {
+            let is_step = places[row] == places[row - 1] && !is_points && (row < 2 || places[row] > places[row - 2]);
+            if !(places[row] > places[row - 1] || is_step) {
+                return Err(format!(
+                    "line {}: places of rows ascend, and {} follows {}",
+                    numbers[row],
+                    places[row],
+                    places[row - 1]
+                ));
+            }
+        }
+        if places[0] == places[1] || places[places.len() - 1] == places[places.len() - 2] {
+            return Err("it begins or ends with a step: two rows at one place stand between others".into());
+        }
+        Ok(places)
+    }
+}
+
+/// The unit of a header; none is 1, and `in` the inch.
+fn unit_of(text: &str) -> Result<Unit, String> {
+    if ["", "-", "1"].contains(&text) {
+        return Unit::parse("");
+    }
+    let words = text.split_inclusive(|c: char| !c.is_alphanumeric());
+    let spelled = words.map(|word| match word.strip_prefix("in") {
+        Some(rest) if !rest.starts_with(char::is_alphanumeric) => format!("inch{rest}"),
+        _ => word.to_string(),
+    });
+    Unit::parse(&spelled.collect::<String>())
+}
+
+/// Sums of the chords between points, as parts of the whole.
+fn chords([x, y, z]: [&[f64]; 3]) -> Vec<f64> {
+    let mut places = vec![0.0];
+    for at in 1..x.len() {
+        let chord = (x[at] - x[at - 1]).hypot(y[at] - y[at - 1]).hypot(z[at] - z[at - 1]);
+        places.push(places[at - 1] + chord);
+    }
+    let last = places.len() - 1;
+    let whole = places[last];
+    for place in &mut places {
+        *place /= whole;
+    }
+    places[last] = 1.0;
+    places
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    static MAST: Table = Table {
+        name: "mast",
+        places: &[0.0, 2.0],
+        is_relative: false,
+        is_smooth: false,
+        columns: &[&[0.0, 2.0], &[1.0, 3.0], &[5.0, 5.0]],
+    };
+
+    static FORM: TableForm = TableForm {
+        table: &MAST,
+        file: "mast.csv",
+        columns: &[
+            FileColumn {
+                name: "x",
+                unit: "m",
+                dimension: [1, 0, 0, 0, 0, 0],
+            },
+            FileColumn {
+                name: "EI",
+                unit: "N m^2",
+                dimension: [3, 1, -2, 0, 0, 0],
+            },
+            FileColumn {
+                name: "EI_again",
+                unit: "N m^2",
+                dimension: [3, 1, -2, 0, 0, 0],
+            },
+        ],
+        places: &[0],
+        alike: &[[1, 2]],
+    };
+
+    fn read(name: &str, text: &str) -> Result<TableFile, ModelError> {
+        let path = std::env::temp_dir().join(format!("rncf-table-{}-{name}.csv", std::process::id()));
+        std::fs::write(&path, text).unwrap();
+        let found = TableFile::declared(&FORM).read(&path);
+        std::fs::remove_file(&path).unwrap();
+        found
+    }
+
+    #[test]
+    fn columns_stand_in_any_order_and_unit() {
+        let text = "# a mast\n\nEI_again [kN*m^2], _note, x [in], EI [N m^2]\n0.5, a, 0, 500\n+1e0, b, 10, 1000\n";
+        let file = read("order", text).unwrap();
+        assert_eq!(file.places, [0.0, 10.0 * 0.0254]);
+        assert_eq!(
+            file.columns,
+            [&[0.0, 10.0 * 0.0254], &[500.0, 1000.0], &[500.0, 1000.0]]
+        );
+        let declared = TableFile::declared(&FORM);
+        assert_eq!((declared.number(), declared.path()), (0.0, "mast.csv"));
+        assert_eq!(declared.numbered(file.number()), file);
+        assert!(file != declared && file.numbered(0.0) == declared && declared.numbered(3.0).number().is_nan());
+        // The same file again takes no memory; another one with these rows is told by its own name.
+        let again = read("order", text).unwrap();
+        assert!(again == file && std::ptr::eq(again.table(), file.table()));
+        let other = read("other", text).unwrap();
+        assert!(other != file && other.columns == file.columns && other.path().contains("other"));
+    }
+
+    #[test]
+    fn wrong_files_are_told_at_the_line_or_column() {
+        let head = "x [m], EI [N*m^2], EI_again [N*m^2]\n";
+        for (name, text, wanted) in [
+            ("empty", "# nothing\n", "it is empty"),
+            (
+                "missing",
+                "x [m], EI [N*m^2]\n0, 1\n1, 2\n",
+                "the column `EI_again [N m^2]` is missing",
+            ),
+            (
+                "near",
+                "x [m], EI [N*m^2], EI_agian [N*m^2]\n",
+                "did you mean `EI_again`?",
+            ),
+            (
+                "spare",
+                "x [m], EI [N*m^2], EI_again [N*m^2], height\n",
+                "call it `_height`",
+            ),
+            ("twice", "x [m], x [m]\n", "two columns have the name `x`"),
+            (
+                "unit",
+                "x [m], EI [N*m], EI_again [N*m^2]\n",
+                "the unit `N*m` of column `EI` does not",
+            ),
+            (
+                "symbol",
+                "x [mtr], EI [N*m^2], EI_again [N*m^2]\n",
+                "column `x`: `mtr` is not a unit",
+            ),
+            ("cells", &format!("{head}0, 1\n"), "line 2 has 2 numbers"),
+            (
+                "nan",
+                &format!("{head}0, 1, 1\n1, NaN, 1\n"),
+                "line 3: `NaN` in column `EI`",
+            ),
+            (
+                "order",
+                &format!("{head}0, 1, 1\n2, 1, 1\n1, 1, 1\n"),
+                "line 4: places of rows ascend, and 1 follows 2",
+            ),
+            ("row", &format!("{head}0, 1, 1\n"), "fewer than two rows"),
+            (
+                "step",
+                &format!("{head}0, 1, 1\n0, 1, 1\n"),
+                "begins or ends with a step",
+            ),
+            (
+                "alike",
+                &format!("{head}0, 1, 1\n1, 1, 2\n"),
+                "line 3: `EI` and `EI_again` are one entry",
+            ),
+        ] {
+            let told = read(name, text).unwrap_err().to_string();
+            assert!(told.contains(wanted) && told.contains("for `mast`"), "{name}: {told}");
+        }
+        let told = TableFile::declared(&FORM).read("no/such.csv").unwrap_err().to_string();
+        assert!(told.contains("`no/such.csv` cannot be read"), "{told}");
+    }
+
+    #[test]
+    fn the_row_is_told_at_which_something_is_wrong() {
+        let file = TableFile::declared(&FORM);
+        let at = |x: f64| (x < 1.0).then_some(()).ok_or_else(|| ModelError::new("too far"));
+        let told = file.check_rows([0.0, 2.0, 2.0], at).unwrap_err().to_string();
+        assert_eq!(told, "too far; it stands in row 2 of table `mast`");
+        // A piece that ends before that row.
+        assert!(file.check_rows([0.0, 1.0, 2.0], at).is_ok());
+    }
+}
