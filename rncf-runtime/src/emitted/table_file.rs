@@ -5,7 +5,7 @@ use std::ops::Deref;
 use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 
-use super::Table;
+use super::table::Table;
 use crate::error::ModelError;
 use crate::nearest::nearest;
 use crate::units::{Number, Unit};
