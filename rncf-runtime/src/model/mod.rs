@@ -87,7 +87,7 @@ pub enum ParamKind {
     Quantity,
     /// A number of things: a whole number of at least 1.
     Count,
-    /// A file with a table, as [`TableFile::number`].
+    /// A file with a table, as [`TableFile::number`](crate::emitted::TableFile::number).
     Table(&'static TableForm),
 }
 
