@@ -7,7 +7,7 @@
 
 use pulp::Arch;
 
-use crate::linalg::{Vectorised, dispatch, dot, subtract};
+use crate::linalg::{Vectorised, dispatch};
 
 /// Iterations that are remembered: motions that may contract badly.
 const DEPTH: usize = 6;
@@ -150,6 +150,26 @@ fn weigh(y: &[f64], weights: &[f64], out: &mut [f64]) {
     for ((out, y), weight) in out.iter_mut().zip(y).zip(weights) {
         *out = y * weight;
     }
+}
+
+/// Inner product, summed in four lanes.
+#[inline(always)]
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let ((a, a_rest), (b, b_rest)) = (a.as_chunks::<4>(), b.as_chunks::<4>());
+    let mut lanes = [0.0; 4];
+    for (a, b) in a.iter().zip(b) {
+        for lane in 0..4 {
+            lanes[lane] += a[lane] * b[lane];
+        }
+    }
+    let rest: f64 = a_rest.iter().zip(b_rest).map(|(a, b)| a * b).sum();
+    (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]) + rest
+}
+
+/// `y -= factor x`
+#[inline(always)]
+fn subtract(factor: f64, x: &[f64], y: &mut [f64]) {
+    y.iter_mut().zip(x).for_each(|(y, x)| *y -= factor * x);
 }
 
 #[cfg(test)]

@@ -1,9 +1,5 @@
 //! Vectors and what orthonormal ones span.
 
-use pulp::Arch;
-
-use super::block_kernels::{Vectorised, dispatch};
-
 /// Euclidean length.
 pub(crate) fn norm(vector: &[f64]) -> f64 {
     vector.iter().map(|value| value * value).sum::<f64>().sqrt()
@@ -15,47 +11,15 @@ pub(crate) fn normalise(vector: &mut [f64]) {
     vector.iter_mut().for_each(|value| *value /= length);
 }
 
-/// Inner product, summed in four lanes.
-#[inline(always)]
-pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let ((a, a_rest), (b, b_rest)) = (a.as_chunks::<4>(), b.as_chunks::<4>());
-    let mut lanes = [0.0; 4];
-    for (a, b) in a.iter().zip(b) {
-        for lane in 0..4 {
-            lanes[lane] += a[lane] * b[lane];
-        }
-    }
-    let rest: f64 = a_rest.iter().zip(b_rest).map(|(a, b)| a * b).sum();
-    (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]) + rest
-}
-
-/// `y -= factor x`
-#[inline(always)]
-pub(crate) fn subtract(factor: f64, x: &[f64], y: &mut [f64]) {
-    y.iter_mut().zip(x).for_each(|(y, x)| *y -= factor * x);
-}
-
 /// Removes the parts along orthonormal vectors, and adds them up in `parts` as far as it goes; twice, since the first time leaves
 /// round-off of what was large.
 pub(crate) fn clear(vector: &mut [f64], basis: &[Vec<f64>], parts: &mut [f64]) {
-    dispatch(Arch::new(), Cleared(vector, basis, parts));
-}
-
-struct Cleared<'a>(&'a mut [f64], &'a [Vec<f64>], &'a mut [f64]);
-
-impl Vectorised for Cleared<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<const F: bool>(self) {
-        let Self(vector, basis, parts) = self;
-        for _ in 0..2 {
-            for (index, other) in basis.iter().enumerate() {
-                let part = dot(other, vector);
-                subtract(part, other, vector);
-                if let Some(sum) = parts.get_mut(index) {
-                    *sum += part;
-                }
+    for _ in 0..2 {
+        for (index, other) in basis.iter().enumerate() {
+            let part: f64 = other.iter().zip(&*vector).map(|(a, b)| a * b).sum();
+            vector.iter_mut().zip(other).for_each(|(value, of)| *value -= part * of);
+            if let Some(sum) = parts.get_mut(index) {
+                *sum += part;
             }
         }
     }
