@@ -9,6 +9,7 @@ pub mod archive;
 pub mod emitted;
 pub mod equilibrium;
 pub mod error;
+pub mod hash;
 mod import;
 pub mod integrate;
 pub mod linalg;

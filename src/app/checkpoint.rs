@@ -10,7 +10,6 @@ use serde_json::{Value, json};
 use super::arguments::Arguments;
 use super::course::Earlier;
 use super::execute::{Failure, MISTAKE};
-use super::hash::hash_on;
 use super::journal::Mark;
 use super::parameters::short;
 use super::recorder::Written;
@@ -18,6 +17,7 @@ use super::run::{RunSettings, complete_on_disk};
 use super::summary::{self, Summary, put};
 use crate::AnyModel;
 use crate::archive::{Archive, Keep};
+use crate::hash::hash_on;
 
 /// Name of the file.
 pub(super) const NAME: &str = "checkpoint";

@@ -5,8 +5,8 @@ use std::io::{BufRead, BufReader, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use super::hash::hash_on;
 use crate::archive::{Archive, Keep};
+use crate::hash::hash_on;
 
 /// Longest time that a row waits in memory for the next one.
 const PATIENCE: Duration = Duration::from_millis(250);

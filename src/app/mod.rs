@@ -69,7 +69,6 @@ mod figure;
 mod files;
 mod finer;
 mod flags;
-mod hash;
 mod help;
 mod history;
 mod journal;

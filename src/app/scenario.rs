@@ -23,8 +23,8 @@ use super::arguments::Arguments;
 use super::command::Command;
 use super::execute::{FAILURE, Failure, MISTAKE};
 use super::files;
-use super::hash::hash;
 use super::parameters::in_unit;
+use crate::hash::hash;
 use crate::nearest::nearest;
 use crate::{AnyModel, ParamKind};
 

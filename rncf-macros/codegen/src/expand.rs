@@ -156,7 +156,7 @@ pub fn format(text: &str) -> String {
 fn names(tree: &Tree) -> HashMap<String, Span> {
     let spans = Spans::of(tree);
     let mut names = HashMap::from([(tree.name.text.clone(), spans.name)]);
-    let params = tree.items.iter().filter(|item| item.is_param());
+    let params = tree.params();
     names.extend(
         params
             .zip(spans.params)

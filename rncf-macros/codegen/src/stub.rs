@@ -73,7 +73,7 @@ pub fn stub(tree: &Tree) -> TokenStream {
 
 /// One field per parameter; of two with the same name the first.
 fn fields(tree: &Tree) -> Vec<TokenStream> {
-    let params: Vec<&Item> = tree.items.iter().filter(|item| item.is_param()).collect();
+    let params: Vec<&Item> = tree.params().collect();
     let is_first = |at: usize| params[..at].iter().all(|other| other.name.text != params[at].name.text);
     (0..params.len())
         .filter(|at| is_first(*at))

@@ -7,6 +7,7 @@ use std::sync::{Mutex, PoisonError};
 
 use super::table::Table;
 use crate::error::ModelError;
+use crate::hash::hash_bytes;
 use crate::nearest::nearest;
 use crate::units::{Number, Unit};
 
@@ -194,15 +195,11 @@ fn keep_columns(columns: Vec<Vec<f64>>) -> &'static [&'static [f64]] {
     Box::leak(kept.collect::<Vec<_>>().into_boxed_slice())
 }
 
-/// Fowler, Noll and Vo's hash of a path and the bits of all values, as a whole number of 52 bits that is not zero.
+/// A hash of a path and the bits of all values, as a whole number of 52 bits that is not zero.
 fn checksum(path: &str, places: &[f64], columns: &[Vec<f64>]) -> f64 {
-    let mut hash: u64 = 0xcbf2_9ce4_8422_2325;
     let all = std::iter::once(places).chain(columns.iter().map(Vec::as_slice));
     let values = all.flatten().flat_map(|value| value.to_bits().to_le_bytes());
-    for byte in path.bytes().chain(values) {
-        hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-    }
-    ((hash >> 12) as f64).max(1.0)
+    ((hash_bytes(path.bytes().chain(values)) >> 12) as f64).max(1.0)
 }
 
 type Columns = Vec<Vec<f64>>;

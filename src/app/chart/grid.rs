@@ -3,9 +3,9 @@
 
 use super::super::finer::Judging;
 use super::flags::method_name;
-use crate::app::hash::hash;
 use crate::app::parameters::{List, short};
 use crate::app::run::RunSettings;
+use crate::hash::hash;
 use crate::{AnyModel, Formulation, Method, Options, ParamKind};
 
 /// All that is compared.

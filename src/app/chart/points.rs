@@ -8,10 +8,10 @@ use super::grid::{Grid, Setting};
 use super::reference::References;
 use super::table::{Counts, Outcome, Point, Table};
 use crate::AnyModel;
-use crate::app::hash::hash;
 use crate::app::parallel::{Ended, on_all_cores, solve};
 use crate::app::run::{RunSettings, run_watched};
 use crate::app::run_error::{Incomplete, RunError};
+use crate::hash::hash;
 
 /// A run is repeated until it has taken this processor time in all, s,
 const ENOUGH: f64 = 0.3;

@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 use super::errors::{ColumnError, errors};
 use super::grid::{Grid, Setting};
 use crate::app::files;
-use crate::app::hash::hash;
 use crate::app::history::{Column, History};
 use crate::app::parallel::{Ended, on_all_cores, solve};
 use crate::app::run::times;
+use crate::hash::hash;
 use crate::{AnyModel, Method};
 
 /// Folder of the converged runs, in that of the chart.

@@ -2,8 +2,8 @@
 
 use super::random::{Random, normal_quantile};
 use crate::AnyModel;
-use crate::app::hash::hash;
 use crate::app::parameters::{Values, Varied};
+use crate::hash::hash;
 
 /// How points are laid out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -31,13 +31,13 @@ use super::clock::Clock;
 use super::command::Command;
 use super::execute::{FAILURE, Failure, INTERRUPTION, MISTAKE, write};
 use super::flags::value;
-use super::hash::hash;
 use super::parallel::on_all_cores;
 use super::parameters::{Varied, digits, in_unit, short, time};
 use super::progress::Bar;
 use super::summary::{self, checksums, put};
 use super::{chart, files};
 use crate::AnyModel;
+use crate::hash::hash;
 
 /// The file that a plan is written to.
 const PLAN: &str = "plan.toml";

@@ -88,7 +88,7 @@ pub struct Spans {
 impl Spans {
     /// Of a tree that has passed [`check`].
     pub fn of(tree: &Tree) -> Self {
-        let params = tree.items.iter().filter(|item| item.is_param());
+        let params = tree.params();
         Self {
             name: tree.name.span,
             params: params.map(|item| item.name.span).collect(),

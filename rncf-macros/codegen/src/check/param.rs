@@ -12,7 +12,7 @@ const RUN_FIELDS: &[&str] = &["t_end", "every"];
 impl<'a> Check<'a> {
     /// Parameters in order, then constants.
     pub(super) fn params(&mut self) {
-        for item in self.tree.items.iter().filter(|item| item.is_param()) {
+        for item in self.tree.params() {
             let (count, value) = match &item.kind {
                 ItemKind::Param { count, value } => (count, value),
                 ItemKind::FileTable { .. } => {

@@ -46,12 +46,7 @@ struct Use {
 pub fn items(tokens: TokenStream, tree: &Tree) -> TokenStream {
     let found = scan::scan(tokens);
     let model = Ident::new(&tree.name.text, Span::call_site());
-    let params: Vec<&str> = tree
-        .items
-        .iter()
-        .filter(|item| item.is_param())
-        .map(|item| item.name.text.as_str())
-        .collect();
+    let params: Vec<&str> = tree.params().map(|item| item.name.text.as_str()).collect();
     let uses = found.uses.iter().map(|found_use| {
         let Use { name, scope, is_output } = found_use;
         // Params are fields of the struct, which code outside of the declaration names, too.

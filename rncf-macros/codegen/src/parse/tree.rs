@@ -282,6 +282,13 @@ pub struct Item {
     pub kind: ItemKind,
 }
 
+impl Tree {
+    /// The parameters of the program, in their order.
+    pub fn params(&self) -> impl Iterator<Item = &Item> {
+        self.items.iter().filter(|item| item.is_param())
+    }
+}
+
 impl Item {
     /// Whether it is a parameter of the program, of whatever kind.
     pub fn is_param(&self) -> bool {

@@ -1,13 +1,18 @@
-//! Hashes of texts.
+//! Hashes of texts and files.
 
 /// FNV-1a, 64 bits: the same on all machines and for all versions of the compiler.
-pub(super) fn hash(text: &str) -> u64 {
+pub fn hash(text: &str) -> u64 {
+    hash_bytes(text.bytes())
+}
+
+/// The same of bytes.
+pub fn hash_bytes(bytes: impl IntoIterator<Item = u8>) -> u64 {
     let step = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-    text.bytes().fold(0xcbf2_9ce4_8422_2325, step)
+    bytes.into_iter().fold(0xcbf2_9ce4_8422_2325, step)
 }
 
 /// FNV-1a over words of eight bytes, the last ones filled with zeros: eight times as fast, for much text.
-pub(super) fn hash_on(hash: u64, bytes: &[u8]) -> u64 {
+pub fn hash_on(hash: u64, bytes: &[u8]) -> u64 {
     let step = |hash: u64, word: u64| (hash ^ word).wrapping_mul(0x0100_0000_01b3).rotate_left(29);
     let (words, rest) = bytes.as_chunks::<8>();
     let hash = words
