@@ -39,25 +39,6 @@ pub fn language() -> Vec<Page> {
     language
 }
 
-/// Contents of the fenced blocks with a tag.
-pub fn blocks(text: &str, tag: &str) -> Vec<String> {
-    let mut blocks: Vec<String> = Vec::new();
-    let mut open: Option<bool> = None;
-    for line in text.lines() {
-        match (line.trim_start().strip_prefix("```"), open) {
-            (Some(found), None) => {
-                open = Some(found.trim() == tag);
-                blocks.extend(open.filter(|wanted| *wanted).map(|_| String::new()));
-            }
-            (Some(_), Some(_)) => open = None,
-            (None, Some(true)) => *blocks.last_mut().unwrap() += &format!("{line}\n"),
-            (None, _) => {}
-        }
-    }
-    assert!(open.is_none(), "a fenced block is not closed");
-    blocks
-}
-
 /// All that is outside of fenced blocks.
 pub fn prose(text: &str) -> String {
     text.split("```").step_by(2).collect()

@@ -7,8 +7,9 @@ use std::path::Path;
 
 use proc_macro2::{TokenStream, TokenTree};
 
-use crate::documents::{Page, blocks, pages};
-use crate::language::{completed, example_model, messages, models};
+use crate::documents::{Page, pages};
+use crate::language::{example_model, messages};
+use crate::snippets::{blocks, completed, models};
 
 /// The tables of messages, in `src`.
 const TABLES: &[&str] = &[

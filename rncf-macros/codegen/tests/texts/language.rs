@@ -10,12 +10,13 @@
 
 use std::path::Path;
 
-use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use proc_macro2::{TokenStream, TokenTree};
 use rncf_codegen::elements::Library;
 use rncf_codegen::parse::tree::Keyword;
 use rncf_codegen::{expand, units, vocabulary};
 
-use crate::documents::{Page, blocks, index_of_words, language, page, pages, prose, section};
+use crate::documents::{Page, index_of_words, language, page, pages, prose, section};
+use crate::snippets::{blocks, completed, models};
 
 /// Words that the parser knows and no table holds.
 #[rustfmt::skip]
@@ -38,102 +39,13 @@ const WORDS: &[&str] = &[
     "domain", "vector", "shape", "field", "coefficient", "option", "strain", "stress", "when", "is", "and", "space", "also",
 ];
 
-/// Items that end with their braces; all others, and sections with a `=`, end with a semicolon.
-const BRACED: &[&str] = &[
-    "material",
-    "table",
-    "section",
-    "body",
-    "rigid",
-    "fixture",
-    "run",
-    "for",
-    "component",
-    "element",
-];
-
-/// The tokens between the parentheses or braces of every `model!` in a document.
-pub fn models(text: &str) -> Vec<TokenStream> {
-    let mut models = Vec::new();
-    for block in blocks(text, "rust").iter().filter(|block| block.contains("model!")) {
-        let file = syn::parse_file(block).unwrap_or_else(|error| panic!("{error} in\n{block}"));
-        for item in file.items {
-            let syn::Item::Macro(item) = item else { continue };
-            if item
-                .mac
-                .path
-                .segments
-                .last()
-                .is_some_and(|segment| segment.ident == "model")
-            {
-                models.push(item.mac.tokens);
-            }
-        }
-    }
-    models
-}
-
 /// Messages of the mistakes of a declaration.
 pub fn messages(tokens: TokenStream) -> Vec<String> {
-    let files = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/files");
+    let files = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/guide");
     match expand::text_beside(tokens, &Library::standard(), Some(&files)) {
         Ok(_) => Vec::new(),
         Err(mistakes) => mistakes.iter().map(|mistake| mistake.message.clone()).collect(),
     }
-}
-
-/// The items of a model: kind, name, tokens.
-fn items(content: TokenStream) -> Vec<(String, String, TokenStream)> {
-    let mut items = Vec::new();
-    let mut item: Vec<TokenTree> = Vec::new();
-    for token in content {
-        let words = item.iter().filter_map(|token| match token {
-            TokenTree::Ident(word) => Some(word.to_string()),
-            _ => None,
-        });
-        let words: Vec<String> = words.take(2).collect();
-        let is_assigned = |token: &TokenTree| matches!(token, TokenTree::Punct(punct) if punct.as_char() == '=');
-        let braced = words.first().is_some_and(|word| BRACED.contains(&word.as_str())) && !item.iter().any(is_assigned);
-        let ends = match &token {
-            TokenTree::Punct(punct) => !braced && punct.as_char() == ';',
-            TokenTree::Group(group) => braced && group.delimiter() == Delimiter::Brace,
-            _ => false,
-        };
-        item.push(token);
-        if ends {
-            let [kind, name] = [0, 1].map(|at| words.get(at).cloned().unwrap_or_default());
-            items.push((kind, name, item.drain(..).collect()));
-        }
-    }
-    assert!(
-        item.is_empty(),
-        "items end with `;` or braces: {}",
-        item.into_iter().collect::<TokenStream>()
-    );
-    items
-}
-
-/// `example` and, of the first model of the document, what it does not declare itself.
-pub fn completed(tutorial: &TokenStream, example: &str) -> TokenStream {
-    let example: TokenStream = example.parse().unwrap_or_else(|error| panic!("{error} in\n{example}"));
-    let content = tutorial.clone().into_iter().find_map(|token| match token {
-        TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => Some(group.stream()),
-        _ => None,
-    });
-    let declared = items(example.clone());
-    let is_declared = |kind: &str, name: &str| {
-        declared
-            .iter()
-            .any(|(k, n, _)| n == name && (k == kind || kind != "output"))
-    };
-    let rest = items(content.expect("a model has braces")).into_iter();
-    let rest = rest
-        .filter(|(kind, name, _)| !is_declared(kind, name))
-        .map(|(.., tokens)| tokens);
-    let all: TokenStream = std::iter::once(example).chain(rest).collect();
-    format!("model Example {{ {all} }}")
-        .parse()
-        .expect("tokens make tokens")
 }
 
 /// Libraries and the models that use them: what rustc makes of the uses, by hand.

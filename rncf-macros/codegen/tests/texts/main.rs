@@ -6,3 +6,4 @@ mod influence;
 mod language;
 mod needs;
 mod places;
+mod snippets;
