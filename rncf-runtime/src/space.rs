@@ -152,6 +152,17 @@ pub(crate) fn second_moment(u: &[Vector], v: &[Vector]) -> Matrix {
     sum
 }
 
+/// `sqrt(a^2 + b^2)` without overflow: where one of them is zero, as in a plane, at the price of a comparison.
+pub(crate) fn magnitude(a: f64, b: f64) -> f64 {
+    if a == 0.0 {
+        b.abs()
+    } else if b == 0.0 {
+        a.abs()
+    } else {
+        a.hypot(b)
+    }
+}
+
 /// A unit vector normal to the unit vector `t`.
 pub fn perpendicular(t: Vector) -> Vector {
     let normal = t.cross(&Vector::ith(t.iamin(), 1.0));

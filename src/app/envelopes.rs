@@ -108,6 +108,23 @@ fn meet(peak: &mut Option<Peak>, value: f64, at: f64, x: f64) {
     }
 }
 
+/// The largest magnitude in a row, of states that tell.
+fn largest(states: &[SectionState], at: f64, of: impl Fn(&SectionState) -> Option<f64>) -> Option<Peak> {
+    let mut peak = None;
+    for state in states {
+        if let Some(value) = of(state) {
+            meet(&mut peak, value, at, state.x);
+        }
+    }
+    peak
+}
+
+fn meet_peak(peak: &mut Option<Peak>, found: Option<Peak>) {
+    if let Some(Peak { value, at, x }) = found {
+        meet(peak, value, at, x);
+    }
+}
+
 /// Stress that counts, Pa: von Mises, or that of the axial force alone.
 pub(super) fn stress_of(body: &SectionBody, state: &SectionState) -> Option<f64> {
     if body.knows_stress {
@@ -130,22 +147,20 @@ impl BodyEnvelope {
     }
 
     fn meet(&mut self, at: f64, states: &[SectionState]) {
-        let mut here = None;
-        for state in states {
-            let x = state.x;
-            meet(&mut self.axial_force, state.forces[0], at, x);
-            meet(&mut self.bending_moment, state.bending_moment(), at, x);
-            if self.body.has_section {
-                meet(&mut self.shear_force, state.shear_force(), at, x);
-            }
-            if self.body.has_section && !self.body.is_planar {
-                meet(&mut self.torque, state.moments[0], at, x);
-            }
-            if let Some(stress) = stress_of(&self.body, state) {
-                meet(&mut self.stress, stress, at, x);
-                meet(&mut here, stress, at, x);
-            }
+        let body = &self.body;
+        let axial = largest(states, at, |state| Some(state.forces[0]));
+        let bending = largest(states, at, |state| Some(state.bending_moment()));
+        meet_peak(&mut self.axial_force, axial);
+        meet_peak(&mut self.bending_moment, bending);
+        if body.has_section {
+            let shear = largest(states, at, |state| Some(state.shear_force()));
+            meet_peak(&mut self.shear_force, shear);
         }
+        if body.has_section && !body.is_planar {
+            meet_peak(&mut self.torque, largest(states, at, |state| Some(state.moments[0])));
+        }
+        let here = largest(states, at, |state| stress_of(body, state));
+        meet_peak(&mut self.stress, here);
         if self.yielding.is_none() {
             self.yielding = here.filter(|peak| self.body.yield_stress.is_some_and(|limit| peak.value > limit));
         }

@@ -169,9 +169,14 @@ impl BodySpec {
 
     /// Arclength (m) of a place `xi` in [0, 1] of an element.
     pub fn arclength(&self, element: usize, xi: f64) -> f64 {
+        self.arclength_of(self.line.length(), element, xi)
+    }
+
+    /// The same where the length of the line (m) is at hand.
+    pub(crate) fn arclength_of(&self, length: f64, element: usize, xi: f64) -> f64 {
         match self.stations.get(element..element + 2) {
-            Some([start, end]) => self.line.length() * (start + xi * (end - start)),
-            _ => self.line.length() * (element as f64 + xi) / self.count as f64,
+            Some([start, end]) => length * (start + xi * (end - start)),
+            _ => length * (element as f64 + xi) / self.count as f64,
         }
     }
 

@@ -13,44 +13,43 @@ use crate::linalg::{Vectorised, dispatch};
 const DEPTH: usize = 6;
 /// Part of a difference, relative to itself, that must be left beside the newer ones.
 const INDEPENDENT: f64 = 1e-4;
-/// Part that must be left for a direction to be free of the newer ones after one subtraction; else there is another.
-const CLEAN: f64 = 0.5;
 
-/// Iterates and increments so far.
+/// What the iterations so far tell.
 pub(super) struct Acceleration {
-    /// Last iterate and its increment as the matrix gave it.
-    last: (Vec<f64>, Vec<f64>),
+    /// Last increment as the matrix gave it, and as it was applied.
+    given: Vec<f64>,
+    applied: Vec<f64>,
     known: bool,
-    /// Differences of successive iterates and of their increments, newest last.
-    differences: Vec<(Vec<f64>, Vec<f64>)>,
+    /// Oldest first.
+    differences: Vec<Difference>,
     /// Memory of differences that were dropped.
-    spare: Vec<(Vec<f64>, Vec<f64>)>,
-    /// Memory of an acceleration.
-    basis: Vec<Direction>,
-    rest: Vec<f64>,
+    spare: Vec<Difference>,
 }
 
-/// A direction of length 1 in which increments have differed, and the combination of differences that it is.
-struct Direction {
-    along: Vec<f64>,
-    parts: [f64; DEPTH],
+/// What changed from one iteration to the next.
+struct Difference {
+    /// Of the iterate and its increment together.
+    moved: Vec<f64>,
+    /// Of the increment, by weights.
+    weighed: Vec<f64>,
+    /// Inner products of `weighed` with those of the older differences and itself.
+    products: [f64; DEPTH],
 }
 
 impl Acceleration {
-    /// For iterates of `size` numbers.
-    pub(super) fn new(size: usize) -> Self {
-        let pair = || (vec![0.0; size], vec![0.0; size]);
-        let direction = || Direction {
-            along: vec![0.0; size],
-            parts: [0.0; DEPTH],
+    /// For increments of `size` numbers, of which the first `measured` have weights.
+    pub(super) fn new(size: usize, measured: usize) -> Self {
+        let difference = || Difference {
+            moved: vec![0.0; size],
+            weighed: vec![0.0; measured],
+            products: [0.0; DEPTH],
         };
         Self {
-            last: pair(),
+            given: vec![0.0; size],
+            applied: vec![0.0; size],
             known: false,
             differences: Vec::with_capacity(DEPTH),
-            spare: (0..DEPTH).map(|_| pair()).collect(),
-            basis: (0..DEPTH).map(|_| direction()).collect(),
-            rest: vec![0.0; size],
+            spare: (0..DEPTH).map(|_| difference()).collect(),
         }
     }
 
@@ -60,95 +59,101 @@ impl Acceleration {
         self.spare.append(&mut self.differences);
     }
 
-    /// Notes the iterate and the increment that the matrix gives there.
-    pub(super) fn note(&mut self, iterate: &[f64], increment: &[f64]) {
-        if self.known {
-            if self.differences.len() == DEPTH {
-                self.spare.push(self.differences.remove(0));
-            }
-            if let Some((mut moved, mut changed)) = self.spare.pop() {
-                for i in 0..iterate.len() {
-                    moved[i] = iterate[i] - self.last.0[i];
-                    changed[i] = increment[i] - self.last.1[i];
-                }
-                self.differences.push((moved, changed));
-            }
-        }
-        self.last.0.copy_from_slice(iterate);
-        self.last.1.copy_from_slice(increment);
-        self.known = true;
-    }
-
-    /// Replaces the increment noted last by the accelerated one, `f - sum gamma_j (dy_j + df_j)` with the least
-    /// `f - sum gamma_j df_j`. What has no entry in `weights` follows without being measured.
-    pub(super) fn accelerate(&mut self, weights: &[f64], increment: &mut [f64]) {
-        dispatch(Arch::new(), Accelerated(self, weights, increment));
+    /// Takes the increment that the matrix gives, and replaces it, where that is wanted, by the accelerated one,
+    /// `f - sum gamma_j (dy_j + df_j)` with the least `f - sum gamma_j df_j`. What has no entry in `weights` follows without
+    /// being measured.
+    pub(super) fn follow(&mut self, weights: &[f64], increment: &mut [f64], is_wanted: bool) {
+        dispatch(Arch::new(), Followed(self, weights, increment, is_wanted));
     }
 
     #[inline(always)]
-    fn replace(&mut self, weights: &[f64], increment: &mut [f64]) {
-        let measured = weights.len();
-        let rest = &mut self.rest[..measured];
-        weigh(increment, weights, rest);
-        let mut gamma = [0.0; DEPTH];
-        // Gram and Schmidt from the newest on.
-        let mut count = 0;
-        for (place, (_, changed)) in self.differences.iter().enumerate().rev() {
-            let (known, unknown) = self.basis.split_at_mut(count);
-            let Some(Direction { along, parts }) = unknown.first_mut() else {
-                break;
-            };
-            let along = &mut along[..measured];
-            weigh(changed, weights, along);
-            *parts = [0.0; DEPTH];
-            parts[place] = 1.0;
-            let whole = dot(along, along).sqrt();
-            let mut size = whole;
-            for _ in 0..2 {
-                for other in &*known {
-                    let part = dot(&other.along[..measured], along);
-                    subtract(part, &other.along[..measured], along);
-                    subtract(part, &other.parts, parts);
-                }
-                size = dot(along, along).sqrt();
-                if size > CLEAN * whole {
-                    break;
-                }
-            }
-            if size.is_nan() || size <= INDEPENDENT * whole {
-                continue;
-            }
-            along.iter_mut().for_each(|y| *y /= size);
-            parts.iter_mut().for_each(|y| *y /= size);
-            let part = dot(along, rest);
-            subtract(part, along, rest);
-            subtract(-part, parts, &mut gamma);
-            count += 1;
-        }
-        for ((moved, changed), gamma) in self.differences.iter().zip(gamma) {
-            for ((y, moved), changed) in increment.iter_mut().zip(moved).zip(changed) {
-                *y = *y - gamma * moved - gamma * changed;
+    fn note(&mut self, weights: &[f64], increment: &[f64]) {
+        if self.differences.len() == DEPTH {
+            self.spare.push(self.differences.remove(0));
+            for difference in &mut self.differences {
+                difference.products.rotate_left(1);
             }
         }
+        let Some(mut new) = self.spare.pop() else { return };
+        let n = increment.len();
+        let (moved, given, applied) = (&mut new.moved[..n], &self.given[..n], &self.applied[..n]);
+        for i in 0..n {
+            moved[i] = increment[i] - given[i];
+        }
+        for ((weighed, moved), weight) in new.weighed.iter_mut().zip(&*moved).zip(weights) {
+            *weighed = moved * weight;
+        }
+        for i in 0..n {
+            moved[i] += applied[i];
+        }
+        for (product, old) in new.products.iter_mut().zip(&self.differences) {
+            *product = dot(&old.weighed, &new.weighed);
+        }
+        new.products[self.differences.len()] = dot(&new.weighed, &new.weighed);
+        self.differences.push(new);
+    }
+
+    /// Factors of the differences, by Cholesky's method from the newest on; what depends on newer ones is left out.
+    #[inline(always)]
+    fn factors(&self, weights: &[f64], increment: &[f64]) -> [f64; DEPTH] {
+        // Rows of the factor by the places of the differences, and what is on the right.
+        let (mut rows, mut right) = ([[0.0; DEPTH]; DEPTH], [0.0; DEPTH]);
+        let mut used = [false; DEPTH];
+        let count = self.differences.len();
+        for place in (0..count).rev() {
+            let own = &self.differences[place];
+            let whole = own.products[place];
+            let (mut left, mut side) = (whole, weighted(&own.weighed, weights, increment));
+            for newer in (place + 1..count).rev().filter(|&newer| used[newer]) {
+                let mut part = self.differences[newer].products[place];
+                for between in (newer + 1..count).filter(|&between| used[between]) {
+                    part -= rows[place][between] * rows[newer][between];
+                }
+                part /= rows[newer][newer];
+                rows[place][newer] = part;
+                left -= part * part;
+                side -= part * right[newer];
+            }
+            used[place] = left > INDEPENDENT * INDEPENDENT * whole;
+            if used[place] {
+                rows[place][place] = left.sqrt();
+                right[place] = side / rows[place][place];
+            }
+        }
+        let mut factors = [0.0; DEPTH];
+        for place in (0..count).filter(|&place| used[place]) {
+            let older: f64 = (0..place).map(|older| rows[older][place] * factors[older]).sum();
+            factors[place] = (right[place] - older) / rows[place][place];
+        }
+        factors
+    }
+
+    #[inline(always)]
+    fn advance(&mut self, weights: &[f64], increment: &mut [f64], is_wanted: bool) {
+        if self.known {
+            self.note(weights, increment);
+        }
+        self.given.copy_from_slice(increment);
+        self.known = true;
+        if is_wanted {
+            let factors = self.factors(weights, increment);
+            for (difference, factor) in self.differences.iter().zip(factors) {
+                let by = difference.moved.iter();
+                increment.iter_mut().zip(by).for_each(|(y, moved)| *y -= factor * moved);
+            }
+        }
+        self.applied.copy_from_slice(increment);
     }
 }
 
-struct Accelerated<'a>(&'a mut Acceleration, &'a [f64], &'a mut [f64]);
+struct Followed<'a>(&'a mut Acceleration, &'a [f64], &'a mut [f64], bool);
 
-impl Vectorised for Accelerated<'_> {
+impl Vectorised for Followed<'_> {
     type Output = ();
 
     #[inline(always)]
     fn run<const F: bool>(self) {
-        self.0.replace(self.1, self.2);
-    }
-}
-
-/// `out = y weights`, one by one.
-#[inline(always)]
-fn weigh(y: &[f64], weights: &[f64], out: &mut [f64]) {
-    for ((out, y), weight) in out.iter_mut().zip(y).zip(weights) {
-        *out = y * weight;
+        self.0.advance(self.1, self.2, self.3);
     }
 }
 
@@ -166,10 +171,24 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]) + rest
 }
 
-/// `y -= factor x`
+/// Inner product with what `weights` make of the first of `increment`, likewise.
 #[inline(always)]
-fn subtract(factor: f64, x: &[f64], y: &mut [f64]) {
-    y.iter_mut().zip(x).for_each(|(y, x)| *y -= factor * x);
+fn weighted(a: &[f64], weights: &[f64], increment: &[f64]) -> f64 {
+    let n = a.len();
+    let ((a, a_rest), (w, w_rest), (y, y_rest)) = (
+        a.as_chunks::<4>(),
+        weights[..n].as_chunks::<4>(),
+        increment[..n].as_chunks::<4>(),
+    );
+    let mut lanes = [0.0; 4];
+    for ((a, w), y) in a.iter().zip(w).zip(y) {
+        for lane in 0..4 {
+            lanes[lane] += a[lane] * (w[lane] * y[lane]);
+        }
+    }
+    let rest = a_rest.iter().zip(w_rest).zip(y_rest);
+    let rest: f64 = rest.map(|((a, w), y)| a * (w * y)).sum();
+    (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]) + rest
 }
 
 #[cfg(test)]
@@ -187,18 +206,16 @@ mod tests {
         };
         let size = 20;
         let weights = vec![1.0; size - 1];
-        let (mut y, mut acceleration) = (vec![0.0; size], Acceleration::new(size));
+        let (mut y, mut acceleration) = (vec![0.0; size], Acceleration::new(size, size - 1));
         for _ in 0..6 {
             let mut f: Vec<f64> = (0..size).map(|i| (factor(i) - 1.0) * (y[i] - 1.0)).collect();
-            acceleration.note(&y, &f);
-            acceleration.accelerate(&weights, &mut f);
+            acceleration.follow(&weights, &mut f, true);
             y.iter_mut().zip(&f).for_each(|(y, f)| *y += f);
         }
         assert!(y[..size - 1].iter().all(|y| (y - 1.0).abs() < 1e-9), "{y:?}");
         acceleration.restart();
         let mut f = vec![0.5; size];
-        acceleration.note(&y, &f);
-        acceleration.accelerate(&weights, &mut f);
+        acceleration.follow(&weights, &mut f, true);
         assert!(f.iter().all(|f| *f == 0.5), "nothing is known after a restart");
     }
 }

@@ -119,7 +119,7 @@ impl Bordered {
             given: (vec![0.0; n], vec![0.0; m]),
             rest: (vec![0.0; n], vec![0.0; m]),
             work: vec![0.0; m],
-            acceleration: Acceleration::new(n + m),
+            acceleration: Acceleration::new(n + m, n),
             inverse_sizes: system.sizes().iter().map(|size| 1.0 / size).collect(),
             pattern,
             constraint_pattern,
@@ -342,10 +342,8 @@ impl Bordered {
         for _ in 0..CORRECTIONS {
             statistics.solves += 1;
             self.saddle.solve(&mut self.rest.0, &mut self.rest.1);
-            let iterate = [&*dynamics, &*constraints].concat();
             let mut change = [&self.rest.0[..], &self.rest.1].concat();
-            self.acceleration.note(&iterate, &change);
-            self.acceleration.accelerate(&self.inverse_sizes, &mut change);
+            self.acceleration.follow(&self.inverse_sizes, &mut change, true);
             let correction = self.norm(&self.rest.0);
             add(dynamics, &change[..n]);
             add(constraints, &change[n..]);

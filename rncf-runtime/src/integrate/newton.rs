@@ -589,6 +589,15 @@ pub(super) fn largest(y: &[f64], factors: &[f64]) -> Option<usize> {
 
 /// Root of the mean square of `y_i * factor_i`; 0 without unknowns.
 pub(super) fn norm(y: &[f64], factors: &[f64]) -> f64 {
-    let sum: f64 = y.iter().zip(factors).map(|(y, factor)| (y * factor).powi(2)).sum();
+    // In four lanes: one sum waits for the other.
+    let ((whole, rest), (factors, of_rest)) = (y.as_chunks::<4>(), factors.as_chunks::<4>());
+    let mut lanes = [0.0; 4];
+    for (y, factors) in whole.iter().zip(factors) {
+        for lane in 0..4 {
+            lanes[lane] += (y[lane] * factors[lane]).powi(2);
+        }
+    }
+    let rest: f64 = rest.iter().zip(of_rest).map(|(y, factor)| (y * factor).powi(2)).sum();
+    let sum = (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]) + rest;
     (sum / y.len().max(1) as f64).sqrt()
 }

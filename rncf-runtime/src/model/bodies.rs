@@ -3,7 +3,7 @@
 use crate::archive::{Archive, Keep};
 use crate::emitted::{Fidelity, SectionQuantity};
 use crate::import::{Named, archive};
-use crate::space::{Matrix, Vector};
+use crate::space::{Matrix, Vector, magnitude};
 
 /// A meshed body of the declaration, as it is described in a scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -110,12 +110,12 @@ impl SectionState {
 
     /// Magnitude of the shear force, N.
     pub fn shear_force(&self) -> f64 {
-        self.forces[1].hypot(self.forces[2])
+        magnitude(self.forces[1], self.forces[2])
     }
 
     /// Magnitude of the bending moment, N m.
     pub fn bending_moment(&self) -> f64 {
-        self.moments[1].hypot(self.moments[2])
+        magnitude(self.moments[1], self.moments[2])
     }
 }
 

@@ -86,15 +86,15 @@ impl Estimate {
         statistics: &mut Statistics,
     ) -> f64 {
         let [a, b, c] = coefficients.embedded.map(|value| value / stages.h);
+        let g = coefficients.real / stages.h;
         for i in 0..self.x.len() {
             // The embedded weights make -1 of the nodes: v_n + (e . Z) / h = (e . W) / h.
             let (w, change) = (&stages.w, &stages.change);
             self.first[i] = a * w[0][i] + b * w[1][i] + c * w[2][i];
-            self.work[i] = start.a[i] + a * change[0][i] + b * change[1][i] + c * change[2][i];
+            let rate = start.a[i] + a * change[0][i] + b * change[1][i] + c * change[2][i];
+            self.work[i] = rate + g * self.first[i];
         }
         self.x.fill(0.0);
-        let (block, mass) = (&matrices.chart.block, &matrices.tangent.mass);
-        block.multiply_add(1.0, mass, &self.work, &mut self.x);
         self.finish(coefficients, matrices, stages.h, statistics)
     }
 
@@ -130,10 +130,15 @@ impl Estimate {
             pattern.multiply_add(1.0, &self.jacobian, &state.lambda, &mut self.x);
         }
         self.x.iter_mut().for_each(|value| *value = -*value);
+        let g = coefficients.real / stages.h;
+        self.work
+            .iter_mut()
+            .zip(&self.first)
+            .for_each(|(work, first)| *work = g * first);
         self.finish(coefficients, matrices, stages.h, statistics)
     }
 
-    /// Completes F2 in `x` to the right side, solves, and measures.
+    /// Completes `x` to the right side, solves, and measures; `work` is what the mass multiplies beside it.
     fn finish(
         &mut self,
         coefficients: &Coefficients,
@@ -143,7 +148,7 @@ impl Estimate {
     ) -> f64 {
         let g = coefficients.real / h;
         let (block, tangent) = (&matrices.chart.block, &matrices.tangent);
-        block.multiply_add(g, &tangent.mass, &self.first, &mut self.x);
+        block.multiply_add(1.0, &tangent.mass, &self.work, &mut self.x);
         block.multiply_add(1.0, &tangent.damping, &self.first, &mut self.x);
         self.constraints.fill(0.0);
         matrices.solve_real(&mut self.x, &mut self.constraints, statistics);

@@ -1,11 +1,13 @@
 //! The two factorizations of a step: the Newton matrix of three stages, split by the
 //! eigenvectors of A^-1 into a real and a complex system of the size of one stage.
 
+use pulp::Arch;
+
 use super::chart::Chart;
 use super::coefficients::Coefficients;
 use super::stabilised::{Slopes, Stabilised};
 use crate::integrate::Statistics;
-use crate::linalg::{Pattern, Saddle, Singular, c64};
+use crate::linalg::{Pattern, Saddle, Singular, Vectorised, c64, dispatch};
 use crate::system::{State, System, Tangent};
 
 /// Tangent, constraint Jacobian and the factorizations made of them, in the chart.
@@ -155,18 +157,8 @@ impl Matrices {
         statistics: &mut Statistics,
     ) {
         for (k, stages) in sides.iter().enumerate() {
-            let (real, complex) = (&mut self.real_sides[k][..], &mut self.complex_sides[k][..]);
-            let n = real.len();
-            let (stages, complex) = (stages.each_ref().map(|stage| &stage[..n]), &mut complex[..n]);
-            let (r, c) = (coefficients.real_left, coefficients.complex_left);
-            for i in 0..n {
-                let f = stages.map(|stage| stage[i]);
-                real[i] = r[0] * f[0] + r[1] * f[1] + r[2] * f[2];
-                complex[i] = c64::new(
-                    c[0].re * f[0] + c[1].re * f[1] + c[2].re * f[2],
-                    c[0].im * f[0] + c[1].im * f[1] + c[2].im * f[2],
-                );
-            }
+            let (real, complex) = (&mut self.real_sides[k], &mut self.complex_sides[k]);
+            dispatch(Arch::new(), ToEigenvectors(coefficients, stages, real, complex));
         }
         let ([f, c, r], [zf, zc, zr]) = (&mut self.real_sides, &mut self.complex_sides);
         match &mut self.stabilised {
@@ -185,12 +177,7 @@ impl Matrices {
         statistics.solves += 2;
         for (k, stages) in sides.into_iter().enumerate() {
             let (real, complex) = (&self.real_sides[k], &self.complex_sides[k]);
-            for (s, stage) in stages.iter_mut().enumerate() {
-                let (a, b) = (coefficients.real_right[s], coefficients.complex_right[s]);
-                for ((value, real), complex) in stage.iter_mut().zip(real).zip(complex) {
-                    *value = a * real + 2.0 * (b.re * complex.re - b.im * complex.im);
-                }
-            }
+            dispatch(Arch::new(), FromEigenvectors(coefficients, stages, real, complex));
         }
     }
 
@@ -198,5 +185,45 @@ impl Matrices {
     pub(super) fn solve_real(&mut self, dynamics: &mut [f64], constraints: &mut [f64], statistics: &mut Statistics) {
         self.real.solve(dynamics, constraints);
         statistics.solves += 1;
+    }
+}
+
+/// What the stages have along the real and the complex eigenvector of A^-1.
+struct ToEigenvectors<'a>(&'a Coefficients, &'a [Vec<f64>; 3], &'a mut [f64], &'a mut [c64]);
+
+impl Vectorised for ToEigenvectors<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<const F: bool>(self) {
+        let Self(coefficients, [f0, f1, f2], real, complex) = self;
+        let n = real.len();
+        let (f0, f1, f2, complex) = (&f0[..n], &f1[..n], &f2[..n], &mut complex[..n]);
+        let (r, c) = (coefficients.real_left, coefficients.complex_left);
+        for i in 0..n {
+            real[i] = r[0] * f0[i] + r[1] * f1[i] + r[2] * f2[i];
+            complex[i] = c64::new(
+                c[0].re * f0[i] + c[1].re * f1[i] + c[2].re * f2[i],
+                c[0].im * f0[i] + c[1].im * f1[i] + c[2].im * f2[i],
+            );
+        }
+    }
+}
+
+/// The stages from what they have along these eigenvectors.
+struct FromEigenvectors<'a>(&'a Coefficients, &'a mut [Vec<f64>; 3], &'a [f64], &'a [c64]);
+
+impl Vectorised for FromEigenvectors<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<const F: bool>(self) {
+        let Self(coefficients, stages, real, complex) = self;
+        for (s, stage) in stages.iter_mut().enumerate() {
+            let (a, b) = (coefficients.real_right[s], coefficients.complex_right[s]);
+            for ((value, real), complex) in stage.iter_mut().zip(real).zip(complex) {
+                *value = a * real + 2.0 * (b.re * complex.re - b.im * complex.im);
+            }
+        }
     }
 }

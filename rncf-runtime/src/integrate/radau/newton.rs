@@ -81,8 +81,7 @@ pub(super) struct Newton {
     drift: Vec<f64>,
     stage: State,
     acceleration: Acceleration,
-    /// Iterate and increment in one piece: increments of position, multipliers; weights of the former.
-    iterate: Vec<f64>,
+    /// Changes of an iteration in one piece: of increments of position, of multipliers; weights of the former.
     increment: Vec<f64>,
     weights: Vec<f64>,
 }
@@ -107,7 +106,6 @@ impl Keep for Newton {
             drift: _,
             stage: _,
             acceleration: _,
-            iterate: _,
             increment: _,
             weights: _,
         } = self;
@@ -144,8 +142,7 @@ impl Newton {
             jacobian: vec![0.0; matrices.chart.constraints.entries()],
             drift: vec![0.0; if stabilised { n } else { 0 }],
             stage: State::of(system, 0.0),
-            acceleration: Acceleration::new(3 * (n + m + rates)),
-            iterate: Vec::with_capacity(3 * (n + m + rates)),
+            acceleration: Acceleration::new(3 * (n + m + rates), 3 * n),
             increment: Vec::with_capacity(3 * (n + m + rates)),
             weights: system.sizes().repeat(3).iter().map(|size| 1.0 / size).collect(),
         }
@@ -202,8 +199,7 @@ impl Newton {
             let changes = &self.dynamics;
             self.lasting
                 .note(|i| (row[0] * changes[0][i] + row[1] * changes[1][i] + row[2] * changes[2][i]) * rate);
-            // A fixed step is iterated down to round-off, where differences tell nothing.
-            self.apply(stages, !self.patient && iteration > 1 && last_ratio > ACCELERATED);
+            self.apply(stages, iteration > 1 && last_ratio > ACCELERATED);
             let stagnates = contraction > STAGNANT;
             let at_noise =
                 size <= floor || stagnates && (size <= AMPLIFIED * floor || self.is_at_noise(system, start, size));
@@ -341,22 +337,27 @@ impl Newton {
 
     /// Adds the increments, accelerated or as they are.
     fn apply(&mut self, stages: &mut Stages, accelerated: bool) {
-        self.iterate.clear();
+        if self.patient {
+            // Iterated down to round-off, where differences tell nothing.
+            for (values, changes) in [
+                (&mut stages.w, &self.dynamics),
+                (&mut stages.lambda, &self.constraints),
+                (&mut stages.mu, &self.rates),
+            ] {
+                for (values, changes) in values.iter_mut().zip(changes) {
+                    add(values, changes);
+                }
+            }
+            return;
+        }
         self.increment.clear();
-        for (values, changes) in [
-            (&stages.w, &self.dynamics),
-            (&stages.lambda, &self.constraints),
-            (&stages.mu, &self.rates),
-        ] {
-            for s in 0..3 {
-                self.iterate.extend_from_slice(&values[s]);
-                self.increment.extend_from_slice(&changes[s]);
+        for changes in [&self.dynamics, &self.constraints, &self.rates] {
+            for changes in changes {
+                self.increment.extend_from_slice(changes);
             }
         }
-        self.acceleration.note(&self.iterate, &self.increment);
-        if accelerated {
-            self.acceleration.accelerate(&self.weights, &mut self.increment);
-        }
+        self.acceleration
+            .follow(&self.weights, &mut self.increment, accelerated);
         let mut changes = self.increment.as_slice();
         for values in [&mut stages.w, &mut stages.lambda, &mut stages.mu] {
             for values in values {

@@ -1,8 +1,11 @@
 //! Stage values of a step in its chart and the polynomials through them.
 
+use pulp::Arch;
+
 use super::chart::Chart;
 use super::coefficients::Coefficients;
 use crate::archive::{Archive, Keep};
+use crate::linalg::{Vectorised, dispatch};
 use crate::system::State;
 
 /// Values at the three stages of a step, in its chart.
@@ -67,12 +70,19 @@ impl Stages {
     /// Increments, rates and their derivatives at the stages from the unknowns and the drift:
     /// `Z = W + c h v_n`, `V - v_n = A^-1 W / h + drift`, `A = A^-1 (V - v_n) / h`.
     pub(super) fn differentiate(&mut self, coefficients: &Coefficients, start: &State) {
+        dispatch(Arch::new(), Differentiated(self, coefficients, start));
+    }
+
+    #[inline(always)]
+    fn differentiated(&mut self, coefficients: &Coefficients, start: &State) {
         let rates = &start.v[..];
         let n = rates.len();
-        let [w0, w1, w2] = self.w.each_ref().map(|w| &w[..n]);
+        let [w0, w1, w2] = &self.w;
+        let [w0, w1, w2] = [&w0[..n], &w1[..n], &w2[..n]];
+        let h = self.h;
         for (s, row) in coefficients.inverse.iter().enumerate() {
-            let [a, b, c] = row.map(|value| value / self.h);
-            let dt = coefficients.nodes[s] * self.h;
+            let [a, b, c] = [row[0] / h, row[1] / h, row[2] / h];
+            let dt = coefficients.nodes[s] * h;
             let own = [w0, w1, w2][s];
             let (z, change) = (&mut self.z[s][..n], &mut self.change[s][..n]);
             for i in 0..n {
@@ -86,9 +96,10 @@ impl Stages {
                 *v = rate + change;
             }
         }
-        let [c0, c1, c2] = self.change.each_ref().map(|change| &change[..n]);
+        let [c0, c1, c2] = &self.change;
+        let [c0, c1, c2] = [&c0[..n], &c1[..n], &c2[..n]];
         for (row, out) in coefficients.inverse.iter().zip(&mut self.a) {
-            let [a, b, c] = row.map(|value| value / self.h);
+            let [a, b, c] = [row[0] / h, row[1] / h, row[2] / h];
             let out = &mut out[..n];
             for i in 0..n {
                 out[i] = a * c0[i] + b * c1[i] + c * c2[i];
@@ -206,6 +217,18 @@ impl Stages {
         combine(quadratic, &self.a, &mut out.a);
         combine(quadratic, &self.lambda, &mut out.lambda);
         chart.leave(out);
+    }
+}
+
+/// [`Stages::differentiate`] with the instructions of the processor.
+struct Differentiated<'a>(&'a mut Stages, &'a Coefficients, &'a State);
+
+impl Vectorised for Differentiated<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<const F: bool>(self) {
+        self.0.differentiated(self.1, self.2);
     }
 }
 

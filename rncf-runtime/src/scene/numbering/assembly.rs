@@ -90,6 +90,38 @@ struct Odd {
     factor: f64,
 }
 
+impl Run {
+    /// Adds its entries, of a matrix of some size.
+    #[inline(always)]
+    fn add<T>(self, size: usize, local: &[T], entry: impl Fn(&T) -> f64, values: &mut [f64]) {
+        let mut place = usize::from(self.local);
+        for value in &mut values[self.place as usize..][..usize::from(self.length)] {
+            *value += entry(&local[place]);
+            place += size;
+        }
+    }
+}
+
+/// Adds runs of a matrix of a constant size, most of which are whole columns.
+#[inline(always)]
+fn add_columns<T, const N: usize>(runs: &[Run], local: &[T], entry: impl Fn(&T) -> f64, values: &mut [f64]) {
+    let (rows, _) = local.as_chunks::<N>();
+    for run in runs {
+        let (column, places) = (
+            usize::from(run.local),
+            values[run.place as usize..].first_chunk_mut::<N>(),
+        );
+        match (rows.first_chunk::<N>(), places) {
+            (Some(rows), Some(places)) if usize::from(run.length) == N && column < N => {
+                for (place, row) in places.iter_mut().zip(rows) {
+                    *place += entry(&row[column]);
+                }
+            }
+            _ => run.add(N, local, &entry, values),
+        }
+    }
+}
+
 impl Scatter {
     /// Looks all places up.
     pub fn new(connectivity: &Connectivity, layout: &Layout, pattern: &Pattern) -> Self {
@@ -139,24 +171,25 @@ impl Scatter {
         });
     }
 
-    /// Adds the matrix of one element.
+    /// Adds the matrix of one element, rows first.
     pub fn add(&self, element: usize, local: &[f64], values: &mut [f64]) {
-        self.add_by(element, |entry| local[entry], values);
+        self.add_by(element, local, |value| *value, values);
     }
 
-    /// Adds the matrix of one element, given by its entries, rows first.
+    /// Adds the matrix of one element, given by what stands in the places of its entries, rows first.
     #[inline]
-    pub fn add_by(&self, element: usize, local: impl Fn(usize) -> f64, values: &mut [f64]) {
+    pub fn add_by<T>(&self, element: usize, local: &[T], entry: impl Fn(&T) -> f64, values: &mut [f64]) {
         let own = |starts: &[u32]| starts[element] as usize..starts[element + 1] as usize;
-        for run in &self.runs[own(&self.run_starts)] {
-            let mut entry = usize::from(run.local);
-            for value in &mut values[run.place as usize..][..usize::from(run.length)] {
-                *value += local(entry);
-                entry += self.size;
-            }
+        let runs = &self.runs[own(&self.run_starts)];
+        match self.size {
+            // Sizes of the library's elements are constants of the code.
+            8 => add_columns::<T, 8>(runs, local, &entry, values),
+            12 => add_columns::<T, 12>(runs, local, &entry, values),
+            24 => add_columns::<T, 24>(runs, local, &entry, values),
+            size => runs.iter().for_each(|run| run.add(size, local, &entry, values)),
         }
         for odd in &self.odd[own(&self.odd_starts)] {
-            values[odd.place as usize] += odd.factor * local(usize::from(odd.local));
+            values[odd.place as usize] += odd.factor * entry(&local[usize::from(odd.local)]);
         }
     }
 }

@@ -74,12 +74,14 @@ impl Units {
     pub fn gather(&self, unit: usize, full: &[f64], local: &mut [Lanes]) {
         let components = self.components(unit);
         if self.in_runs[unit] {
-            let [a, b, c, d] = components[0].map(|first| &full[first as usize..][..self.size]);
-            let runs = a.iter().zip(b).zip(c.iter().zip(d));
-            for (values, ((&a, &b), (&c, &d))) in local.iter_mut().zip(runs) {
-                *values = [a, b, c, d];
+            let firsts = components[0].map(|first| first as usize);
+            match self.size {
+                // Sizes of the library's elements are constants of the code.
+                8 => return gather_run::<8>(firsts, full, local),
+                12 => return gather_run::<12>(firsts, full, local),
+                24 => return gather_run::<24>(firsts, full, local),
+                _ => {}
             }
-            return;
         }
         for (values, components) in local.iter_mut().zip(components) {
             *values = components.map(|component| full[component as usize]);
@@ -90,14 +92,37 @@ impl Units {
     pub fn add(&self, unit: usize, lane: usize, factor: f64, local: &[Lanes], full: &mut [f64]) {
         let components = self.components(unit);
         if self.in_runs[unit] {
-            let own = &mut full[components[0][lane] as usize..][..self.size];
-            own.iter_mut()
-                .zip(local)
-                .for_each(|(sum, values)| *sum += factor * values[lane]);
-            return;
+            let own = &mut full[components[0][lane] as usize..];
+            match self.size {
+                8 => return add_run::<8>(lane, factor, local, own),
+                12 => return add_run::<12>(lane, factor, local, own),
+                24 => return add_run::<24>(lane, factor, local, own),
+                _ => {}
+            }
         }
         for (components, values) in components.iter().zip(local) {
             full[components[lane] as usize] += factor * values[lane];
         }
+    }
+}
+
+/// Copies `N` components that follow each other, of four elements.
+fn gather_run<const N: usize>(firsts: [usize; LANES], full: &[f64], local: &mut [Lanes]) {
+    let own = firsts.map(|first| full[first..].first_chunk::<N>());
+    let ([Some(a), Some(b), Some(c), Some(d)], Some(local)) = (own, local.first_chunk_mut::<N>()) else {
+        unreachable!("components are in the full arrays");
+    };
+    for i in 0..N {
+        local[i] = [a[i], b[i], c[i], d[i]];
+    }
+}
+
+/// Adds what one lane has to `N` components that follow each other.
+fn add_run<const N: usize>(lane: usize, factor: f64, local: &[Lanes], full: &mut [f64]) {
+    let (Some(local), Some(sums), true) = (local.first_chunk::<N>(), full.first_chunk_mut::<N>(), lane < LANES) else {
+        unreachable!("components are in the full arrays");
+    };
+    for i in 0..N {
+        sums[i] += factor * local[i][lane];
     }
 }

@@ -9,7 +9,7 @@
 //! F = sum_b I_b f_b,   M = sum_ab G_ab q_a x f_b - r x F
 //! ```
 
-use crate::emitted::{BodySpec, FIVE, Interpolant, Parts};
+use crate::emitted::{BodySpec, FIVE, Interpolant, LANES, Parts};
 use crate::linalg::Cholesky;
 
 /// A body of a model.
@@ -40,6 +40,8 @@ pub(crate) struct Reaches {
     lengths: Vec<OfLength>,
     /// Among them, that of the element begun last.
     at: usize,
+    /// Memory of what reads four elements at a time: zeros along axes that the body does not have.
+    pub four: Vec<[f64; LANES]>,
 }
 
 impl Reaches {

@@ -62,6 +62,8 @@ pub(crate) struct Reader<'a> {
     section: Option<SectionSpec>,
     pub(super) is_line: bool,
     normal: Option<Vector>,
+    /// Of the axis, m.
+    length: f64,
     /// The local vector that is the position of the first node.
     pub(super) first: usize,
     pub(super) reaches: &'a mut Reaches,
@@ -81,6 +83,7 @@ impl<'a> Reader<'a> {
             section: (!scene.parts.varies(body)).then(|| scene.section_spec(body, 0.0)),
             is_line: !spec.has_section(),
             normal: spec.plane_normal(),
+            length: spec.line.length(),
             first: spec
                 .nodal
                 .iter()
@@ -155,7 +158,8 @@ impl<'a> Reader<'a> {
             moments = triad.map(|axis| axis.dot(&moment));
         }
         let is_planar = self.normal.is_some();
-        let x = self.scene.bodies[self.body].spec.arclength(element, xi);
+        let spec = &self.scene.bodies[self.body].spec;
+        let x = spec.arclength_of(self.length, element, xi);
         let varied;
         let section = match &self.section {
             Some(section) => section,

@@ -44,8 +44,14 @@ impl Reader<'_> {
         }
         let is_loaded = scene.has_loads_along(index);
         let (vectors, size) = (body.spec.nodal.len(), body.spec.element_size());
-        let mut memory = (vec![NONE; 7 * vectors], vec![[0.0; LANES]; 3 * size]);
-        let (mut of_vectors, mut of_components) = (memory.0.chunks_exact_mut(vectors), memory.1.chunks_exact_mut(size));
+        let mut memory = std::mem::take(&mut self.reaches.four);
+        memory.resize(7 * 3 * vectors + 3 * size, [0.0; LANES]);
+        let (of_vectors, of_components) = memory.split_at_mut(7 * 3 * vectors);
+        let (of_vectors, _) = of_vectors.as_chunks_mut::<3>();
+        let (mut of_vectors, mut of_components) = (
+            of_vectors.chunks_exact_mut(vectors),
+            of_components.chunks_exact_mut(size),
+        );
         let mut next = || of_vectors.next().unwrap_or_default();
         let mut found = Elements {
             levers: next(),
@@ -78,6 +84,7 @@ impl Reader<'_> {
                 }
             }
         }
+        self.reaches.four = memory;
     }
 
     /// As [`Reader::begin`], of four elements; `false` where they are not of one length, forces act inside of them, or the processor
@@ -95,27 +102,26 @@ impl Reader<'_> {
         self.reaches.begin(described(scene, index), elements[0]);
         let [q, v, force] = &mut found.local;
         force.fill([0.0; LANES]);
-        for (lane, element) in elements.into_iter().enumerate() {
-            for (place, &component) in body.connectivity.element(element).iter().enumerate() {
-                q[place][lane] = buffers.q[component];
-                v[place][lane] = buffers.v[component];
-                let (vector, axis) = (place / spec.axes.len(), spec.axes[place % spec.axes.len()]);
-                found.accelerations[vector][axis][lane] = buffers.a[component];
-            }
+        let components = elements.map(|element| body.connectivity.element(element));
+        // Vectors and axes of an element's components, one after the other.
+        let places = || (0..spec.nodal.len()).flat_map(|vector| spec.axes.iter().map(move |&axis| (vector, axis)));
+        for (place, (vector, axis)) in places().enumerate() {
+            let own = components.map(|components| components[place]);
+            q[place] = own.map(|component| buffers.q[component]);
+            v[place] = own.map(|component| buffers.v[component]);
+            found.levers[vector][axis] = q[place];
+            found.rates[vector][axis] = v[place];
+            found.accelerations[vector][axis] = own.map(|component| buffers.a[component]);
         }
         let both = [0, 1, 2, 3].map(|lane: usize| (index, elements[lane]));
         scene.parts.elastic_force4(&both, q, v, force);
-        for place in 0..q.len() {
-            let (vector, axis) = (place / spec.axes.len(), spec.axes[place % spec.axes.len()]);
-            found.levers[vector][axis] = q[place];
-            found.rates[vector][axis] = v[place];
-            found.elastic[vector][axis] = force[place];
+        for ((vector, axis), &force) in places().zip(&**force) {
+            found.elastic[vector][axis] = force;
         }
         if is_loaded {
             for (lane, element) in elements.into_iter().enumerate() {
-                for (place, load) in scene.densities_on(index, element)[..q.len()].iter().enumerate() {
-                    let (vector, axis) = (place / spec.axes.len(), spec.axes[place % spec.axes.len()]);
-                    found.loads[vector][axis][lane] = *load;
+                for ((vector, axis), load) in places().zip(scene.densities_on(index, element)) {
+                    found.loads[vector][axis][lane] = load;
                 }
             }
         }
@@ -145,8 +151,9 @@ impl Reader<'_> {
 type Wide<L> = [<L as Lanes>::Real; 3];
 
 #[inline(always)]
-fn load<L: Lanes>(lanes: L, vector: &Vectors) -> Wide<L> {
-    vector.map(|component| lanes.load(component))
+fn load<L: Lanes>(lanes: L, [x, y, z]: &Vectors) -> Wide<L> {
+    // Closures of arrays are not compiled for the processor.
+    [lanes.load(*x), lanes.load(*y), lanes.load(*z)]
 }
 
 #[inline(always)]
@@ -173,6 +180,11 @@ fn minus<L: Lanes>(a: Wide<L>, b: Wide<L>) -> Wide<L> {
 }
 
 #[inline(always)]
+fn times<L: Lanes>(a: Wide<L>, factor: f64) -> Wide<L> {
+    [a[0] * factor, a[1] * factor, a[2] * factor]
+}
+
+#[inline(always)]
 fn cross<L: Lanes>(a: Wide<L>, b: Wide<L>) -> Wide<L> {
     [
         a[1] * b[2] - a[2] * b[1],
@@ -186,7 +198,7 @@ fn cross<L: Lanes>(a: Wide<L>, b: Wide<L>) -> Wide<L> {
 fn sum<L: Lanes>(lanes: L, weights: &[f64], vectors: &[Vectors]) -> Wide<L> {
     let mut sum = load(lanes, &NONE);
     for (&weight, vector) in weights.iter().zip(vectors) {
-        sum = plus::<L>(sum, load(lanes, vector).map(|component| component * weight));
+        sum = plus::<L>(sum, times::<L>(load(lanes, vector), weight));
     }
     sum
 }
@@ -216,12 +228,19 @@ impl Kernel for Begin<'_, '_> {
             store::<L>(u, &mut found.in_space[place]);
         }
         let mut start = [load(lanes, &NONE); 2];
-        let [a, b, c, d] = self.masses.map(|masses| masses.chunks_exact(count));
+        let [a, b, c, d] = self.masses;
+        let [a, b, c, d] = [
+            a.chunks_exact(count),
+            b.chunks_exact(count),
+            c.chunks_exact(count),
+            d.chunks_exact(count),
+        ];
         for (place, (((a, b), c), d)) in a.zip(b).zip(c).zip(d).enumerate() {
             let mut inertia = load(lanes, &NONE);
             for (column, of) in found.in_space[..count].iter().enumerate() {
                 let mass = lanes.load([a[column], b[column], c[column], d[column]]);
-                inertia = plus::<L>(inertia, load(lanes, of).map(|component| mass * component));
+                let [x, y, z] = load(lanes, of);
+                inertia = plus::<L>(inertia, [mass * x, mass * y, mass * z]);
             }
             let acting = minus::<L>(inertia, load(lanes, &found.loads[place]));
             store::<L>(acting, &mut found.acting[place]);
@@ -269,7 +288,7 @@ impl Kernel for To<'_, '_> {
             levers, acting, start, ..
         } = self.found;
         let here = sum(lanes, &self.reach.position, levers);
-        let [mut force, mut moment] = start.each_ref().map(|vector| load(lanes, vector));
+        let [mut force, mut moment] = [load(lanes, &start[0]), load(lanes, &start[1])];
         let lever = minus::<L>(load(lanes, &levers[self.first]), here);
         moment = plus::<L>(moment, cross::<L>(lever, force));
         // Between the start and itself nothing acts.
@@ -286,7 +305,7 @@ impl Kernel for To<'_, '_> {
                 moment = plus::<L>(moment, cross::<L>(load(lanes, lever), sum(lanes, row, acting)));
             }
         }
-        let [y, z] = self.axes.map(|weights| sum(lanes, weights, levers));
+        let [y, z] = [sum(lanes, self.axes[0], levers), sum(lanes, self.axes[1], levers)];
         for (value, out) in [force, moment, y, z].into_iter().zip(self.out) {
             store::<L>(value, out);
         }

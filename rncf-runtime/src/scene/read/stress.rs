@@ -5,6 +5,7 @@
 use std::f64::consts::PI;
 
 use crate::emitted::{SectionShape, SectionSpec};
+use crate::space::magnitude;
 
 /// Forces (N, Q_y, Q_z) and moments (T, M_y, M_z) on a section with its constants.
 struct Loaded<'a> {
@@ -36,7 +37,7 @@ pub fn largest_stress(section: &SectionSpec, is_planar: bool, forces: [f64; 3], 
 }
 
 fn von_mises(normal: f64, shear: f64) -> f64 {
-    normal.hypot(3.0f64.sqrt() * shear)
+    magnitude(normal, 3.0f64.sqrt() * shear)
 }
 
 impl Loaded<'_> {
@@ -71,9 +72,9 @@ impl Loaded<'_> {
     fn round(&self, radius: f64, factor: f64) -> Option<f64> {
         let [axial, by_y, by_z, twist] = self.gradients()?;
         let torsion = radius * twist;
-        let outermost = von_mises(axial.abs() + radius * by_y.hypot(by_z), torsion);
+        let outermost = von_mises(axial.abs() + radius * magnitude(by_y, by_z), torsion);
         let [y, z] = self.mean_shears()?;
-        let shear = y.hypot(z);
+        let shear = magnitude(y, z);
         if shear == 0.0 {
             return Some(outermost);
         }
@@ -90,9 +91,13 @@ impl Loaded<'_> {
     fn rectangle(&self, [height, width]: [f64; 2]) -> Option<f64> {
         let [axial, by_y, by_z, twist] = self.gradients()?;
         let [y, z] = self.mean_shears()?.map(|shear| 1.5 * shear);
-        let [at_y, at_z] = torsion_of_sides([height, width]).map(|factor| factor * twist);
+        let [at_y, at_z] = if twist == 0.0 {
+            [0.0; 2]
+        } else {
+            torsion_of_sides([height, width]).map(|factor| factor * twist)
+        };
         let (up, aside) = (0.5 * height * by_y, 0.5 * width * by_z);
-        let mut largest = (axial.abs() + up.abs() + aside.abs()).max(von_mises(axial, y.hypot(z)));
+        let mut largest = (axial.abs() + up.abs() + aside.abs()).max(von_mises(axial, magnitude(y, z)));
         for side in [1.0, -1.0] {
             largest = largest
                 .max(von_mises(axial + side * up, z + side * at_y))
@@ -106,7 +111,7 @@ impl Loaded<'_> {
         let [shear_y, shear_z] = self.mean_shears()?.map(|shear| 1.5 * shear);
         let torsion = (2.0 * y.min(z) * twist).abs();
         let outermost = axial.abs() + y * by_y.abs() + z * by_z.abs();
-        let middle = von_mises(axial, shear_y.hypot(shear_z) + torsion);
+        let middle = von_mises(axial, magnitude(shear_y, shear_z) + torsion);
         Some(von_mises(outermost, torsion).max(middle))
     }
 }

@@ -14,12 +14,18 @@ impl MeshScene {
             return false;
         }
         let count = spec.nodal.len();
-        let mut slopes = [[0.0; MAX_SIZE]; 3];
-        for (&xi, slope) in places.iter().zip(&mut slopes) {
-            let weights = &mut slope[..count];
-            self.parts.shapes(body, 0, Interpolant::Position, 1, xi, weights);
+        // With a fourth place for the width of the machine.
+        let mut slopes = [[0.0; 4]; MAX_SIZE];
+        for (place, &xi) in places.iter().enumerate() {
+            let mut weights = [0.0; MAX_SIZE];
+            self.parts
+                .shapes(body, 0, Interpolant::Position, 1, xi, &mut weights[..count]);
+            slopes
+                .iter_mut()
+                .zip(weights)
+                .for_each(|(all, weight)| all[place] = weight);
         }
-        let slopes = slopes.each_ref().map(|slope| &slope[..count]);
+        let slopes = &slopes[..count];
         let squares = match spec.dimension() {
             2 => self.squares_of_stretches::<2>(body, slopes),
             _ => self.squares_of_stretches::<3>(body, slopes),
@@ -27,29 +33,39 @@ impl MeshScene {
         squares[0] > least * least * (1.0 + ROUNDING) && squares[1] < most * most * (1.0 - ROUNDING)
     }
 
-    /// Least and largest square of the slope's length; not ordered where one is not a number.
-    fn squares_of_stretches<const D: usize>(&self, body: usize, slopes: [&[f64]; 3]) -> [f64; 2] {
+    /// Least and largest square of the slope's length, which `slopes` of the nodal vectors add up to at three places; not ordered where one is not a number.
+    fn squares_of_stretches<const D: usize>(&self, body: usize, slopes: &[[f64; 4]]) -> [f64; 2] {
         let (spec, connectivity) = (&self.bodies[body].spec, &self.bodies[body].connectivity);
-        let [mut least, mut most] = [f64::INFINITY, 0.0_f64];
+        let (mut least, mut most, mut sum) = ([f64::INFINITY; 4], [0.0; 4], 0.0);
         for element in 0..spec.count {
-            let mut slope = [[0.0; D]; 3];
+            let mut slope = [[0.0; 4]; D];
             let (vectors, _) = connectivity.element(element).as_chunks::<D>();
-            for (place, components) in vectors.iter().enumerate() {
-                let vector = components.map(|component| self.buffers.q[component]);
-                for (sum, weights) in slope.iter_mut().zip(slopes) {
-                    for (sum, component) in sum.iter_mut().zip(vector) {
-                        *sum += weights[place] * component;
+            for (components, weights) in vectors.iter().zip(slopes) {
+                for (sums, &component) in slope.iter_mut().zip(components) {
+                    let component = self.buffers.q[component];
+                    for (sum, weight) in sums.iter_mut().zip(weights) {
+                        *sum += weight * component;
                     }
                 }
             }
-            for slope in slope {
-                let square: f64 = slope.iter().map(|component| component * component).sum();
-                if square.is_nan() {
-                    return [f64::NAN; 2];
+            let mut squares = [0.0; 4];
+            for sums in slope {
+                for (square, sum) in squares.iter_mut().zip(sums) {
+                    *square += sum * sum;
                 }
-                (least, most) = (least.min(square), most.max(square));
+            }
+            for ((square, least), most) in squares.into_iter().zip(&mut least).zip(&mut most).take(3) {
+                *least = if square < *least { square } else { *least };
+                *most = if square > *most { square } else { *most };
+                sum += square;
             }
         }
-        [least, most]
+        if f64::is_nan(sum) {
+            return [f64::NAN; 2];
+        }
+        [
+            least.into_iter().fold(f64::INFINITY, f64::min),
+            most.into_iter().fold(0.0, f64::max),
+        ]
     }
 }

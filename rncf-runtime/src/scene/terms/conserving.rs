@@ -117,7 +117,7 @@ impl Conserving for MeshScene {
                 self.parts
                     .conserving_tangent(index, element, &start[..size], &end[..size], &mut stiffness);
                 body.scatter
-                    .add_by(element, |entry| factors[1] * stiffness[entry], values);
+                    .add_by(element, &stiffness, |value| factors[1] * value, values);
             }
         }
     }

@@ -438,7 +438,7 @@ impl MeshScene {
                         total.add_values(places, load_scale, |entry| by_values[entry]);
                         let (stiffness, factor) = out.all_stiffness();
                         let factor = -factor * load_scale;
-                        body.scatter.add_by(element, |entry| factor * by_q[entry], stiffness);
+                        body.scatter.add_by(element, &by_q, |value| factor * value, stiffness);
                     } else {
                         if scene.free_of[body.frame].is_some() {
                             total.add_frame(places, &result, load_scale, lane);
@@ -447,7 +447,7 @@ impl MeshScene {
                         let (stiffness, factor) = out.all_stiffness();
                         let factor = -factor * load_scale;
                         body.scatter
-                            .add_by(element, |entry| factor * result.by_q[entry][lane], stiffness);
+                            .add_by(element, result.by_q, |lanes| factor * lanes[lane], stiffness);
                     }
                 }
             };

@@ -36,9 +36,9 @@ impl Force for Elasticity {
             by_rate: damping.block(transport),
         };
         scene.each_element_tangent(blocks, |body, element, [k, c], lane, damps| {
-            body.scatter.add_by(element, |entry| k[entry][lane], by_place);
+            body.scatter.add_by(element, k, |lanes| lanes[lane], by_place);
             if damps {
-                body.scatter.add_by(element, |entry| c[entry][lane], by_rate);
+                body.scatter.add_by(element, c, |lanes| lanes[lane], by_rate);
             }
         });
     }
@@ -59,11 +59,9 @@ impl Force for Elasticity {
         };
         let values = &mut *out.values;
         scene.each_element_tangent(blocks, |body, element, [by_place, by_rate], lane, damps| {
+            body.scatter.add_by(element, by_place, |lanes| k * lanes[lane], values);
             if damps {
-                let entry = |entry: usize| k * by_place[entry][lane] + g * by_rate[entry][lane];
-                body.scatter.add_by(element, entry, values);
-            } else {
-                body.scatter.add_by(element, |entry| k * by_place[entry][lane], values);
+                body.scatter.add_by(element, by_rate, |lanes| g * lanes[lane], values);
             }
         });
     }

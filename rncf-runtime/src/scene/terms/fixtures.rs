@@ -86,7 +86,8 @@ impl MeshScene {
                 let (row, column) = (place / size, place % size);
                 mass[row / d * count + column / d] * block[(axes[row % d], axes[column % d])]
             };
-            body.scatter.add_by(fixture.point.element, entry, values);
+            let local: Vec<f64> = (0..size * size).map(entry).collect();
+            body.scatter.add(fixture.point.element, &local, values);
         }
         for (body, [row, column], mass) in self.masses_of_normals() {
             let body = &self.bodies[body];

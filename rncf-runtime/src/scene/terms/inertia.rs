@@ -198,11 +198,23 @@ fn forces<const D: usize, const W: usize>(of: Forces<'_>, places: [usize; D], ax
         }
         all
     };
-    let along = |vector: Vector| axes.map(|axis| vector.get(axis).copied().unwrap_or(0.0));
-    let columns = |matrix: &Matrix| places.map(|j| along(matrix.column(axes[j]).into()));
+    // Loops, since closures of arrays are not compiled for the processor.
+    let columns = |matrix: &Matrix| {
+        let mut columns = [[0.0; W]; D];
+        for (column, &j) in columns.iter_mut().zip(&places) {
+            for (value, &axis) in column.iter_mut().zip(&axes) {
+                *value = if axis < 3 { matrix[(axis, axes[j])] } else { 0.0 };
+            }
+        }
+        columns
+    };
     let (turning, coriolis) = (columns(&transport.turning()), columns(&transport.coriolis()));
-    let e = along(transport.e);
-    let [(q, _), (v, _), (a, _)] = of.at.map(|values| values.as_chunks::<D>());
+    let mut e = [0.0; W];
+    for (value, &axis) in e.iter_mut().zip(&axes) {
+        *value = if axis < 3 { transport.e[axis] } else { 0.0 };
+    }
+    let [q, v, a] = of.at;
+    let (q, v, a) = (q.as_chunks::<D>().0, v.as_chunks::<D>().0, a.as_chunks::<D>().0);
     let count = mass.vectors();
     let (q, v, a, is_position) = (&q[..count], &v[..count], &a[..count], &mass.is_position[..count]);
     of.scratch.resize(W * count, 0.0);

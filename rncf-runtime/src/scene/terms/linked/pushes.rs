@@ -194,7 +194,7 @@ impl MeshScene {
             let factor = -factor * load_scale;
             let add_to = |values: &[f64], factor: f64, sums: &mut [f64]| {
                 body.scatter
-                    .add_by(spread.element, |entry| factor * values[entry], sums);
+                    .add_by(spread.element, values, |value| factor * value, sums);
             };
             add_to(&local.stiffness, factor, stiffness);
             let (damping, factor) = out.all_damping();
