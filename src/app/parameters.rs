@@ -90,8 +90,8 @@ fn read(model: &dyn AnyModel, word: &str) -> Result<(usize, Given), String> {
     };
     let param = &model.params()[index];
     if let ParamKind::Table(form) = param.kind {
-        let number = file(form, text).map_err(|mistake| format!("`{name}={text}`: {mistake}"))?;
-        return Ok((index, Given::One(number)));
+        let given = files(form, text).map_err(|mistake| format!("`{name}={text}`: {mistake}"))?;
+        return Ok((index, given));
     }
     let given = if let Some(inside) = text.strip_prefix("normal(") {
         normal(param, inside).map(Given::Several)
@@ -124,12 +124,18 @@ fn file(form: &'static TableForm, text: &str) -> Result<f64, String> {
         if text == form.file {
             return Ok(0.0);
         }
-        if text.contains(',') {
-            return Err("a parameter that names a file takes one: make a run for each".into());
-        }
     }
     let read = TableFile::declared(form).read(text);
     Ok(read.map_err(|error| error.to_string())?.number())
+}
+
+/// One file, or several with commas between them; a file may have commas in its name.
+fn files(form: &'static TableForm, text: &str) -> Result<Given, String> {
+    if Path::new(text).exists() || text == form.file || !text.contains(',') {
+        return file(form, text).map(Given::One);
+    }
+    let numbers: Result<Vec<f64>, String> = text.split(',').map(|path| file(form, path.trim())).collect();
+    listed(numbers?).map(Given::Several)
 }
 
 /// A value whose unit may stand behind a later one.
@@ -146,7 +152,10 @@ fn list(param: &Param, text: &str) -> Result<Values, String> {
     let last = text.rsplit(',').next().and_then(Number::split);
     let unit = last.map_or("", |(_, unit)| unit);
     let values: Result<Vec<f64>, String> = text.split(',').map(|text| value_in(param, text, unit)).collect();
-    let values = values?;
+    listed(values?)
+}
+
+fn listed(values: Vec<f64>) -> Result<Values, String> {
     if (1..values.len()).any(|i| values[..i].contains(&values[i])) {
         return Err("a value is given twice".into());
     }

@@ -42,6 +42,37 @@ static FORM: TableForm = TableForm {
     alike: &[],
 };
 
+/// What a file with entries of a symmetric matrix has.
+static MATRIX: TableForm = TableForm {
+    table: &Table {
+        name: "coil",
+        places: &[0.0, 1.0],
+        is_relative: true,
+        is_smooth: false,
+        columns: &[&[0.0, 1.0], &[1.0, 1.0], &[1.0, 1.0]],
+    },
+    file: "data/no_such_folder/matrix.csv",
+    columns: &[
+        FileColumn {
+            name: "eta",
+            unit: "1",
+            dimension: [0; 6],
+        },
+        FileColumn {
+            name: "K12",
+            unit: "N",
+            dimension: [1, 1, -2, 0, 0, 0],
+        },
+        FileColumn {
+            name: "K21",
+            unit: "N",
+            dimension: [1, 1, -2, 0, 0, 0],
+        },
+    ],
+    places: &[0],
+    alike: &[[1, 2]],
+};
+
 /// The rotor with the stiffness in the middle of a table.
 #[derive(Clone)]
 struct Wound {
@@ -213,7 +244,14 @@ fn wrong_files_and_lists_of_files_are_told() {
         "{unknown}"
     );
     let list = told("coil=a.csv,b.csv");
-    assert!(list.contains("takes one: make a run for each"), "{list}");
+    assert!(list.contains("the file `a.csv` cannot be read"), "{list}");
+    let soft = coil(&here, "soft.csv", "0.05");
+    let twice = told(&format!("{soft},{}", &soft[5..]));
+    assert!(twice.contains("a value is given twice"), "{twice}");
+    // A run has one.
+    let hard = coil(&here, "hard.csv", "0.2");
+    let several = told(&format!("{soft},{}", &hard[5..]));
+    assert!(several.contains("sweep"), "{several}");
     // Dots and commas may stand in a path.
     let odd = coil(&here, "a,b..c.csv", "0.05");
     assert!(arguments(&here, &[&odd]).is_ok());
@@ -269,4 +307,84 @@ fn a_file_that_has_changed_is_another_run_and_another_plan() {
     run(&out, &[&word, "--resume"], false)
         .map_err(|failure| failure.message)
         .unwrap();
+}
+
+/// The table, the summary and the plan name the files, and a point is the run with its file.
+#[test]
+fn a_sweep_takes_a_list_of_files() {
+    let here = folder("sweep");
+    let (soft, hard) = (coil(&here, "soft.csv", "0.05"), coil(&here, "hard.csv", "0.2"));
+    let out = here.join("out");
+    let both = format!("{soft},{}", &hard[5..]);
+    let words = ["sweep", &both, "omega=1..2 rad/s in 2"];
+    run(&out, &words, false).map_err(|failure| failure.message).unwrap();
+    let table = fs::read_to_string(out.join("sweep.csv")).unwrap();
+    let lines: Vec<&str> = table.lines().collect();
+    assert_eq!(lines.len(), 5, "{table}");
+    assert!(lines[0].starts_with("point,omega [rad/s],coil"), "{table}");
+    let paths = [&soft[5..], &hard[5..]];
+    for (line, path) in lines[1..].iter().zip([paths[0], paths[1], paths[0], paths[1]]) {
+        assert_eq!(line.split(',').nth(2), Some(path), "{table}");
+    }
+    let alone = here.join("alone");
+    let words = ["sweep", &hard, "omega=1..2 rad/s in 2"];
+    run(&alone, &words, false).map_err(|failure| failure.message).unwrap();
+    let of_hard = fs::read_to_string(alone.join("sweep.csv")).unwrap();
+    let results = |line: &str, from: usize| line.split(',').skip(from).map(str::to_owned).collect::<Vec<_>>();
+    assert_eq!(results(lines[2], 3), results(of_hard.lines().nth(1).unwrap(), 2));
+    assert_ne!(results(lines[1], 3), results(lines[2], 3));
+    assert_eq!(
+        summary(&out)["varied"],
+        format!("omega = 1..2 rad/s in 2; coil = {}, {}", paths[0], paths[1])
+    );
+    let page = fs::read_to_string(out.join("report.html")).unwrap();
+    assert!(page.contains(&format!("coil: 1 = {}, 2 = {}", paths[0], paths[1])));
+    let plan = out.join("plan.toml");
+    assert!(fs::read_to_string(&plan).unwrap().contains(&both[5..]));
+    // The plan is enough for others to do its points; with other rows in a file its points are other ones.
+    let plan = plan.to_str().unwrap();
+    let there = run(&out, &["task", "--plan", plan, "--index", "3"], false).map_err(|failure| failure.message);
+    assert!(there.unwrap().contains("there already"));
+    coil(&here, "soft.csv", "0.06");
+    let anew = run(&out, &["collect", "--plan", plan], false).err().unwrap();
+    assert!(anew.message.contains("4 of 4 points are missing"), "{}", anew.message);
+}
+
+/// The page of messages: every file gets its message, every cured one is read.
+#[test]
+fn every_file_of_the_page_gets_its_message_and_its_cure_is_read() {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/errors/command_line.md");
+    let page = fs::read_to_string(page).unwrap();
+    let blocks = |tag: &str| -> Vec<String> {
+        let fence = format!("```{tag}\n");
+        let parts = page.split(&fence).skip(1);
+        parts
+            .map(|part| part.split("\n```").next().unwrap_or_default().to_owned())
+            .collect()
+    };
+    let here = folder("page");
+    let path = here.join("other.csv");
+    let told = |text: &str| -> Result<(), String> {
+        fs::write(&path, format!("{text}\n")).unwrap();
+        if text.contains("K12") {
+            let read = TableFile::declared(&MATRIX).read(&path);
+            return read.map(drop).map_err(|error| error.to_string());
+        }
+        arguments(&here, &[&format!("coil={}", path.display())]).map(drop)
+    };
+    let (wrong, cured) = (blocks("file"), blocks("cured-file"));
+    assert!(wrong.len() == cured.len() && wrong.len() > 10);
+    for (wrong, cured) in wrong.iter().zip(&cured) {
+        let (text, message) = wrong.split_once("\n//~ ").expect("a file and its message");
+        let found = told(text).expect_err(text);
+        assert!(found.contains(&format!("for `coil`: {message}")), "{text}\n//~ {found}");
+        told(cured).unwrap_or_else(|found| panic!("{cured}\n{found}"));
+    }
+    let good = coil(&here, "good.csv", "0.1");
+    for given in blocks("no-file") {
+        let (words, message) = given.split_once("\n//~ ").expect("a word and its message");
+        let words = words.replace("DECLARED", FORM.file).replace("GOOD", &good[5..]);
+        let found = arguments(&here, &[&format!("coil={words}")]).err().expect("a refusal");
+        assert!(found.ends_with(message), "{words}\n//~ {found}");
+    }
 }

@@ -5,8 +5,9 @@ use std::fs;
 use std::path::Path;
 
 use rncf::app::{EquilibriumSettings, Judging, RunError, RunSettings, modes, run, static_equilibria, steady};
-use rncf::{AnyModel, Method};
+use rncf::{AnyModel, Method, ParamKind, TableFile};
 
+use crate::limits::{Mast, Panel, PanelPinned, PanelTurned, Swung};
 use crate::redundant::{Door, DoorOnOne};
 use crate::senseless::models::{Hung, Shaken};
 use crate::values::{Masses, Pendulum, Struts};
@@ -101,14 +102,19 @@ fn model(name: &str) -> Box<dyn AnyModel> {
         "Drawn" => Box::new(Drawn::default()),
         "Hung" => Box::new(Hung::default()),
         "Masses" => Box::new(Masses::default()),
+        "Mast" => Box::new(Mast::default()),
         "Needle" => Box::new(Needle::default()),
         "Norm" => Box::new(Norm::default()),
         "Nut" => Box::new(Nut::default()),
+        "Panel" => Box::new(Panel::default()),
+        "PanelTurned" => Box::new(PanelTurned::default()),
+        "PanelPinned" => Box::new(PanelPinned::default()),
         "Pendulum" => Box::new(Pendulum::default()),
         "Shaken" => Box::new(Shaken::default()),
         "Spun" => Box::new(Spun::default()),
         "Stretched" => Box::new(Stretched::default()),
         "Struts" => Box::new(Struts::default()),
+        "Swung" => Box::new(Swung::default()),
         "Wheel" => Box::new(Wheel::default()),
         other => panic!("the page names a model `{other}`, which no test holds"),
     }
@@ -154,6 +160,13 @@ fn told(model: &mut dyn AnyModel, line: &str) -> Vec<String> {
                 Some((name, value)) => {
                     let index = model.params().iter().position(|param| param.name == name).unwrap();
                     let param = &model.params()[index];
+                    if let ParamKind::Table(form) = param.kind {
+                        match TableFile::declared(form).read(value) {
+                            Ok(file) => model.set(index, file.number()),
+                            Err(error) => return vec![error.to_string()],
+                        }
+                        continue;
+                    }
                     let (number, unit) = value.split_once(' ').unwrap_or((value, "1"));
                     assert!(
                         unit.replace('*', " ") == param.unit.replace('*', " ") || param.unit.is_empty() && unit == "1",

@@ -29,6 +29,7 @@ fn contains(text: &str, parts: &[&str]) {
 }
 
 mod computed;
+mod limits;
 mod senseless;
 
 mod redundant {

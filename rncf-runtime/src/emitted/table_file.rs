@@ -8,6 +8,7 @@ use std::sync::{Mutex, PoisonError};
 use super::table::Table;
 use crate::error::ModelError;
 use crate::hash::hash_bytes;
+use crate::import::rows::{Disorder, Head, Mistake, Rows, chords, in_order};
 use crate::nearest::nearest;
 use crate::units::{Number, Unit};
 
@@ -207,51 +208,22 @@ type Columns = Vec<Vec<f64>>;
 impl TableForm {
     /// Places and columns that a text has.
     fn parse(&self, text: &str) -> Result<(Vec<f64>, Columns), String> {
-        let text = text.trim_start_matches('\u{feff}');
-        let mut lines = text.lines().enumerate().filter(|(_, line)| {
-            let line = line.trim();
-            !line.is_empty() && !line.starts_with('#')
-        });
-        let Some((_, header)) = lines.next() else {
-            return Err("it is empty; its first line names the columns, `x [m], EI [N*m^2]`".into());
+        let rows = Rows::read(text).map_err(told)?;
+        let sources = self.sources(&rows.heads)?;
+        let cells: Vec<usize> = sources.iter().map(|&(cell, _)| cell).collect();
+        let number = |column: usize, cell: &str| {
+            let (number, _) = Number::split(cell).filter(|(_, rest)| rest.is_empty())?;
+            Some(sources[column].1.to_si(number))
         };
-        let cells: Vec<&str> = header.split(',').map(str::trim).collect();
-        let sources = self.sources(&cells)?;
-        let (mut columns, mut numbers) = (vec![Vec::new(); self.columns.len()], Vec::new());
-        for (line, row) in lines {
-            let row: Vec<&str> = row.split(',').map(str::trim).collect();
-            if row.len() != cells.len() {
-                return Err(format!(
-                    "line {} has {} numbers, and the header {} columns",
-                    line + 1,
-                    row.len(),
-                    cells.len()
-                ));
-            }
-            numbers.push(line + 1);
-            for (column, (cell, unit)) in sources.iter().enumerate() {
-                let value = Number::split(row[*cell])
-                    .filter(|(_, rest)| rest.is_empty())
-                    .map(|(number, _)| unit.to_si(number));
-                let Some(value) = value.filter(|value| value.is_finite()) else {
-                    return Err(format!(
-                        "line {}: `{}` in column `{}` is no finite number",
-                        line + 1,
-                        row[*cell],
-                        self.columns[column].name
-                    ));
-                };
-                columns[column].push(value);
-            }
-        }
-        let places = self.placed(&columns, &numbers)?;
+        let columns = rows.columns(&cells, number).map_err(told)?;
+        let places = self.placed(&columns, &rows)?;
         for &[one, other] in self.alike {
             let differ = (0..places.len()).find(|&row| columns[one][row] != columns[other][row]);
             if let Some(row) = differ {
                 let [one, other] = [one, other].map(|column| self.columns[column].name);
                 return Err(format!(
                     "line {}: `{one}` and `{other}` are one entry of a symmetric matrix, and differ",
-                    numbers[row]
+                    rows.line(row)
                 ));
             }
         }
@@ -259,20 +231,14 @@ impl TableForm {
     }
 
     /// Where in a header each column stands, and in which unit.
-    fn sources(&self, cells: &[&str]) -> Result<Vec<(usize, Unit)>, String> {
-        let named: Vec<(&str, &str)> = cells
-            .iter()
-            .map(|cell| match cell.split_once('[') {
-                Some((name, unit)) => (name.trim(), unit.trim_end_matches(']').trim()),
-                None => (*cell, ""),
-            })
-            .collect();
+    fn sources(&self, heads: &[Head<'_>]) -> Result<Vec<(usize, Unit)>, String> {
         let known = || self.columns.iter().map(|column| column.name);
-        for (at, (name, _)) in named.iter().enumerate() {
-            if named[..at].iter().any(|(other, _)| other == name) {
+        for (at, head) in heads.iter().enumerate() {
+            let name = head.name;
+            if heads[..at].iter().any(|other| other.name == name) {
                 return Err(format!("two columns have the name `{name}`"));
             }
-            if !known().any(|known| known == *name) && !name.starts_with('_') {
+            if !known().any(|known| known == name) && !head.is_note() {
                 let near = nearest(name, known()).map_or(String::new(), |near| format!("did you mean `{near}`? Or "));
                 return Err(format!(
                     "nothing reads the column `{name}`, which `{}` does not have; {near}take it out, or call it `_{name}`",
@@ -281,15 +247,16 @@ impl TableForm {
             }
         }
         let source = |column: &FileColumn| {
-            let Some(cell) = named.iter().position(|(name, _)| *name == column.name) else {
+            let Some(cell) = heads.iter().position(|head| head.name == column.name) else {
                 let unit = if column.unit == "1" { "-" } else { column.unit };
                 return Err(format!("the column `{} [{unit}]` is missing", column.name));
             };
-            let unit = unit_of(named[cell].1).map_err(|mistake| format!("column `{}`: {mistake}", column.name))?;
+            let unit = Unit::parse(&heads[cell].spelled());
+            let unit = unit.map_err(|mistake| format!("column `{}`: {mistake}", column.name))?;
             if unit.dimension != column.dimension {
                 return Err(format!(
                     "the unit `{}` of column `{}` does not have the dimension of {}",
-                    named[cell].1, column.name, column.unit
+                    heads[cell].unit, column.name, column.unit
                 ));
             }
             Ok((cell, unit))
@@ -298,61 +265,37 @@ impl TableForm {
     }
 
     /// The places of the rows, which ascend.
-    fn placed(&self, columns: &[Vec<f64>], numbers: &[usize]) -> Result<Vec<f64>, String> {
+    fn placed(&self, columns: &[Vec<f64>], rows: &Rows<'_>) -> Result<Vec<f64>, String> {
         let places = match *self.places {
             [x, y, z] => chords([&columns[x], &columns[y], &columns[z]]),
             [one, ..] => columns[one].clone(),
             [] => Vec::new(),
         };
-        let is_points = self.places.len() == 3;
-        if places.len() < 2 {
-            return Err("it has fewer than two rows".into());
-        }
-        for row in 1..places.len() {
-            let is_step = places[row] == places[row - 1] && !is_points && (row < 2 || places[row] > places[row - 2]);
-            if !(places[row] > places[row - 1] || is_step) {
-                return Err(format!(
-                    "line {}: places of rows ascend, and {} follows {}",
-                    numbers[row],
-                    places[row],
-                    places[row - 1]
-                ));
+        in_order(&places, self.places.len() == 3).map_err(|disorder| match disorder {
+            Disorder::TooFew => "it has fewer than two rows".to_string(),
+            Disorder::Order(row) => format!(
+                "line {}: places of rows ascend, and {} follows {}",
+                rows.line(row),
+                places[row],
+                places[row - 1]
+            ),
+            Disorder::StepAtEnd => {
+                "it begins or ends with a step: two rows at one place stand between others".to_string()
             }
-        }
-        if places[0] == places[1] || places[places.len() - 1] == places[places.len() - 2] {
-            return Err("it begins or ends with a step: two rows at one place stand between others".into());
-        }
+        })?;
         Ok(places)
     }
 }
 
-/// The unit of a header; none is 1, and `in` the inch.
-fn unit_of(text: &str) -> Result<Unit, String> {
-    if ["", "-", "1"].contains(&text) {
-        return Unit::parse("");
+/// Why a text is no table, in words.
+fn told(mistake: Mistake<'_>) -> String {
+    match mistake {
+        Mistake::Empty => "it is empty; its first line names the columns, `x [m], EI [N*m^2]`".into(),
+        Mistake::Cells { line, cells, heads } => {
+            format!("line {line} has {cells} numbers, and the header {heads} columns")
+        }
+        Mistake::Number { line, name, cell } => format!("line {line}: `{cell}` in column `{name}` is no finite number"),
     }
-    let words = text.split_inclusive(|c: char| !c.is_alphanumeric());
-    let spelled = words.map(|word| match word.strip_prefix("in") {
-        Some(rest) if !rest.starts_with(char::is_alphanumeric) => format!("inch{rest}"),
-        _ => word.to_string(),
-    });
-    Unit::parse(&spelled.collect::<String>())
-}
-
-/// Sums of the chords between points, as parts of the whole.
-fn chords([x, y, z]: [&[f64]; 3]) -> Vec<f64> {
-    let mut places = vec![0.0];
-    for at in 1..x.len() {
-        let chord = (x[at] - x[at - 1]).hypot(y[at] - y[at - 1]).hypot(z[at] - z[at - 1]);
-        places.push(places[at - 1] + chord);
-    }
-    let last = places.len() - 1;
-    let whole = places[last];
-    for place in &mut places {
-        *place /= whole;
-    }
-    places[last] = 1.0;
-    places
 }
 
 #[cfg(test)]

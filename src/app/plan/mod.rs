@@ -32,12 +32,12 @@ use super::command::Command;
 use super::execute::{FAILURE, Failure, INTERRUPTION, MISTAKE, write};
 use super::flags::value;
 use super::parallel::on_all_cores;
-use super::parameters::{Varied, digits, in_unit, short, time};
+use super::parameters::{Values, Varied, digits, in_unit, short, time};
 use super::progress::Bar;
 use super::summary::{self, checksums, put};
 use super::{chart, files};
-use crate::AnyModel;
 use crate::hash::hash;
+use crate::{AnyModel, ParamKind};
 
 /// The file that a plan is written to.
 const PLAN: &str = "plan.toml";
@@ -115,6 +115,11 @@ fn name_of(arguments: &Arguments, text: &str) -> String {
     // Under the same path another table may stand.
     for (name, number) in checksums(arguments.model()) {
         whole += &format!("\n{name} {number}");
+    }
+    for Varied { param, values } in &arguments.plan.varied {
+        if let (ParamKind::Table(_), Values::List(numbers)) = (arguments.model().params()[*param].kind, values) {
+            whole += &format!("\n{numbers:?}");
+        }
     }
     format!("{:016x}", hash(&whole))
 }
@@ -493,7 +498,6 @@ fn design_words(design: Design, seed: u64) -> String {
 
 /// The varied parameters as they are typed, in their units.
 fn varied_words(model: &dyn AnyModel, varied: &[Varied]) -> Vec<String> {
-    use super::parameters::Values;
     let words = |one: &Varied| {
         let param = &model.params()[one.param];
         let unit = if matches!(param.unit, "1" | "") {
@@ -503,6 +507,10 @@ fn varied_words(model: &dyn AnyModel, varied: &[Varied]) -> Vec<String> {
         };
         let bare = |value: f64| short(value / param.unit_si);
         let values = match &one.values {
+            Values::List(values) if matches!(param.kind, ParamKind::Table(_)) => {
+                let paths: Vec<String> = values.iter().map(|value| in_unit(param, *value)).collect();
+                paths.join(", ")
+            }
             Values::List(values) => values.iter().map(|value| bare(*value)).collect::<Vec<_>>().join(", ") + &unit,
             Values::Range(from, to, None) => format!("{}..{}{unit}", bare(*from), bare(*to)),
             Values::Range(from, to, Some(parts)) => format!("{}..{}{unit} in {parts}", bare(*from), bare(*to)),

@@ -2,14 +2,14 @@
 
 use std::fmt::Write;
 
+use super::Plan;
 use super::design::Design;
 use super::table::{Head, Table, param_head};
-use super::{Plan, table};
-use crate::AnyModel;
 use crate::app::charts::{Chart, Line};
 use crate::app::map::{Axis, Cells, Map};
-use crate::app::parameters::digits;
+use crate::app::parameters::{Values, digits, in_unit};
 use crate::app::report::{escape, figure};
+use crate::{AnyModel, ParamKind};
 
 /// Columns of one output or mode, by their index in the table.
 fn groups(heads: &[Head]) -> Vec<Vec<usize>> {
@@ -51,16 +51,41 @@ pub(super) fn clouds_of(model: &dyn AnyModel, plan: &Plan, table: &Table) -> Res
     Ok(page)
 }
 
-/// The parameter's value in its declared unit.
-fn shown(model: &dyn AnyModel, plan: &Plan, row: &table::Row, place: usize) -> f64 {
-    row.params[place] / model.params()[plan.varied[place].param].unit_si
+/// The parameter's value in its declared unit; of files the number in their list.
+fn shown(model: &dyn AnyModel, plan: &Plan, value: f64, place: usize) -> f64 {
+    match files(model, plan, place) {
+        Some(files) => (files.iter().position(|file| *file == value)).map_or(f64::NAN, |at| (at + 1) as f64),
+        None => value / model.params()[plan.varied[place].param].unit_si,
+    }
+}
+
+/// The files of a parameter that names them.
+fn files<'p>(model: &dyn AnyModel, plan: &'p Plan, place: usize) -> Option<&'p [f64]> {
+    let one = &plan.varied[place];
+    match (model.params()[one.param].kind, &one.values) {
+        (ParamKind::Table(_), Values::List(files)) => Some(files),
+        _ => None,
+    }
+}
+
+/// What stands at the axis of a parameter: its name and unit, or which file has which number.
+fn named(model: &dyn AnyModel, plan: &Plan, place: usize) -> String {
+    let param = &model.params()[plan.varied[place].param];
+    let Some(files) = files(model, plan, place) else {
+        return param_head(model, plan.varied[place].param);
+    };
+    let names = files.iter().enumerate();
+    let names: Vec<String> = names
+        .map(|(at, file)| format!("{} = {}", at + 1, in_unit(param, *file)))
+        .collect();
+    format!("{}: {}", param.name, names.join(", "))
 }
 
 /// A chart over one parameter; of each column of the group a line, or dots.
 fn over(model: &dyn AnyModel, plan: &Plan, table: &Table, group: &[usize], place: usize) -> (Chart, String) {
     let unit = &table.heads[group[0]].unit;
     let mut chart = Chart {
-        x: param_head(model, plan.varied[place].param),
+        x: named(model, plan, place),
         y: format!("{} [{unit}]", table.heads[group[0]].name),
         logarithmic: false,
         lines: Vec::new(),
@@ -72,7 +97,7 @@ fn over(model: &dyn AnyModel, plan: &Plan, table: &Table, group: &[usize], place
     for (color, &index) in group.iter().enumerate() {
         let points = table
             .column(index)
-            .map(|(row, value)| (shown(model, plan, row, place), value));
+            .map(|(row, value)| (shown(model, plan, row.params[place], place), value));
         let mut points: Vec<(f64, f64)> = points.collect();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
         if plan.varied.len() == 1 && plan.design == Design::Grid {
@@ -112,6 +137,9 @@ fn clouds(model: &dyn AnyModel, plan: &Plan, table: &Table, page: &mut String) -
 
 fn maps(model: &dyn AnyModel, plan: &Plan, table: &Table, page: &mut String) -> Result<(), String> {
     let axis = |place: usize| {
+        if let Some(files) = files(model, plan, place) {
+            return files.to_vec();
+        }
         let points = plan.points.iter().map(|point| point[place]);
         let mut values: Vec<f64> = points.collect();
         values.sort_by(f64::total_cmp);
@@ -119,13 +147,10 @@ fn maps(model: &dyn AnyModel, plan: &Plan, table: &Table, page: &mut String) -> 
         values
     };
     let (x, y) = (axis(0), axis(1));
-    let drawn = |place: usize, values: &[f64]| {
-        let unit = model.params()[plan.varied[place].param].unit_si;
-        Axis {
-            name: param_head(model, plan.varied[place].param),
-            values: values.iter().map(|value| value / unit).collect(),
-            logarithmic: is_geometric(values),
-        }
+    let drawn = |place: usize, values: &[f64]| Axis {
+        name: named(model, plan, place),
+        values: values.iter().map(|value| shown(model, plan, *value, place)).collect(),
+        logarithmic: files(model, plan, place).is_none() && is_geometric(values),
     };
     for index in shown_columns(table) {
         let head = &table.heads[index];

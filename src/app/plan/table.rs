@@ -5,7 +5,7 @@ use std::fmt::Write;
 use serde_json::{Map, Value, json};
 
 use super::Plan;
-use crate::app::parameters::digits;
+use crate::app::parameters::{digits, in_unit};
 use crate::app::summary::Summary;
 use crate::{AnyModel, ParamKind};
 
@@ -134,7 +134,12 @@ impl Table {
         for row in &self.rows {
             let _ = write!(text, "{}", row.point);
             for (one, value) in plan.varied.iter().zip(&row.params) {
-                let _ = write!(text, ",{}", digits(value / model.params()[one.param].unit_si, 15));
+                let param = &model.params()[one.param];
+                let shown = match param.kind {
+                    ParamKind::Table(_) => field(&in_unit(param, *value)),
+                    _ => digits(value / param.unit_si, 15),
+                };
+                let _ = write!(text, ",{shown}");
             }
             for value in &row.values {
                 match value {
@@ -219,6 +224,7 @@ impl Spread {
 pub(super) fn param_head(model: &dyn AnyModel, param: usize) -> String {
     let param = &model.params()[param];
     match (param.kind, param.unit) {
+        (ParamKind::Table(_), _) => param.name.to_owned(),
         (ParamKind::Count, _) | (_, "") => format!("{} [1]", param.name),
         (_, unit) => format!("{} [{unit}]", param.name),
     }

@@ -156,7 +156,10 @@ class Sweep:
             return texts
         if name == "point":
             return np.array(texts, dtype=int)
-        return np.array([float(text) if text else np.nan for text in texts])
+        try:
+            return np.array([float(text) if text else np.nan for text in texts])
+        except ValueError:  # of a param that names files their paths
+            return texts
 
     def __len__(self):
         return len(self._texts["point"])

@@ -7,6 +7,7 @@ use super::expr::Scope;
 use super::quantity::Typed;
 use super::{Check, fold, say};
 use crate::errors::Area;
+use crate::import::rows::{Disorder, Head, Mistake, Rows, chords, in_order};
 use crate::model::{Column, Expr as Value, Table, TableId};
 use crate::parse::cursor::Cursor;
 use crate::parse::tree::{Argument, Expr, ExprKind, Field, Fields, Item, ItemKind, Keyword, Name};
@@ -154,96 +155,39 @@ impl<'a> Check<'a> {
                 return None;
             }
         };
-        let mut lines = text.lines().enumerate().filter(|(_, line)| {
-            let line = line.trim();
-            !line.is_empty() && !line.starts_with('#')
-        });
-        let Some((_, header)) = lines.next() else {
-            self.errors.at(area, say::empty_file(path));
-            return None;
-        };
-        let mut columns = Vec::new();
-        let mut factors = Vec::new();
-        for cell in header.trim_start_matches('\u{feff}').split(',') {
-            let (column, compound) = self.header(cell.trim(), path, area)?;
-            columns.push(column);
-            factors.push(compound);
-        }
-        let mut numbers = Vec::new();
-        for (number, line) in lines {
-            let cells: Vec<&str> = line.split(',').map(str::trim).collect();
-            numbers.push(number + 1);
-            if cells.len() != columns.len() {
-                let message = say::cells_of_line(path, number + 1, cells.len(), columns.len());
-                self.errors.at(area, message);
+        let rows = match Rows::read(&text) {
+            Ok(rows) => rows,
+            Err(mistake) => {
+                self.errors.at(area, told(path, mistake));
                 return None;
             }
-            for ((cell, column), compound) in cells.into_iter().zip(&mut columns).zip(&factors) {
-                let (sign, digits) = match cell.strip_prefix('-') {
-                    Some(rest) => (-1.0, rest),
-                    None => (1.0, cell.strip_prefix('+').unwrap_or(cell)),
-                };
-                let value = units::scale(&digits.to_lowercase().replace("e+", "e"), *compound).ok();
-                let Some(value) = value.filter(|value| value.is_finite()) else {
-                    self.errors
-                        .at(area, say::cell_of_line(path, number + 1, &column.name, cell));
+        };
+        let mut columns = Vec::new();
+        for (place, head) in rows.heads.iter().enumerate() {
+            let values = match unit_of(head) {
+                Some(unit) => (rows.columns(&[place], |_, cell| number(cell, unit)))
+                    .map(|mut values| (unit, values.remove(0)))
+                    .map_err(|mistake| told(path, mistake)),
+                None => Err(say::unit_of_column(path, head.name, head.unit)),
+            };
+            match values {
+                Ok((unit, values)) => columns.push(Column {
+                    name: head.name.to_string(),
+                    header: None,
+                    dimension: unit.dimension,
+                    values,
+                }),
+                // A note may be any text.
+                Err(_) if head.is_note() => {}
+                Err(message) => {
+                    self.errors.at(area, message);
                     return None;
-                };
-                column.values.push(sign * value);
+                }
             }
         }
-        let row = |row: usize| format!("line {} of `{path}`", numbers[row]);
+        let row = |row: usize| format!("line {} of `{path}`", rows.line(row));
         let places = places.as_deref().map(|name| (name, area));
         self.add_table(item, columns, (is_smooth?, places), Some((path, area)), &row)
-    }
-
-    /// `name[unit]`, or `name` of a plain number; `[-]` is one, too.
-    fn header(&mut self, cell: &str, path: &str, area: Area) -> Option<(Column, Compound)> {
-        let (name, unit) = match cell.split_once('[') {
-            Some((name, rest)) => (name.trim(), rest.trim_end_matches(']').trim()),
-            None => (cell, ""),
-        };
-        let compound = if ["", "-", "1"].contains(&unit) {
-            Some(Compound::ONE)
-        } else {
-            // `in` is a word of Rust, and the usual sign of the inch.
-            let words: Vec<&str> = unit.split_inclusive(|c: char| !c.is_alphanumeric()).collect();
-            let spelled = |word: &str| {
-                let symbol = word.trim_end_matches(|c: char| !c.is_alphanumeric());
-                if symbol == "in" {
-                    word.replacen("in", "inch", 1)
-                } else {
-                    word.to_string()
-                }
-            };
-            let text: String = words.into_iter().map(spelled).collect();
-            let tokens: Option<TokenStream> = text.parse().ok();
-            let parsed = tokens.and_then(|tokens| {
-                let mut cursor = Cursor::new(tokens, proc_macro2::Span::call_site());
-                unit::compound(&mut cursor).ok().filter(|_| cursor.is_empty())
-            });
-            parsed.and_then(|parsed| {
-                let factors = parsed
-                    .factors
-                    .iter()
-                    .map(|(name, exponent)| Some((units::find(&name.text)?, *exponent)));
-                let factors: Option<Vec<_>> = factors.collect();
-                factors?
-                    .into_iter()
-                    .try_fold(Compound::ONE, |all, (unit, exponent)| all.times(unit, exponent))
-            })
-        };
-        let Some(compound) = compound else {
-            self.errors.at(area, say::unit_of_column(path, name, unit));
-            return None;
-        };
-        let column = Column {
-            name: name.to_string(),
-            header: None,
-            dimension: compound.dimension,
-            values: Vec::new(),
-        };
-        Some((column, compound))
     }
 
     /// Finds the places, and checks their order.
@@ -301,20 +245,13 @@ impl<'a> Check<'a> {
             };
             (column.values.clone(), at == 1, false)
         };
-        if places.len() < 2 {
-            self.errors.at(area, say::table_of_one_row(&item.name.text));
-            return None;
-        }
-        for at in 1..places.len() {
-            let is_step = places[at] == places[at - 1] && !is_points && (at < 2 || places[at] > places[at - 2]);
-            if !(places[at] > places[at - 1] || is_step) {
-                let message = say::rows_do_not_ascend(&row(at), places[at], places[at - 1]);
-                self.errors.at(area, message);
-                return None;
-            }
-        }
-        if places[0] == places[1] || places[places.len() - 1] == places[places.len() - 2] {
-            self.errors.at(area, say::STEP_AT_END);
+        if let Err(disorder) = in_order(&places, is_points) {
+            let message = match disorder {
+                Disorder::TooFew => say::table_of_one_row(&item.name.text),
+                Disorder::Order(at) => say::rows_do_not_ascend(&row(at), places[at], places[at - 1]),
+                Disorder::StepAtEnd => say::STEP_AT_END.to_string(),
+            };
+            self.errors.at(area, message);
             return None;
         }
         let by = |name: &str| columns.iter().position(|column| column.name == name);
@@ -483,18 +420,36 @@ fn places_named(field: &Field) -> Option<&Name> {
     }
 }
 
-/// Sums of the chords between points, as parts of the whole.
-fn chords([x, y, z]: [&[f64]; 3]) -> Vec<f64> {
-    let mut places = vec![0.0];
-    for at in 1..x.len() {
-        let chord = (x[at] - x[at - 1]).hypot(y[at] - y[at - 1]).hypot(z[at] - z[at - 1]);
-        places.push(places[at - 1] + chord);
+/// The unit of a column; `None`: there is no such unit.
+fn unit_of(head: &Head<'_>) -> Option<Compound> {
+    let text = head.spelled();
+    if text.is_empty() {
+        return Some(Compound::ONE);
     }
-    let whole = places[places.len() - 1];
-    let last = places.len() - 1;
-    for place in &mut places {
-        *place /= whole;
+    let tokens: TokenStream = text.parse().ok()?;
+    let mut cursor = Cursor::new(tokens, proc_macro2::Span::call_site());
+    let parsed = unit::compound(&mut cursor).ok().filter(|_| cursor.is_empty())?;
+    let mut factors = parsed.factors.iter();
+    factors.try_fold(Compound::ONE, |all, (name, exponent)| {
+        all.times(units::find(&name.text)?, *exponent)
+    })
+}
+
+/// The number of a cell, in SI.
+fn number(cell: &str, unit: Compound) -> Option<f64> {
+    let (sign, digits) = match cell.strip_prefix('-') {
+        Some(rest) => (-1.0, rest),
+        None => (1.0, cell.strip_prefix('+').unwrap_or(cell)),
+    };
+    let value = units::scale(&digits.to_lowercase().replace("e+", "e"), unit).ok()?;
+    Some(sign * value)
+}
+
+/// Why a text is no table, in words.
+fn told(path: &str, mistake: Mistake<'_>) -> String {
+    match mistake {
+        Mistake::Empty => say::empty_file(path),
+        Mistake::Cells { line, cells, heads } => say::cells_of_line(path, line, cells, heads),
+        Mistake::Number { line, name, cell } => say::cell_of_line(path, line, name, cell),
     }
-    places[last] = 1.0;
-    places
 }

@@ -1,4 +1,4 @@
-//! Bodies from finite-element programs, as their files say them. The macro reads a file to check it at the word, the runtime to
+//! Files: bodies from finite-element programs, and tables. The macro reads a file to check it at the word, the runtime to
 //! build with it: one text for both, which knows neither.
 
 mod archive;
@@ -6,6 +6,7 @@ mod array;
 mod fem;
 mod market;
 mod npz;
+pub mod rows;
 mod sparse;
 
 pub use archive::checksum;

@@ -155,3 +155,26 @@ fn damaged_files_do_not_panic() {
         let _ = super::array::Array::read(&array);
     }
 }
+
+#[test]
+fn rows_have_heads_lines_and_numbers() {
+    use super::rows::{Disorder, Mistake, Rows, in_order};
+    let text = "\u{feff}# a mast\n\nx [in], EI[kN*in^2], _by, k [-]\n0, 1, hand, 2\n\n1, 3, hand, soft\n";
+    let rows = Rows::read(text).unwrap();
+    let spelled: Vec<String> = rows.heads.iter().map(|head| head.spelled()).collect();
+    assert_eq!(spelled, ["inch", "kN*inch^2", "", ""]);
+    assert_eq!(rows.heads.iter().position(|head| head.is_note()), Some(2));
+    let number = |_: usize, cell: &str| cell.parse().ok();
+    assert_eq!(rows.columns(&[1, 0], number).unwrap(), [[1.0, 3.0], [0.0, 1.0]]);
+    let (line, name, cell) = (6, "k", "soft");
+    assert_eq!(rows.columns(&[0, 3], number), Err(Mistake::Number { line, name, cell }));
+    assert_eq!((rows.line(0), rows.line(1)), (4, 6));
+    let (line, cells, heads) = (2, 1, 2);
+    assert_eq!(Rows::read("x, y\n1\n"), Err(Mistake::Cells { line, cells, heads }));
+    assert_eq!(Rows::read("# nothing\n"), Err(Mistake::Empty));
+    assert_eq!(in_order(&[0.0, 1.0, 1.0, 2.0], false), Ok(()));
+    assert_eq!(in_order(&[0.0, 1.0, 1.0, 2.0], true), Err(Disorder::Order(2)));
+    assert_eq!(in_order(&[0.0, 1.0, 1.0, 1.0, 2.0], false), Err(Disorder::Order(3)));
+    assert_eq!(in_order(&[0.0, 1.0, 1.0], false), Err(Disorder::StepAtEnd));
+    assert_eq!(in_order(&[0.0], false), Err(Disorder::TooFew));
+}
