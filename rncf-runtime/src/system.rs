@@ -180,16 +180,29 @@ pub enum Turning {
     },
 }
 
-/// The way from the origin of a pose to a point that it carries.
+/// An unknown of what deforms in the axes of a pose.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Carried {
+    /// The unknown.
+    pub unknown: usize,
+    /// Its value at the start.
+    pub start: f64,
+    /// By how much it shifts the centre of mass, m for one of its unit, in these axes.
+    pub way: Vector,
+}
+
+/// The way from the origin of a pose to the centre of mass of what it carries.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lever {
     /// Unknown positions of the origin, each with its direction in space.
     pub positions: Vec<(usize, Vector)>,
     /// What turns the pose.
     pub turning: Turning,
-    /// The way, m, in the axes of the pose: to the centre of mass of what the pose carries at the start.
+    /// The way at the start, m, in the axes of the pose.
     pub arm: Vector,
-    /// The inertia of that about this point, kg m^2, and its inverse, in the axes of the pose; `None` where it is singular, or one number.
+    /// What changes it, in the same axes.
+    pub carried: Vec<Carried>,
+    /// The inertia at the start about the centre then, kg m^2, and its inverse, in the axes of the pose; `None` where it is singular, or one number.
     pub inertia: Option<[Matrix; 2]>,
 }
 
@@ -279,7 +292,7 @@ pub trait System {
     }
 
     /// Poses that no constraint touches, with what their inertia is like. A method of second order keeps neither the momentum of what circles
-    /// about the origin of a pose nor an angular momentum in turning axes; of these it keeps that of a rigid body.
+    /// about the origin of a pose nor an angular momentum in turning axes; of these it keeps the momentum, and the angular momentum of a rigid body.
     fn levers(&mut self) -> Vec<Lever> {
         Vec::new()
     }

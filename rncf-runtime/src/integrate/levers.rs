@@ -3,25 +3,26 @@
 //! The update formulas of the alpha family are exact to second order for each unknown by itself. Where the centre of mass circles about the
 //! origin of a pose, at the end of an arm c, both the origin's acceleration and the way R c to the centre change with the turning; the errors of the
 //! two do not cancel, and what is left is an impulse that nothing exerts, in the same direction step after step. What is free has its momentum at the
-//! centre: the formulas are therefore applied to `x + R c`, and the origin follows. With L = R c, known from the rotation alone, this
-//! is the update of x and
+//! centre: the formulas are therefore applied to `x + R c`, and the origin follows. With L = R c, known from the rotation and from the
+//! unknowns of what deforms in the axes of the pose, in which c is linear, this is the update of x and
 //!
 //! ```text
 //! x += L_0 + h L'_0 + h^2 ((1/2 - beta) A_0 + beta A_1) - L_1
 //! v += L'_0 + h ((1 - gamma) A_0 + gamma A_1) - L'_1
 //! ```
 //!
-//! with the algorithmic accelerations A of L, which follow from L'' as those of the unknowns from theirs. What it adds is of third order in h. Its derivative with
-//! respect to the rotation is h times the angular velocity smaller than that of L: the matrix of the iteration stays as it is.
+//! with the algorithmic accelerations A of L, which follow from L'' as those of the unknowns from theirs. What it adds is of third order in h, and nothing where the
+//! rotation stays. Its derivatives are h times the angular velocity smaller than those of L: the matrix of the iteration stays as it is.
 //!
 //! In the same way angular velocities in body axes turn where angular momentum does not. With the inertia J that the pose carries at the start, about its
-//! centre, the formulas are applied to the angular momentum H = R J w instead of w; `w_1 = J^-1 R_1^T H_1`.
+//! centre, the formulas are applied to the angular momentum H = R J w instead of w; `w_1 = J^-1 R_1^T H_1`. (With what deformations have of it
+//! to first order, the angular momentum of a bent rod on its chord was no better.)
 
 use super::alpha::Coefficients;
 use super::compensated::{self, Low};
 use crate::archive::{Archive, Keep};
 use crate::space::{Matrix, Vector, exp, from_rows, matrix, three, turned};
-use crate::system::{Lever, State, System, Turning};
+use crate::system::{Carried, Lever, State, System, Turning};
 
 /// Values for every position with a lever: of L, L' and L''.
 type Motion = [Vec<f64>; 3];
@@ -117,8 +118,8 @@ impl Levers {
             *offset = shift * (self.end[2][at] - self.start[2][at]) / dt;
         }
         for spin in &mut self.spins {
-            let inertia = inertia(&self.list[spin.lever]);
-            let [before, behind] = [now, later].map(|state| spin.rate_at(inertia, state));
+            let lever = &self.list[spin.lever];
+            let [before, behind] = [now, later].map(|state| spin.rate_at(lever, state));
             let behind = spin.to_start(later, behind);
             spin.offset = shift / dt * (behind - before);
         }
@@ -128,9 +129,9 @@ impl Levers {
     pub(super) fn prepare(&mut self, now: &State, v: &[f64], h: f64, goes_on: bool) {
         motion(&self.list, &self.turns, now, &mut self.start);
         for spin in &mut self.spins {
-            let inertia = inertia(&self.list[spin.lever]);
-            spin.rate = spin.rate_at(inertia, now);
-            spin.momentum = inertia[0] * three(v, spin.first);
+            let lever = &self.list[spin.lever];
+            spin.rate = spin.rate_at(lever, now);
+            spin.momentum = inertia(lever)[0] * three(v, spin.first);
             spin.from = if goes_on {
                 spin.left
             } else {
@@ -179,13 +180,13 @@ impl Levers {
             self.applied[1][at] = speed;
         }
         for spin in &mut self.spins {
-            let inertia = inertia(&self.list[spin.lever]);
-            let rate = spin.to_start(state, spin.rate_at(inertia, state));
+            let lever = &self.list[spin.lever];
+            let rate = spin.to_start(state, spin.rate_at(lever, state));
             let known = alpha_f * spin.rate - alpha_m * spin.from;
             spin.to = 1.0 / (1.0 - alpha_m) * ((1.0 - alpha_f) * rate + known);
             let gained = (1.0 - gamma) * spin.from + gamma * spin.to;
             let momentum = spin.momentum + h * gained;
-            let speed = inertia[1] * spin.to_end(state, momentum);
+            let speed = inertia(lever)[1] * spin.to_end(state, momentum);
             for axis in 0..3 {
                 let at = spin.first + axis;
                 let change = speed[axis] - state.v[at] - low.v[at];
@@ -198,7 +199,7 @@ impl Levers {
     pub(super) fn accept(&mut self, h: f64, state: &State) {
         for spin in &mut self.spins {
             spin.left = spin.to_end(state, spin.to);
-            let rate = spin.rate_at(inertia(&self.list[spin.lever]), state);
+            let rate = spin.rate_at(&self.list[spin.lever], state);
             spin.offset = 1.0 / h * (spin.left - rate);
         }
         self.left[0].copy_from_slice(&self.end[1]);
@@ -211,10 +212,10 @@ impl Levers {
 
 impl Spin {
     /// Rate of the angular momentum at a state, body axes.
-    fn rate_at(&self, [inertia, _]: &[Matrix; 2], state: &State) -> Vector {
+    fn rate_at(&self, lever: &Lever, state: &State) -> Vector {
+        let [inertia, _] = inertia(lever);
         let spin = three(&state.v, self.first);
-        let gyroscopic = spin.cross(&(inertia * spin));
-        inertia * three(&state.a, self.first) + gyroscopic
+        inertia * three(&state.a, self.first) + spin.cross(&(inertia * spin))
     }
 
     /// A vector in the body axes of a state within the step, in those of the start.
@@ -239,6 +240,18 @@ fn inertia(lever: &Lever) -> &[Matrix; 2] {
     lever.inertia.as_ref().unwrap_or(&NONE)
 }
 
+/// Way to the centre of mass at a state, and its rates, in the axes of the pose.
+fn arm(lever: &Lever, state: &State) -> [Vector; 3] {
+    let mut ways = [lever.arm, Vector::zeros(), Vector::zeros()];
+    for Carried { unknown, start, way } in &lever.carried {
+        let values = [state.x[*unknown] - start, state.v[*unknown], state.a[*unknown]];
+        for (sum, value) in ways.iter_mut().zip(values) {
+            *sum += value * way;
+        }
+    }
+    ways
+}
+
 /// L, L' and L'' at a state.
 fn motion(list: &[Lever], turns: &[usize], state: &State, out: &mut Motion) {
     let mut at = 0;
@@ -256,8 +269,10 @@ fn motion(list: &[Lever], turns: &[usize], state: &State, out: &mut Motion) {
             ),
         };
         let matrix = matrix(&rotation);
-        let speed = spin.cross(&lever.arm);
-        let ways = [lever.arm, speed, rate.cross(&lever.arm) + spin.cross(&speed)];
+        let [arm, moving, gaining] = arm(lever, state);
+        let carried = spin.cross(&arm);
+        let gaining = gaining + rate.cross(&arm) + spin.cross(&(carried + 2.0 * moving));
+        let ways = [arm, carried + moving, gaining];
         let ways = ways.map(|way| matrix * way);
         for (_, direction) in &lever.positions {
             for (values, way) in out.iter_mut().zip(ways) {

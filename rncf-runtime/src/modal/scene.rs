@@ -14,8 +14,9 @@ use crate::linalg::Pattern;
 use crate::model::{Formulation, Joints, Scene, Warning};
 use crate::scene::MeshScene;
 use crate::scene::bodies::described::{Elements, Kernels};
+use crate::scene::levers::Inertia;
 use crate::space::Vector;
-use crate::system::{Branch, Conserving, ConstraintLevel, Jump, Lever, State, System, Tangent, Turning};
+use crate::system::{Branch, Conserving, ConstraintLevel, Jump, Lever, State, System, Tangent};
 
 /// Builds the scene of a model with emitted parts: with modal coordinates where a body asks for them, and with bodies, by
 /// their names, described otherwise than they are declared.
@@ -376,22 +377,13 @@ impl System for ModalScene {
     }
 
     fn levers(&mut self) -> Vec<Lever> {
-        let mut levers = self.scene.levers();
-        let same = |unknown: &mut usize| match self.reduction.same(*unknown) {
-            Some(own) => {
-                *unknown = own;
-                true
-            }
-            None => false,
-        };
-        levers.retain_mut(|lever| {
-            let turns = match &mut lever.turning {
-                Turning::Angle { unknown, .. } => same(unknown),
-                Turning::Orientation { .. } => true,
-            };
-            turns && lever.positions.iter_mut().all(|(unknown, _)| same(unknown))
-        });
-        levers
+        if self.scene.free.is_empty() {
+            return Vec::new();
+        }
+        let start = self.restricted(&self.scene.rest(0.0));
+        let mut mass = vec![0.0; self.pattern.entries()];
+        self.mass(&start, &mut mass);
+        Inertia::new(self, &start.x, &mass).levers(&self.scene.free)
     }
 
     fn mass(&mut self, state: &State, values: &mut [f64]) {

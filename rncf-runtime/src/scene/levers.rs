@@ -5,22 +5,24 @@ use crate::model::Scene;
 use crate::scene::MeshScene;
 use crate::scene::frames::free_frames::{FreeFrame, angle_axis};
 use crate::space::{Matrix, Vector, matrix};
-use crate::system::{Lever, System, Turning};
+use crate::system::{Carried, Lever, System, Turning};
 
 /// Determinant of an inertia over the cube of its trace, below which it counts as that of a line.
 const SLENDER: f64 = 1e-10;
 
-/// Unknowns of a scene: inertia at the start, patterns, the first unknown of the poses.
-struct Inertia<'s> {
-    mass: Vec<f64>,
+/// A scene at its start.
+pub(crate) struct Inertia<'s> {
+    positions: &'s [f64],
+    mass: &'s [f64],
     pattern: &'s Pattern,
-    /// Whether it stands in a constraint.
+    /// Whether an unknown stands in a constraint.
     is_tied: Vec<bool>,
+    /// First unknown of the poses.
     border: usize,
 }
 
 impl MeshScene {
-    /// Poses whose positions stand in no constraint, and the centres of mass that they have at t = 0.
+    /// Poses whose unknowns stand in no constraint, and the centres of mass that they have at t = 0.
     pub(crate) fn free_levers(&mut self) -> Vec<Lever> {
         if self.free.is_empty() {
             return Vec::new();
@@ -28,21 +30,31 @@ impl MeshScene {
         let start = self.rest(0.0);
         let mut mass = vec![0.0; self.pattern.entries()];
         self.mass(&start, &mut mass);
-        let mut is_tied = vec![false; self.layout.unknowns()];
-        for &unknown in self.constraint_pattern.indices() {
-            is_tied[unknown] = true;
-        }
-        let inertia = Inertia {
-            mass,
-            pattern: &self.pattern,
-            is_tied,
-            border: self.layout.unknowns() - self.layout.border(),
-        };
-        self.free.iter().filter_map(|frame| inertia.lever(frame)).collect()
+        Inertia::new(self, &start.x, &mass).levers(&self.free)
     }
 }
 
-impl Inertia<'_> {
+impl<'s> Inertia<'s> {
+    /// A scene with positions and mass matrix at its start.
+    pub fn new(system: &'s dyn System, positions: &'s [f64], mass: &'s [f64]) -> Self {
+        let mut is_tied = vec![false; positions.len()];
+        for &unknown in system.constraint_pattern().indices() {
+            is_tied[unknown] = true;
+        }
+        Self {
+            positions,
+            mass,
+            pattern: system.pattern(),
+            is_tied,
+            border: positions.len() - system.border(),
+        }
+    }
+
+    /// The levers of these frames, whose unknowns are the last ones.
+    pub fn levers(&self, frames: &[FreeFrame]) -> Vec<Lever> {
+        frames.iter().filter_map(|frame| self.lever(frame)).collect()
+    }
+
     /// The lever of a frame; `None` where it does not turn or is tied.
     fn lever(&self, frame: &FreeFrame) -> Option<Lever> {
         let (first, shifts) = (self.border + frame.first, frame.shifts());
@@ -84,14 +96,35 @@ impl Inertia<'_> {
             let regular = Some(about_centre).filter(is_regular);
             inertia = regular.and_then(|inertia| Some([inertia, inertia.try_inverse()?]));
         }
+        let carried = self.carried(frame, [first, shifts], mass);
         arm.iter().all(|part| part.is_finite()).then(|| Lever {
             positions: (0..shifts)
                 .map(|row| (first + row, frame.directions[row].shift))
                 .collect(),
             turning,
             arm,
+            carried,
             inertia,
         })
+    }
+
+    /// The unknowns that shift the centre of the mass that a frame carries, whose first unknown and number of positions these are.
+    fn carried(&self, frame: &FreeFrame, [first, shifts]: [usize; 2], mass: f64) -> Vec<Carried> {
+        let rotation = matrix(&frame.start.rotation);
+        let unknowns = if shifts == 0 { 0..0 } else { 0..self.border };
+        let moving = unknowns.filter_map(|unknown| {
+            let mut pushed = Vector::zeros();
+            for row in 0..shifts {
+                let place = self.pattern.find(first + row, unknown)?;
+                pushed += self.mass[place] * frame.directions[row].shift;
+            }
+            (pushed != Vector::zeros()).then(|| Carried {
+                unknown,
+                start: self.positions[unknown],
+                way: rotation.tr_mul(&pushed) / mass,
+            })
+        });
+        moving.collect()
     }
 }
 
