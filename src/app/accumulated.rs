@@ -30,19 +30,39 @@ pub(super) struct Ended<'r> {
     pub steps: u64,
     pub iterations: u64,
     pub marks: &'r Marks,
+    /// Whether it was compared with other steps until its end.
+    pub is_compared: bool,
 }
 
-/// One sentence where what the steps of a run from `start` add up to is large.
+/// What the steps of a run add up to.
+#[derive(Debug, Default)]
+pub(super) struct Accumulated {
+    /// One sentence where it is large.
+    pub told: Option<String>,
+    /// Whether it is known until the end of the run.
+    pub is_known: bool,
+}
+
+impl Accumulated {
+    fn known(told: Option<String>) -> Self {
+        Self { told, is_known: true }
+    }
+}
+
+/// What the steps of a run from `start` add up to.
 pub(super) fn accumulated(
     scene: &mut dyn Scene,
     start: State,
     run: Ended<'_>,
     outputs: &[Output],
     goes_on: &mut dyn FnMut() -> bool,
-) -> Option<String> {
+) -> Accumulated {
     let Ended { method, options, .. } = run;
-    if !method.adds_up() || options.step != StepSize::Adaptive || run.steps < STEPS {
-        return None;
+    if !method.adds_up() || options.step != StepSize::Adaptive {
+        return Accumulated::default();
+    }
+    if run.steps < STEPS {
+        return Accumulated::known(None);
     }
     let afforded = (AFFORDED / scene.unknowns().max(1)) as u64;
     let most = SHARE.map(|share| afforded.max((share * run.iterations as f64) as u64));
@@ -54,25 +74,27 @@ pub(super) fn accumulated(
         goes_on,
     );
     if let Some(rows) = by_radau {
-        let names = told_of_motion(outputs, &run.marks.differences(outputs, &rows, options.rtol))?;
-        return Some(format!(
+        let names = told_of_motion(outputs, &run.marks.differences(outputs, &rows, options.rtol));
+        return Accumulated::known(names.map(|names| format!(
             "The tolerance holds for each step, and errors of {} steps add up: Radau with the same tolerance finds another motion, from which outputs differ by parts of their largest change or value, {names}. Take `--integrator radau`, or a smaller `--rtol`.",
             run.steps
-        ));
+        )));
     }
     let rtol = LOOSER * options.rtol;
     if rtol > LOOSEST {
-        return None;
+        return Accumulated::default();
     }
     let looser = Options { rtol, ..options };
-    let rows = whole(scene, start, (run.t_end, method, looser, most[1]), run.marks, goes_on)?;
+    let Some(rows) = whole(scene, start, (run.t_end, method, looser, most[1]), run.marks, goes_on) else {
+        return Accumulated::default();
+    };
     let mut found = run.marks.differences(outputs, &rows, options.rtol);
     found.iter_mut().for_each(|off| off.part /= ORDER - 1.0);
-    let names = told_of_motion(outputs, &found)?;
-    Some(format!(
+    let names = told_of_motion(outputs, &found);
+    Accumulated::known(names.map(|names| format!(
         "The tolerance holds for each step, and errors of {} steps add up: the same run with a hundred times the tolerance ends so far away that outputs of this one may be off by parts of their largest change or value, {names} or more. Take `--integrator radau`, or a smaller `--rtol`.",
         run.steps
-    ))
+    )))
 }
 
 /// What is off, where places or speeds are: errors of forces alone do not add up.
@@ -138,8 +160,9 @@ mod tests {
             steps: result.statistics.steps,
             iterations: result.statistics.newton_iterations,
             marks: &result.marks,
+            is_compared: false,
         };
-        let told = accumulated(scene.as_mut(), start, ended, outputs, &mut || true);
+        let told = accumulated(scene.as_mut(), start, ended, outputs, &mut || true).told;
         let part = |text: String| -> f64 {
             let after = text.split("by about ").nth(1).unwrap();
             after.split(' ').next().unwrap().parse::<f64>().unwrap() / 100.0

@@ -79,6 +79,8 @@ struct Kind<'r> {
     is_near: bool,
     /// Until when they were compared, s.
     until: f64,
+    /// Until when with steps that suffice, s.
+    stepped: f64,
     /// Parts of outputs that are off for the mesh, until then, and, with the tolerance of Radau that tells it, for steps.
     mesh: Vec<Off>,
     steps: (f64, Vec<Off>),
@@ -93,6 +95,7 @@ impl<'r> Kind<'r> {
             is_settled: !outputs.iter().any(|output| is_of_motion(output) == is_motion),
             is_near: false,
             until: 0.0,
+            stepped: if run.is_compared { f64::INFINITY } else { 0.0 },
             mesh: Vec::new(),
             steps: (0.0, Vec::new()),
         }
@@ -116,6 +119,9 @@ impl<'r> Kind<'r> {
         if !self.is_settled && largest(&self.of(beyond)) <= TOLD {
             self.is_near = !self.has(open);
             self.is_settled = self.is_near && (is_exact(&self.run) || rtol <= self.run.options.rtol);
+            if self.is_settled {
+                self.stepped = self.stepped.max(until);
+            }
             if until >= self.until {
                 (self.until, self.mesh) = (until, Vec::new());
             }
@@ -149,6 +155,9 @@ impl<'r> Kind<'r> {
             }
         }
         self.is_settled = is_last || is_clear && !self.has(open);
+        if self.is_settled {
+            self.stepped = self.stepped.max(until);
+        }
         // Otherwise the errors of these steps stand in the way of what is looked for.
         if (self.is_settled || by_meshes > by_steps) && until >= self.until {
             meshes.retain(|mesh| mesh.part > TOLD);
@@ -296,7 +305,9 @@ fn found(scene: &dyn Scene, run: &Ended<'_>, outputs: &[Output], judging: Judgin
             .iter()
             .filter(|kind| outputs.iter().any(|output| is_of_motion(output) == kind.is_of_motion))
     };
-    let until = there().map(|kind| kind.until).fold(f64::INFINITY, f64::min);
+    let until = there()
+        .map(|kind| kind.until.min(kind.stepped))
+        .fold(f64::INFINITY, f64::min);
     let until = if until.is_finite() { until } else { 0.0 };
     let whole = run.marks.until();
     let meshes = sorted(kinds.iter().flat_map(|kind| kind.mesh.clone()).collect());

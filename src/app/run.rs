@@ -222,13 +222,14 @@ fn look_again(
     let h = result.steps.last().map_or(0.0, |step| step.h);
     result.marks.round_off = round_off(scene, &result.state);
     let mut goes_on = || watch(&Progress { t: t_end, t_end, h }).is_continue();
-    let run = Ended {
+    let mut run = Ended {
         t_end,
         method: result.settings.method,
         options: result.settings.options,
         steps: result.statistics.steps,
         iterations: result.statistics.newton_iterations,
         marks: &result.marks,
+        is_compared: false,
     };
     let [mut missed, mut added_up] = [None, None];
     if run.method != Method::EnergyMomentum {
@@ -239,7 +240,8 @@ fn look_again(
             end: &result.state,
         };
         missed = unfollowed(scene, start.clone(), followed, model.outputs());
-        added_up = accumulated(scene, start.clone(), run, model.outputs(), &mut goes_on);
+        let added = accumulated(scene, start.clone(), run, model.outputs(), &mut goes_on);
+        (added_up, run.is_compared) = (added.told, added.is_known);
     }
     let own = Begun {
         scene,
