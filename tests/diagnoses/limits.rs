@@ -1,4 +1,4 @@
-//! Scenes at the end of what can be computed: singular configurations, bodies and tables from files, loose ties.
+//! Scenes at the end of what can be computed: a linkage in one line, bodies and tables from files, loose ties.
 
 rncf::model! {
     /// Two equal links and a coupler as long as the ground, which swing through the line in which all of them lie.
