@@ -34,7 +34,7 @@ count() { # scene
 failed=0
 found="# $machine"$'\n'
 for scene in $("$program"); do
-    now=$(count "$scene")
+    now=$(count "$scene") || { echo "error: $scene did not come to its end under valgrind" && exit 1; }
     found+="$scene $now"$'\n'
     before=$(sed -n "s/^$scene //p" "$recorded" 2>/dev/null || true)
     if [[ -z $now ]]; then

@@ -262,14 +262,19 @@ impl Alpha {
                 state.a[i] = self.now.a[i] + h * self.first_jerk[i];
             }
         }
-        for i in 0..state.a.len() {
-            let (a0, v0) = (self.a0[i], state.v[i]);
-            let a1 = ((1.0 - alpha_f) * state.a[i] + alpha_f * self.now.a[i] - alpha_m * a0) / (1.0 - alpha_m);
-            algorithmic[i] = a1;
-            let change = h * (v0 + h * ((0.5 - beta) * a0 + beta * a1));
-            (state.x[i], low.x[i]) = compensated::sum(self.now.x[i], self.low.x[i], change);
-            let change = h * ((1.0 - gamma) * a0 + gamma * a1);
-            (state.v[i], low.v[i]) = compensated::sum(v0, low.v[i], change);
+        let n = state.a.len();
+        let (a, a0, known) = (&state.a[..n], &self.a0[..n], &self.now.a[..n]);
+        let ends = &mut algorithmic[..n];
+        for i in 0..n {
+            ends[i] = ((1.0 - alpha_f) * a[i] + alpha_f * known[i] - alpha_m * a0[i]) / (1.0 - alpha_m);
+        }
+        let (x, low_x, v, low_v) = (&mut state.x[..n], &mut low.x[..n], &mut state.v[..n], &mut low.v[..n]);
+        let (from, low_from) = (&self.now.x[..n], &self.low.x[..n]);
+        for i in 0..n {
+            let change = h * (v[i] + h * ((0.5 - beta) * a0[i] + beta * ends[i]));
+            (x[i], low_x[i]) = compensated::sum(from[i], low_from[i], change);
+            let change = h * ((1.0 - gamma) * a0[i] + gamma * ends[i]);
+            (v[i], low_v[i]) = compensated::sum(v[i], low_v[i], change);
         }
         levers.predict();
         levers.correct(h, state, low);
@@ -339,7 +344,7 @@ impl Alpha {
                 self.left.h = None;
                 return Err(singular);
             }
-            compensated::add_all(&mut state.v, &mut low.v, change);
+            compensated::add_multiple(&mut state.v, &mut low.v, 1.0, change);
         }
         state.rebase(self.charts.turns());
         low.rebase(self.charts.turns());

@@ -62,10 +62,10 @@ pub(super) fn add(high: &mut f64, low: &mut f64, change: f64) {
     (*high, *low) = sum(*high, *low, change);
 }
 
-/// Adds a change, entry by entry.
-pub(super) fn add_all(high: &mut [f64], low: &mut [f64], changes: &[f64]) {
+/// Adds a multiple of some changes, entry by entry.
+pub(super) fn add_multiple(high: &mut [f64], low: &mut [f64], factor: f64, changes: &[f64]) {
     for ((high, low), &change) in high.iter_mut().zip(low).zip(changes) {
-        add(high, low, change);
+        add(high, low, factor * change);
     }
 }
 

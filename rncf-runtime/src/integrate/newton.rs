@@ -547,15 +547,17 @@ impl Newton {
         } = iterate;
         let acceleration = 1.0 / (self.factors.beta * h * h);
         let velocity = self.factors.gamma / (self.factors.beta * h);
-        for i in 0..self.dx.len() {
-            let dx = self.dx[i];
-            compensated::add(&mut state.x[i], &mut low.x[i], dx);
-            compensated::add(&mut state.v[i], &mut low.v[i], velocity * dx);
-            algorithmic[i] += acceleration * dx;
-            state.a[i] += self.factors.mass * acceleration * dx;
+        let mass = self.factors.mass * acceleration;
+        compensated::add_multiple(&mut state.x, &mut low.x, 1.0, &self.dx);
+        compensated::add_multiple(&mut state.v, &mut low.v, velocity, &self.dx);
+        for (values, factor) in [(algorithmic, acceleration), (&mut state.a, mass)] {
+            values
+                .iter_mut()
+                .zip(&self.dx)
+                .for_each(|(value, dx)| *value += factor * dx);
         }
         if let Some(stabiliser) = &self.stabiliser {
-            compensated::add_all(&mut state.x, &mut low.x, stabiliser.shift());
+            compensated::add_multiple(&mut state.x, &mut low.x, 1.0, stabiliser.shift());
         }
         for (lambda, d) in state.lambda.iter_mut().zip(&self.dlambda) {
             *lambda += acceleration * d;

@@ -191,28 +191,9 @@ impl Vectorised for Forces<'_> {
 #[inline(always)]
 fn forces<const D: usize, const W: usize>(of: Forces<'_>, places: [usize; D], axes: [usize; W]) -> [Vector; 2] {
     let Forces { mass, transport, .. } = of;
-    let spread = |values: &[f64; D]| {
-        let mut all = [0.0; W];
-        for (&place, &value) in places.iter().zip(values) {
-            all[place % W] = value;
-        }
-        all
-    };
-    // Loops, since closures of arrays are not compiled for the processor.
-    let columns = |matrix: &Matrix| {
-        let mut columns = [[0.0; W]; D];
-        for (column, &j) in columns.iter_mut().zip(&places) {
-            for (value, &axis) in column.iter_mut().zip(&axes) {
-                *value = if axis < 3 { matrix[(axis, axes[j])] } else { 0.0 };
-            }
-        }
-        columns
-    };
-    let (turning, coriolis) = (columns(&transport.turning()), columns(&transport.coriolis()));
-    let mut e = [0.0; W];
-    for (value, &axis) in e.iter_mut().zip(&axes) {
-        *value = if axis < 3 { transport.e[axis] } else { 0.0 };
-    }
+    let turning = columns(&transport.turning(), places, axes);
+    let coriolis = columns(&transport.coriolis(), places, axes);
+    let e = along(transport.e, axes);
     let [q, v, a] = of.at;
     let (q, v, a) = (q.as_chunks::<D>().0, v.as_chunks::<D>().0, a.as_chunks::<D>().0);
     let count = mass.vectors();
@@ -220,7 +201,7 @@ fn forces<const D: usize, const W: usize>(of: Forces<'_>, places: [usize; D], ax
     of.scratch.resize(W * count, 0.0);
     let (accelerations, _) = of.scratch.as_chunks_mut::<W>();
     for (place, u) in accelerations[..count].iter_mut().enumerate() {
-        *u = spread(&a[place]);
+        *u = spread(&places, &a[place]);
         for j in 0..D {
             add_scaled(u, q[place][j], &turning[j]);
         }
@@ -242,10 +223,31 @@ fn forces<const D: usize, const W: usize>(of: Forces<'_>, places: [usize; D], ax
             if is_position[place] {
                 add_scaled(&mut force, 1.0, &g);
             }
-            moment += first(&spread(&q[place])).cross(&first(&g));
+            moment += first(&spread::<D, W>(&places, &q[place])).cross(&first(&g));
         }
     }
     [first(&force), moment]
+}
+
+/// Columns of a matrix, those of the axes at `places`, along the axes.
+#[inline(never)]
+fn columns<const D: usize, const W: usize>(matrix: &Matrix, places: [usize; D], axes: [usize; W]) -> [[f64; W]; D] {
+    places.map(|place| along(matrix.column(axes[place]).into(), axes))
+}
+
+/// A vector along some axes, of which the fourth is zero.
+fn along<const W: usize>(vector: Vector, axes: [usize; W]) -> [f64; W] {
+    axes.map(|axis| vector.get(axis).copied().unwrap_or(0.0))
+}
+
+/// A vector at the places of its components.
+#[inline(always)]
+fn spread<const D: usize, const W: usize>(places: &[usize; D], values: &[f64; D]) -> [f64; W] {
+    let mut all = [0.0; W];
+    for (&place, &value) in places.iter().zip(values) {
+        all[place % W] = value;
+    }
+    all
 }
 
 /// The first three of some components, zeros beyond their end.
