@@ -29,8 +29,8 @@ ACCURACY = "-p rncf-tests --test accuracy"
 FAULTS = {
     "sign of the moment of inertia forces on a frame": (
         "rncf-runtime/src/scene/terms/inertia.rs",
-        "moment += first(&spread(&q[place])).cross(&first(&g));",
-        "moment -= first(&spread(&q[place])).cross(&first(&g));",
+        "moment += first(&spread::<D, W>(&places, &q[place])).cross(&first(&g));",
+        "moment -= first(&spread::<D, W>(&places, &q[place])).cross(&first(&g));",
         [RUNTIME],
     ),
     "a Gauss weight": (

@@ -120,10 +120,8 @@ fn value(param: &Param, text: &str) -> Result<f64, String> {
 /// The number of a file with a table. The path of the declaration is, where it leads nowhere from here, the table that the model was
 /// built with.
 fn file(form: &'static TableForm, text: &str) -> Result<f64, String> {
-    if !Path::new(text).exists() {
-        if text == form.file {
-            return Ok(0.0);
-        }
+    if !Path::new(text).exists() && text == form.file {
+        return Ok(0.0);
     }
     let read = TableFile::declared(form).read(text);
     Ok(read.map_err(|error| error.to_string())?.number())
