@@ -312,6 +312,7 @@ fn what_other_steps_are_not_compared_with_is_told() {
         method: Method::Hht { alpha: -0.05 },
         options: adaptive(1e-5),
         judged: Judging::Affordable,
+        t_end: Some(0.3),
         ..RunSettings::default()
     };
     let warnings = run(&model, &settings).unwrap().warnings;
