@@ -7,7 +7,7 @@
 
 use pulp::Arch;
 
-use crate::linalg::{Vectorised, dispatch};
+use crate::linalg::{Vectorised, dispatch, dot};
 
 /// Iterations that are remembered: motions that may contract badly.
 const DEPTH: usize = 6;
@@ -24,6 +24,8 @@ pub(super) struct Acceleration {
     differences: Vec<Difference>,
     /// Memory of differences that were dropped.
     spare: Vec<Difference>,
+    /// The increment by weights.
+    weighed: Vec<f64>,
 }
 
 /// What changed from one iteration to the next.
@@ -50,6 +52,7 @@ impl Acceleration {
             known: false,
             differences: Vec::with_capacity(DEPTH),
             spare: (0..DEPTH).map(|_| difference()).collect(),
+            weighed: vec![0.0; measured],
         }
     }
 
@@ -95,7 +98,7 @@ impl Acceleration {
 
     /// Factors of the differences, by Cholesky's method from the newest on; what depends on newer ones is left out.
     #[inline(always)]
-    fn factors(&self, weights: &[f64], increment: &[f64]) -> [f64; DEPTH] {
+    fn factors(&self) -> [f64; DEPTH] {
         // Rows of the factor by the places of the differences, and what is on the right.
         let (mut rows, mut right) = ([[0.0; DEPTH]; DEPTH], [0.0; DEPTH]);
         let mut used = [false; DEPTH];
@@ -103,7 +106,7 @@ impl Acceleration {
         for place in (0..count).rev() {
             let own = &self.differences[place];
             let whole = own.products[place];
-            let (mut left, mut side) = (whole, weighted(&own.weighed, weights, increment));
+            let (mut left, mut side) = (whole, dot(&own.weighed, &self.weighed));
             for newer in (place + 1..count).rev().filter(|&newer| used[newer]) {
                 let mut part = self.differences[newer].products[place];
                 for between in (newer + 1..count).filter(|&between| used[between]) {
@@ -136,7 +139,9 @@ impl Acceleration {
         self.given.copy_from_slice(increment);
         self.known = true;
         if is_wanted {
-            let factors = self.factors(weights, increment);
+            let weighed = self.weighed.iter_mut().zip(weights).zip(&*increment);
+            weighed.for_each(|((weighed, weight), y)| *weighed = weight * y);
+            let factors = self.factors();
             for (difference, factor) in self.differences.iter().zip(factors) {
                 let by = difference.moved.iter();
                 increment.iter_mut().zip(by).for_each(|(y, moved)| *y -= factor * moved);
@@ -155,40 +160,6 @@ impl Vectorised for Followed<'_> {
     fn run<const F: bool>(self) {
         self.0.advance(self.1, self.2, self.3);
     }
-}
-
-/// Inner product, summed in four lanes.
-#[inline(always)]
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let ((a, a_rest), (b, b_rest)) = (a.as_chunks::<4>(), b.as_chunks::<4>());
-    let mut lanes = [0.0; 4];
-    for (a, b) in a.iter().zip(b) {
-        for lane in 0..4 {
-            lanes[lane] += a[lane] * b[lane];
-        }
-    }
-    let rest: f64 = a_rest.iter().zip(b_rest).map(|(a, b)| a * b).sum();
-    (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]) + rest
-}
-
-/// Inner product with what `weights` make of the first of `increment`, likewise.
-#[inline(always)]
-fn weighted(a: &[f64], weights: &[f64], increment: &[f64]) -> f64 {
-    let n = a.len();
-    let ((a, a_rest), (w, w_rest), (y, y_rest)) = (
-        a.as_chunks::<4>(),
-        weights[..n].as_chunks::<4>(),
-        increment[..n].as_chunks::<4>(),
-    );
-    let mut lanes = [0.0; 4];
-    for ((a, w), y) in a.iter().zip(w).zip(y) {
-        for lane in 0..4 {
-            lanes[lane] += a[lane] * (w[lane] * y[lane]);
-        }
-    }
-    let rest = a_rest.iter().zip(w_rest).zip(y_rest);
-    let rest: f64 = rest.map(|((a, w), y)| a * (w * y)).sum();
-    (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]) + rest
 }
 
 #[cfg(test)]

@@ -32,4 +32,4 @@ pub use lu::Lu;
 pub use pattern::Pattern;
 pub use saddle::{Saddle, Singular};
 pub use scalar::{Scalar, c64};
-pub(crate) use span::{clear, norm, normalise, reduce};
+pub(crate) use span::{clear, dot, norm, normalise, reduce};
