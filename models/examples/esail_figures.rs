@@ -117,11 +117,8 @@ fn chart(x: &str, y: &str, lines: Vec<Line>) -> Chart {
     Chart {
         x: x.into(),
         y: y.into(),
-        logarithmic: false,
         lines,
-        marks: Vec::new(),
-        dots: Vec::new(),
-        is_tall: false,
+        ..Chart::default()
     }
 }
 

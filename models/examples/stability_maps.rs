@@ -213,7 +213,6 @@ fn softening() -> Result<String, Box<dyn std::error::Error>> {
         Chart {
             x: "spin eta [sqrt(EI/(rhoA L^4))]".into(),
             y: "frequency [sqrt(EI/(rhoA L^4))]".into(),
-            logarithmic: false,
             lines: [whole, bending, small]
                 .into_iter()
                 .enumerate()
@@ -221,7 +220,7 @@ fn softening() -> Result<String, Box<dyn std::error::Error>> {
                 .collect(),
             marks: vec![(3.516, "3.516".into())],
             dots: TABLE.map(|point| (point, 0)).to_vec(),
-            is_tall: false,
+            ..Chart::default()
         },
     );
     Ok(figure.to_svg("Lag frequency of a rotor over its spin")?)

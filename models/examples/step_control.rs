@@ -159,10 +159,7 @@ fn errors<M: Model>(figure: &mut Figure, heading: &str, name: &str, model: &M, c
         x: "log10 of the tolerance".into(),
         y: "error".into(),
         logarithmic: true,
-        lines: Vec::new(),
-        marks: Vec::new(),
-        dots: Vec::new(),
-        is_tall: false,
+        ..Chart::default()
     };
     for (color, (integrator, method)) in METHODS.into_iter().enumerate() {
         let mut points = Vec::new();

@@ -12,7 +12,8 @@ use serde_json::{Value, json};
 
 use super::parameters::digits;
 
-/// A chart of lines over a common axis.
+/// A chart of lines over a common axis; the default has none.
+#[derive(Default)]
 pub struct Chart {
     /// Name and unit of the horizontal axis.
     pub x: String,
@@ -355,9 +356,7 @@ mod tests {
             y,
             logarithmic,
             lines: lines.into_iter().map(|points| Line::new(points, 0)).collect(),
-            marks: Vec::new(),
-            dots: Vec::new(),
-            is_tall: false,
+            ..Chart::default()
         };
         chart.to_svg().unwrap()
     }

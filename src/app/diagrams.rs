@@ -361,11 +361,9 @@ pub(super) fn campbell_part(result: &Campbell, frequency: Frequency) -> Result<S
     let margin = Chart {
         x: result.key.head(),
         y: "largest re [1/s]".into(),
-        logarithmic: false,
         lines: vec![Line::new(points, 3)],
         marks: marks(&result.critical),
-        dots: Vec::new(),
-        is_tall: false,
+        ..Chart::default()
     };
     figure(
         &mut part,

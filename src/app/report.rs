@@ -173,14 +173,13 @@ fn results(
         let chart = Chart {
             x: history.key.head(),
             y: format!("{} [{}]", output.name, output.unit),
-            logarithmic: false,
             lines: (column..column + count)
                 .map(line)
                 .chain((column..column + count).filter_map(other))
                 .collect(),
             marks: marks(critical),
             dots: dots.collect(),
-            is_tall: false,
+            ..Chart::default()
         };
         let caption = format!("{}<span>{}</span>", escape(output.name), escape(output.doc.trim()));
         let below = extremes(output, history, column) + &cautions::below(cautions, index);
@@ -224,9 +223,7 @@ fn step_chart(page: &mut String, steps: &[StepTaken]) -> Result<(), String> {
         y: "h [s]".into(),
         logarithmic: true,
         lines: vec![Line::new(line, 0)],
-        marks: Vec::new(),
-        dots: Vec::new(),
-        is_tall: false,
+        ..Chart::default()
     };
     figure(page, "Step size<span>of the accepted steps</span>", &chart, "")
 }

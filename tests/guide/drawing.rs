@@ -109,7 +109,20 @@ pub struct Drawing<'p> {
     pub silent: Vec<String>,
 }
 
-impl Drawing<'_> {
+impl<'p> Drawing<'p> {
+    /// A scene as it is, without its forces, and with all names.
+    pub fn new(pictures: &'p Shots, view: View, shots: Vec<usize>, heading: &str) -> Self {
+        Self {
+            pictures,
+            view,
+            shots,
+            magnified: 1.0,
+            arrow: 0.0,
+            heading: heading.into(),
+            silent: Vec::new(),
+        }
+    }
+
     /// Points of a curve in space.
     fn curve(&self, shot: &Configuration, number: usize) -> Vec<Vector> {
         let curves = &self.pictures.curves;

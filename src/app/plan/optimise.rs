@@ -350,9 +350,7 @@ fn descent(goal: &Goal, heights: &[Option<f64>]) -> Result<String, String> {
         y,
         logarithmic: is_fit && positive,
         lines: vec![Line::new(line, 0)],
-        marks: Vec::new(),
-        dots: Vec::new(),
-        is_tall: false,
+        ..Chart::default()
     };
     let mut page = String::new();
     if chart.lines[0].points.len() > 1 {

@@ -87,11 +87,7 @@ fn over(model: &dyn AnyModel, plan: &Plan, table: &Table, group: &[usize], place
     let mut chart = Chart {
         x: named(model, plan, place),
         y: format!("{} [{unit}]", table.heads[group[0]].name),
-        logarithmic: false,
-        lines: Vec::new(),
-        marks: Vec::new(),
-        dots: Vec::new(),
-        is_tall: false,
+        ..Chart::default()
     };
     let mut names = Vec::new();
     for (color, &index) in group.iter().enumerate() {

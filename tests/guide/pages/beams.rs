@@ -6,7 +6,7 @@ use rncf::app::charts::Line;
 use rncf::app::{EquilibriumSettings, Figure, static_equilibria};
 use rncf_guide::beams::Shelf;
 use rncf_guide::coil::Example as Coil;
-use rncf_guide::drawing::{Drawing, View, picture};
+use rncf_guide::drawing::{Drawing, View};
 
 use crate::{at_rest, chart, column, over, says, shows};
 
@@ -59,21 +59,20 @@ fn the_pipe_is_that_of_the_textbook() {
     );
     let shots = at_rest(&shelf);
     let drawing = Drawing {
-        pictures: &shots,
-        view: View::XZ,
-        shots: vec![shots.count() - 1],
         magnified: 20.0,
         arrow: 0.15,
-        heading: "The pipe without load (grey), and under 200 N, its deflection 20 times as large".into(),
-        silent: Vec::new(),
+        ..Drawing::new(
+            &shots,
+            View::XZ,
+            vec![shots.count() - 1],
+            "The pipe without load (grey), and under 200 N, its deflection 20 times as large",
+        )
     };
     shows(
         "beams",
-        &picture(
-            Some(&drawing),
-            &figure,
-            "A pipe in a wall, and its deflection over the load",
-        ),
+        Some(&drawing),
+        &figure,
+        "A pipe in a wall, and its deflection over the load",
     );
 }
 

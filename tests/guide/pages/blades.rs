@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use rncf::app::charts::Line;
 use rncf::app::{EquilibriumSettings, Figure, modes, static_equilibria};
 use rncf_guide::blades::Mast;
-use rncf_guide::drawing::{Drawing, View, picture};
+use rncf_guide::drawing::{Drawing, View};
 use rncf_guide::filed::Example as Filed;
 
 use crate::{at_rest, chart, column, integral, over, says, shows};
@@ -80,24 +80,23 @@ fn the_mast_bends_and_swings_as_quadrature_says() {
     );
     let shots = at_rest(&mast);
     let drawing = Drawing {
-        pictures: &shots,
-        view: View {
-            right: [0.0, 0.0, 1.0],
-            up: [-1.0, 0.0, 0.0],
-        },
-        shots: vec![shots.count() - 1],
         magnified: 5.0,
         arrow: 1.0,
-        heading: "The mast, lying: without wind (grey), and bent 5 times as far".into(),
-        silent: Vec::new(),
+        ..Drawing::new(
+            &shots,
+            View {
+                right: [0.0, 0.0, 1.0],
+                up: [-1.0, 0.0, 0.0],
+            },
+            vec![shots.count() - 1],
+            "The mast, lying: without wind (grey), and bent 5 times as far",
+        )
     };
     shows(
         "blades",
-        &picture(
-            Some(&drawing),
-            &figure,
-            "A mast under the wind, and the displacement of its top over the force",
-        ),
+        Some(&drawing),
+        &figure,
+        "A mast under the wind, and the displacement of its top over the force",
     );
 }
 

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use rncf::app::charts::Line;
 use rncf::app::{EquilibriumSettings, Figure, modes, static_equilibria};
-use rncf_guide::drawing::{Drawing, View, picture};
+use rncf_guide::drawing::{Drawing, View};
 use rncf_guide::equilibria::Column;
 use rncf_guide::leaning::Example as Leaning;
 
@@ -72,21 +72,19 @@ fn the_column_buckles_at_eulers_load() {
     );
     let shots = at_rest(&Leaning { load: 200.0, ..leaning });
     let drawing = Drawing {
-        pictures: &shots,
-        view: View::XY,
-        shots: vec![shots.count() - 1],
-        magnified: 1.0,
         arrow: 0.25,
-        heading: "The column without load (grey), and under 200 N and the breeze".into(),
-        silent: Vec::new(),
+        ..Drawing::new(
+            &shots,
+            View::XY,
+            vec![shots.count() - 1],
+            "The column without load (grey), and under 200 N and the breeze",
+        )
     };
     shows(
         "equilibria",
-        &picture(
-            Some(&drawing),
-            &figure,
-            "A column that buckles, and how far its top leans over the load",
-        ),
+        Some(&drawing),
+        &figure,
+        "A column that buckles, and how far its top leans over the load",
     );
 }
 

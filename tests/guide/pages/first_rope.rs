@@ -1,7 +1,7 @@
 //! A rope that swings down: its free end falls freely at first, and its hook carries what its momentum asks for.
 
 use rncf::app::{EquilibriumSettings, Figure, RunSettings, static_equilibria};
-use rncf_guide::drawing::{Drawing, View, picture};
+use rncf_guide::drawing::{Drawing, View};
 use rncf_guide::first_rope::Rope;
 
 use crate::{chart, column, drawn, line, says, shows};
@@ -47,21 +47,16 @@ fn the_rope_falls_freely_and_hangs() {
         &[],
         chart("t [s]", "pull [N]", vec![line(history, "pull", 1.0, 0)]),
     );
-    let drawing = Drawing {
-        pictures: &shots,
-        view: View::XY,
-        shots: vec![10, 20, 30, 40, 50],
-        magnified: 1.0,
-        arrow: 0.0,
-        heading: "The rope after 0, 0.1, 0.2, 0.3, 0.4 and 0.5 s".into(),
-        silent: Vec::new(),
-    };
+    let drawing = Drawing::new(
+        &shots,
+        View::XY,
+        vec![10, 20, 30, 40, 50],
+        "The rope after 0, 0.1, 0.2, 0.3, 0.4 and 0.5 s",
+    );
     shows(
         "first_rope",
-        &picture(
-            Some(&drawing),
-            &figure,
-            "A rope that swings down, the height of its end and the force of its hook",
-        ),
+        Some(&drawing),
+        &figure,
+        "A rope that swings down, the height of its end and the force of its hook",
     );
 }

@@ -3,7 +3,7 @@
 use rncf::Formulation;
 use rncf::app::charts::Line;
 use rncf::app::{Figure, RunSettings, run as run_};
-use rncf_guide::drawing::{Drawing, View, picture};
+use rncf_guide::drawing::{Drawing, View};
 use rncf_guide::flight::Example as Flight;
 use rncf_guide::frames::Arm;
 
@@ -57,21 +57,19 @@ fn the_arm_swings_about_its_deflection() {
         chart("t [s]", "deflection [mm]", lines),
     );
     let drawing = Drawing {
-        pictures: &shots,
-        view: View::XY,
-        shots: vec![20, 40, 60, 80],
         magnified: 20.0,
-        arrow: 0.0,
-        heading: "The arm after 0, 0.2, 0.4, 0.6 and 0.8 s, its deflection 20 times as large".into(),
-        silent: Vec::new(),
+        ..Drawing::new(
+            &shots,
+            View::XY,
+            vec![20, 40, 60, 80],
+            "The arm after 0, 0.2, 0.4, 0.6 and 0.8 s, its deflection 20 times as large",
+        )
     };
     shows(
         "frames",
-        &picture(
-            Some(&drawing),
-            &figure,
-            "An arm on a hub that is spun up, and the deflection of its tip",
-        ),
+        Some(&drawing),
+        &figure,
+        "An arm on a hub that is spun up, and the deflection of its tip",
     );
 }
 

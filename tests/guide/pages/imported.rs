@@ -2,7 +2,7 @@
 
 use rncf::app::charts::Line;
 use rncf::app::{EquilibriumSettings, Figure, RunSettings, modes};
-use rncf_guide::drawing::{Drawing, View, picture};
+use rncf_guide::drawing::{Drawing, View};
 use rncf_guide::imported::Arm;
 
 use crate::{chart, column, drawn, line, says, shows};
@@ -62,21 +62,21 @@ fn the_arm_is_the_beam_that_it_was() {
         chart("t [s]", "bent [mm]", lines),
     );
     let drawing = Drawing {
-        pictures: &shots,
-        view: View::XY,
-        shots: vec![50, 100, 150],
         magnified: 40.0,
         arrow: 0.4,
-        heading: "The arm after 0, 0.5, 1 and 1.5 s, its deflection 40 times as large".into(),
         silent: vec!["push".into()],
+        ..Drawing::new(
+            &shots,
+            View::XY,
+            vec![50, 100, 150],
+            "The arm after 0, 0.5, 1 and 1.5 s, its deflection 40 times as large",
+        )
     };
     shows(
         "imported",
-        &picture(
-            Some(&drawing),
-            &figure,
-            "An arm of finite elements on a motor, and the deflection of its tip",
-        ),
+        Some(&drawing),
+        &figure,
+        "An arm of finite elements on a motor, and the deflection of its tip",
     );
 }
 

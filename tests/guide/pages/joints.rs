@@ -3,7 +3,7 @@
 use rncf::Options;
 use rncf::app::charts::Line;
 use rncf::app::{Figure, RunSettings};
-use rncf_guide::drawing::{Drawing, View, picture};
+use rncf_guide::drawing::{Drawing, View};
 use rncf_guide::flexible::Example as Flexible;
 use rncf_guide::joints::Crank;
 
@@ -106,21 +106,14 @@ fn the_slider_goes_as_the_formula_says() {
         chart("t [s]", "torque [N m]", moments),
     );
     let drawing = Drawing {
-        pictures: &shots,
-        view: View::XY,
-        shots: vec![120],
-        magnified: 1.0,
-        arrow: 0.0,
-        heading: "At the start (grey), and after 0.6 s".into(),
         silent: vec!["motor".into()],
+        ..Drawing::new(&shots, View::XY, vec![120], "At the start (grey), and after 0.6 s")
     };
     shows(
         "joints",
-        &picture(
-            Some(&drawing),
-            &figure,
-            "A crank, a rod and a slider, with the place of the slider and the torque of the motor",
-        ),
+        Some(&drawing),
+        &figure,
+        "A crank, a rod and a slider, with the place of the slider and the torque of the motor",
     );
 }
 

@@ -20,10 +20,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use rncf::app::charts::{Chart, Line};
-use rncf::app::{EquilibriumSettings, History, Range, RunResult, RunSettings, run};
+use rncf::app::{EquilibriumSettings, Figure, History, Range, RunResult, RunSettings, run};
 use rncf::equilibrium::{Kind, Uniform, follow};
 use rncf::{AnyModel, Formulation, Joints};
-use rncf_guide::drawing::Shots;
+use rncf_guide::drawing::{Drawing, Shots, picture};
 
 fn docs() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs")
@@ -36,8 +36,10 @@ fn says(page: &str, words: &str) {
     assert!(text.contains(words), "{page}.md does not say `{words}`");
 }
 
-/// That the picture of a page is this one. Numbers may be apart by a unit where another processor rounds otherwise.
-fn shows(page: &str, picture: &str) {
+/// That the picture of a page is this drawing above these charts. Numbers may be apart by a unit where another processor rounds
+/// otherwise.
+fn shows(page: &str, drawing: Option<&Drawing<'_>>, figure: &Figure, title: &str) {
+    let picture = &picture(drawing, figure, title);
     let name = format!("guide_{page}.svg");
     let path = docs().join("images").join(&name);
     if std::env::var_os("BLESS").is_some() {
@@ -128,11 +130,8 @@ fn chart(x: &str, y: &str, lines: Vec<Line>) -> Chart {
     Chart {
         x: x.into(),
         y: y.into(),
-        logarithmic: false,
         lines,
-        marks: Vec::new(),
-        dots: Vec::new(),
-        is_tall: false,
+        ..Chart::default()
     }
 }
 

@@ -2,7 +2,7 @@
 
 use rncf::app::charts::Line;
 use rncf::app::{Figure, RunSettings};
-use rncf_guide::drawing::{Drawing, View, picture};
+use rncf_guide::drawing::{Drawing, View};
 use rncf_guide::own_element::Bungee;
 
 use crate::{chart, column, drawn, line, says, shows};
@@ -46,24 +46,19 @@ fn the_cord_rests_where_its_law_says() {
         &["cord"],
         chart("t [s]", "stretch [1]", lines),
     );
-    let drawing = Drawing {
-        pictures: &shots,
-        view: View {
+    let drawing = Drawing::new(
+        &shots,
+        View {
             right: [0.0, -1.0, 0.0],
             up: [1.0, 0.0, 0.0],
         },
-        shots: vec![shots.count() - 1],
-        magnified: 1.0,
-        arrow: 0.0,
-        heading: "The cord, lying: without force (grey, below), and with the stone at rest".into(),
-        silent: Vec::new(),
-    };
+        vec![shots.count() - 1],
+        "The cord, lying: without force (grey, below), and with the stone at rest",
+    );
     shows(
         "own_element",
-        &picture(
-            Some(&drawing),
-            &figure,
-            "A stone on a cord, and the stretch of the cord",
-        ),
+        Some(&drawing),
+        &figure,
+        "A stone on a cord, and the stretch of the cord",
     );
 }

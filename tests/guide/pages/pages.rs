@@ -2,7 +2,7 @@
 
 use rncf::Formulation;
 use rncf::app::{Figure, RunSettings};
-use rncf_guide::drawing::{Drawing, View, picture};
+use rncf_guide::drawing::{Drawing, View};
 use rncf_models::SpinUp;
 
 use crate::{chart, column, drawn, line, says, shows};
@@ -30,15 +30,12 @@ fn both_formulations_have_one_motion() {
         chart("t [s]", "v [m]", lines),
     );
     let row = |t: f64| (t / 20.0 * (shots.count() - 1) as f64).round() as usize;
-    let drawing = Drawing {
-        pictures: &shots,
-        view: View::XY,
-        shots: [4.0, 5.0, 6.0, 7.0].map(row).to_vec(),
-        magnified: 1.0,
-        arrow: 0.0,
-        heading: "The tube after 0, 4, 5, 6 and 7 s".into(),
-        silent: Vec::new(),
-    };
+    let drawing = Drawing::new(
+        &shots,
+        View::XY,
+        [4.0, 5.0, 6.0, 7.0].map(row).to_vec(),
+        "The tube after 0, 4, 5, 6 and 7 s",
+    );
     let title = "A tube on a hub that is spun up, and the deflection of its tip in two sets of coordinates";
-    shows("pages", &picture(Some(&drawing), &figure, title));
+    shows("pages", Some(&drawing), &figure, title);
 }

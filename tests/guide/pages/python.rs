@@ -2,7 +2,6 @@
 
 use rncf::app::charts::Line;
 use rncf::app::{EquilibriumSettings, Figure, RunSettings, modes, run};
-use rncf_guide::drawing::picture;
 use rncf_guide::python::Swing;
 
 use crate::{chart, column, says, shows};
@@ -42,6 +41,8 @@ fn the_rope_swings_slower_on_the_moon() {
     figure.add("Height of the free end", &names, chart("t [s]", "tip.y [m]", lines));
     shows(
         "python",
-        &picture(None, &figure, "The free end of a rope of 2 m on Earth and on the Moon"),
+        None,
+        &figure,
+        "The free end of a rope of 2 m on Earth and on the Moon",
     );
 }

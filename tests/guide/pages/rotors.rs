@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use rncf::app::charts::Line;
 use rncf::app::{Figure, RunSettings, campbell, steady};
-use rncf_guide::drawing::{Drawing, View, picture};
+use rncf_guide::drawing::{Drawing, View};
 use rncf_guide::rotors::Rotor;
 
 use crate::{chart, column, drawn, over, says, shows};
@@ -94,21 +94,16 @@ fn the_rotor_is_critical_where_lavals_is() {
             ..RunSettings::default()
         },
     );
-    let drawing = Drawing {
-        pictures: &shots,
-        view: View::CORNER,
-        shots: vec![0],
-        magnified: 1.0,
-        arrow: 0.0,
-        heading: "The shaft: its disc is in the middle, its bearings are at the ends".into(),
-        silent: Vec::new(),
-    };
+    let drawing = Drawing::new(
+        &shots,
+        View::CORNER,
+        vec![0],
+        "The shaft: its disc is in the middle, its bearings are at the ends",
+    );
     shows(
         "rotors",
-        &picture(
-            Some(&drawing),
-            &figure,
-            "A shaft with a disc, and the deflection of its middle over its speed",
-        ),
+        Some(&drawing),
+        &figure,
+        "A shaft with a disc, and the deflection of its middle over its speed",
     );
 }

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use rncf::app::charts::Line;
 use rncf::app::{Figure, RunSettings};
-use rncf_guide::drawing::{Drawing, View, picture};
+use rncf_guide::drawing::{Drawing, View};
 use rncf_guide::sail::Sail;
 
 use crate::{chart, column, drawn, line, range, says, shows};
@@ -55,20 +55,18 @@ fn the_tethers_swing_as_a_pendulum_does() {
         chart("t [s]", "coning [m]", vec![line(history, "coning", 1.0, 0), pendulum]),
     );
     let drawing = Drawing {
-        pictures: &shots,
-        view: View::CORNER,
-        shots: vec![shots.count() * 4 / 5],
-        magnified: 1.0,
-        arrow: 0.0,
-        heading: "The sail at the start (grey), and after it has turned".into(),
         silent: vec!["sail".into()],
+        ..Drawing::new(
+            &shots,
+            View::CORNER,
+            vec![shots.count() * 4 / 5],
+            "The sail at the start (grey), and after it has turned",
+        )
     };
     shows(
         "sail",
-        &picture(
-            Some(&drawing),
-            &figure,
-            "A sail of four tethers, and how far their tips swing out of the plane",
-        ),
+        Some(&drawing),
+        &figure,
+        "A sail of four tethers, and how far their tips swing out of the plane",
     );
 }

@@ -4,7 +4,6 @@ use std::f64::consts::TAU;
 
 use rncf::app::charts::Line;
 use rncf::app::{Figure, RunSettings, run};
-use rncf_guide::drawing::picture;
 use rncf_models::Motor;
 
 use crate::{chart, column, range, says, shows};
@@ -51,10 +50,8 @@ fn the_stress_grows_with_speed_and_eccentricity() {
     );
     shows(
         "sweeps",
-        &picture(
-            None,
-            &figure,
-            "The largest stress in the motor's clamp over its speed, for four eccentricities",
-        ),
+        None,
+        &figure,
+        "The largest stress in the motor's clamp over its speed, for four eccentricities",
     );
 }

@@ -3,7 +3,6 @@
 use rncf::app::charts::Line;
 use rncf::app::{Figure, RunSettings, run};
 use rncf::{Formulation, Options};
-use rncf_guide::drawing::picture;
 use rncf_guide::trust::Rope;
 
 use crate::{chart, column, line, range, says, shows};
@@ -71,11 +70,9 @@ fn the_mesh_shows_and_the_tolerance_does_not() {
     );
     shows(
         "trust",
-        &picture(
-            None,
-            &figure,
-            "The error of the rope's end over the number of elements, and its energy over time",
-        ),
+        None,
+        &figure,
+        "The error of the rope's end over the number of elements, and its energy over time",
     );
 }
 
