@@ -7,6 +7,7 @@ use super::cautions;
 use super::clock::{Clock, Seconds};
 use super::coarse;
 use super::continuation::{EquilibriumProgress, EquilibriumSettings, Line};
+use super::csv::{cell, push_number};
 use super::history::Column;
 use super::modes::{Inertial, SeenMode};
 use super::run_error::{Incomplete, RunError};
@@ -102,13 +103,13 @@ impl Campbell {
         }
         text.push('\n');
         for (row, key) in self.keys.iter().enumerate() {
-            text += &format!("{key:.16e}");
+            push_number(&mut text, *key);
             for track in &self.tracks {
                 match track[row] {
                     Some(mode) => {
-                        text += &format!(",{:.16e},{:.16e},", mode.im, mode.re);
+                        text += &format!(",{},{},", cell(Some(mode.im)), cell(Some(mode.re)));
                         match mode.inertial(self.spins[row]) {
-                            Inertial::One(velocity) | Inertial::Whirl(velocity) => text += &format!("{velocity:.16e}"),
+                            Inertial::One(velocity) | Inertial::Whirl(velocity) => push_number(&mut text, velocity),
                             Inertial::Two(_) => {}
                         }
                     }

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use super::campbell::Campbell;
 use super::charts::{Chart, Line};
 use super::command::Frequency;
+use super::csv::cell;
 use super::history::Column;
 use super::modes::{Inertial, Modes, SeenMode, growth, neutral};
 use super::parameters::digits;
@@ -501,14 +502,13 @@ pub(super) fn modes_csv(result: &Modes) -> String {
         let _ = write!(text, ",{}", motion.name());
     }
     text.push('\n');
-    let cell = |value: Option<f64>| value.map_or(String::new(), |value| format!("{value:.16e}"));
     for (index, mode) in result.modes.iter().enumerate() {
         let _ = write!(
             text,
-            "{},{:.16e},{:.16e},{}",
+            "{},{},{},{}",
             index + 1,
-            mode.re,
-            mode.im,
+            cell(Some(mode.re)),
+            cell(Some(mode.im)),
             cell(mode.damping_ratio())
         );
         let mut seen = mode.inertial_frequencies(result.spin);

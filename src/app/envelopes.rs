@@ -110,13 +110,17 @@ fn meet(peak: &mut Option<Peak>, value: f64, at: f64, x: f64) {
 
 /// The largest magnitude in a row, of states that tell.
 fn largest(states: &[SectionState], at: f64, of: impl Fn(&SectionState) -> Option<f64>) -> Option<Peak> {
-    let mut peak = None;
+    let (mut size, mut peak) = (-1.0, None);
     for state in states {
-        if let Some(value) = of(state) {
-            meet(&mut peak, value, at, state.x);
+        if let Some(value) = of(state)
+            && value.abs() > size
+            && (peak.is_some() || value.is_finite())
+        {
+            size = value.abs();
+            peak = Some((value, state.x));
         }
     }
-    peak
+    peak.map(|(value, x)| Peak { value, at, x })
 }
 
 fn meet_peak(peak: &mut Option<Peak>, found: Option<Peak>) {

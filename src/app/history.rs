@@ -1,7 +1,6 @@
 //! The table of outputs: rows over time, or over what is continued of equilibria.
 
-use std::fmt::Write;
-
+use super::csv::push_number;
 use super::sketch::Sketch;
 use crate::archive::{Archive, Keep};
 use crate::{AnyModel, Output};
@@ -197,9 +196,10 @@ impl History {
 
 /// Adds a row of comma-separated text.
 pub(super) fn push_csv(text: &mut String, key: f64, row: &[f64]) {
-    let _ = write!(text, "{key:.16e}");
-    for value in row {
-        let _ = write!(text, ",{value:.16e}");
+    push_number(text, key);
+    for &value in row {
+        text.push(',');
+        push_number(text, value);
     }
 }
 
@@ -231,10 +231,10 @@ mod tests {
     }
 
     #[test]
-    fn text_has_heads_units_and_17_digits() {
+    fn text_has_heads_units_and_as_many_digits_as_needed() {
         let expected = "t [s],tip.x [m],tip.y [m],pull [N]\n\
-            0.0000000000000000e0,1.0000000000000000e0,2.0000000000000000e0,1.0000000000000001e-1\n\
-            5.0000000000000000e-1,-1.0000000000000000e0,2.0000000000000000e0,2.5000000000000000e-1\n";
+            0.0,1.0,2.0,0.1\n\
+            0.5,-1.0,2.0,0.25\n";
         assert_eq!(table().to_csv(), expected);
     }
 

@@ -58,6 +58,7 @@ mod command;
 mod compare;
 mod continuation;
 mod course;
+mod csv;
 mod date;
 mod diagrams;
 mod doubts;

@@ -11,8 +11,10 @@ pub fn unknown<'a>(kind: &str, word: &str, valid: impl IntoIterator<Item = &'a s
     } else {
         format!("unknown {kind} `{word}`")
     };
+    let begun = begun(word, &valid);
     match nearest(word, &valid) {
         Some(near) => format!("{head}: did you mean `{near}`?"),
+        None if !begun.is_empty() => format!("{head}: did you mean {}?", list(&begun)),
         None if valid.is_empty() => format!("{head}: the model declares none"),
         None if valid.len() > MOST_LISTED => format!("{head}: use {}, ..", list(&valid[..MOST_LISTED])),
         None => format!("{head}: use {}", list(&valid)),
@@ -27,6 +29,13 @@ pub fn list(words: &[&str]) -> String {
         Some((last, rest)) => format!("{} or {last}", rest.join(", ")),
         None => "nothing".into(),
     }
+}
+
+/// The valid words that have one letter more than a short word: `EIy` and `EIz` of `EI`.
+fn begun<'a>(word: &str, valid: &[&'a str]) -> Vec<&'a str> {
+    let has_one_more = |candidate: &&&str| candidate.len() == word.len() + 1 && candidate.starts_with(word);
+    let found = valid.iter().filter(has_one_more).copied();
+    if word.len() == 2 { found.collect() } else { Vec::new() }
 }
 
 /// The valid word that is the fewest edits away, if those are few.
@@ -90,6 +99,10 @@ mod tests {
         assert_eq!(
             unknown("unit", "pa", ["Pa", "kPa"]),
             "unknown unit `pa`: did you mean `Pa`?"
+        );
+        assert_eq!(
+            unknown("field", "EI", ["EA", "EIy", "EIz"]),
+            "unknown field `EI`: did you mean `EIy` or `EIz`?"
         );
         for (word, valid) in [("phi", ["pi", "t"]), ("in", ["min", "m"]), ("i", ["pi", "t"])] {
             assert_eq!(nearest(word, &valid), None, "{word}");

@@ -201,8 +201,9 @@ impl Scene for MeshScene {
     fn warnings(&mut self, state: &State) -> Vec<Warning> {
         self.load_state(state);
         let mut warnings = self.remarks.clone();
-        warnings.extend(self.giving_way());
-        warnings.extend(self.overstretched());
+        let stretched = self.strongly_stretched();
+        warnings.extend(self.giving_way(&stretched));
+        warnings.extend(self.overstretched(&stretched));
         warnings.extend(self.strained_fixtures());
         warnings
     }

@@ -363,7 +363,7 @@ mod tests {
             ),
             (
                 "c.csv",
-                text.replacen("e0,", "e0,x", 1),
+                text.replacen("\n0.0,", "\n0.0,x", 1),
                 "c.csv, line 2: this is no row of numbers",
             ),
         ];

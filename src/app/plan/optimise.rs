@@ -16,6 +16,7 @@ use crate::app::arguments::{Arguments, quoted};
 use crate::app::charts::{Chart, Line};
 use crate::app::clock::Clock;
 use crate::app::command::Command;
+use crate::app::csv::cell;
 use crate::app::execute::{Failure, write};
 use crate::app::files;
 use crate::app::parameters::{Values, Varied, digits, in_unit};
@@ -321,8 +322,7 @@ fn with_heights(csv: &str, heights: &[Option<f64>]) -> String {
     let mut lines = csv.lines();
     let mut text = format!("{},made small\n", lines.next().unwrap_or_default());
     for (line, height) in lines.zip(heights) {
-        let height = height.map_or(String::new(), |height| format!("{height:.16e}"));
-        text += &format!("{line},{height}\n");
+        text += &format!("{line},{}\n", cell(*height));
     }
     text
 }

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use serde_json::{Map, Value, json};
 
 use super::Plan;
+use crate::app::csv::cell;
 use crate::app::parameters::{digits, in_unit};
 use crate::app::summary::Summary;
 use crate::{AnyModel, ParamKind};
@@ -121,7 +122,7 @@ impl Table {
         table
     }
 
-    /// Comma-separated text: parameters in their declared units, results in SI with 17 digits.
+    /// Comma-separated text: parameters in their declared units, results in SI.
     pub fn to_csv(&self, model: &dyn AnyModel, plan: &Plan) -> String {
         let mut text = String::from("point");
         for one in &plan.varied {
@@ -142,12 +143,8 @@ impl Table {
                 let _ = write!(text, ",{shown}");
             }
             for value in &row.values {
-                match value {
-                    Some(value) => {
-                        let _ = write!(text, ",{value:.16e}");
-                    }
-                    None => text.push(','),
-                }
+                text.push(',');
+                text.push_str(&cell(*value));
             }
             let failed = row.failed.as_deref().unwrap_or("");
             let _ = writeln!(text, ",{},{}", field(failed), field(&row.notes.join(" | ")));

@@ -1,5 +1,7 @@
 //! Elements in units of four, one in each lane, and where their components are.
 
+use std::ops::Range;
+
 use crate::emitted::LANES;
 
 /// Numbers side by side, one of each element.
@@ -88,20 +90,42 @@ impl Units {
         }
     }
 
-    /// Adds `factor` times what one lane of a unit has for its components.
-    pub fn add(&self, unit: usize, lane: usize, factor: f64, local: &[Lanes], full: &mut [f64]) {
-        let components = self.components(unit);
-        if self.in_runs[unit] {
-            let own = &mut full[components[0][lane] as usize..];
-            match self.size {
-                8 => return add_run::<8>(lane, factor, local, own),
-                12 => return add_run::<12>(lane, factor, local, own),
-                24 => return add_run::<24>(lane, factor, local, own),
-                _ => {}
+    /// Adds `factor` times what some lanes of a unit have for their components, one lane after the other.
+    pub fn add(&self, unit: usize, lanes: Range<usize>, factor: f64, local: &[Lanes], full: &mut [f64]) {
+        match self.size {
+            8 if self.in_runs[unit] => self.add_runs::<8>(unit, lanes, factor, local, full),
+            12 if self.in_runs[unit] => self.add_runs::<12>(unit, lanes, factor, local, full),
+            24 if self.in_runs[unit] => self.add_runs::<24>(unit, lanes, factor, local, full),
+            _ => {
+                for lane in lanes {
+                    for (components, values) in self.components(unit).iter().zip(local) {
+                        full[components[lane] as usize] += factor * values[lane];
+                    }
+                }
             }
         }
-        for (components, values) in components.iter().zip(local) {
-            full[components[lane] as usize] += factor * values[lane];
+    }
+
+    /// The same of `N` components of each element that follow each other.
+    fn add_runs<const N: usize>(
+        &self,
+        unit: usize,
+        lanes: Range<usize>,
+        factor: f64,
+        local: &[Lanes],
+        full: &mut [f64],
+    ) {
+        let firsts = self.components(unit)[0];
+        let Some(local) = local.first_chunk::<N>() else {
+            unreachable!("a unit has the components of its elements");
+        };
+        for lane in lanes {
+            let Some(sums) = full[firsts[lane] as usize..].first_chunk_mut::<N>() else {
+                unreachable!("components are in the full arrays");
+            };
+            for i in 0..N {
+                sums[i] += factor * local[i][lane];
+            }
         }
     }
 }
@@ -114,15 +138,5 @@ fn gather_run<const N: usize>(firsts: [usize; LANES], full: &[f64], local: &mut 
     };
     for i in 0..N {
         local[i] = [a[i], b[i], c[i], d[i]];
-    }
-}
-
-/// Adds what one lane has to `N` components that follow each other.
-fn add_run<const N: usize>(lane: usize, factor: f64, local: &[Lanes], full: &mut [f64]) {
-    let (Some(local), Some(sums), true) = (local.first_chunk::<N>(), full.first_chunk_mut::<N>(), lane < LANES) else {
-        unreachable!("components are in the full arrays");
-    };
-    for i in 0..N {
-        sums[i] += factor * local[i][lane];
     }
 }

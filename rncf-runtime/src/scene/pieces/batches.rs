@@ -139,9 +139,8 @@ impl Group {
             self.unit_force(parts, unit, local, force);
         };
         let add = |unit: usize, result: &[Lanes]| {
-            for lane in 0..self.units.used(unit).len() {
-                self.units.add(unit, lane, 1.0, &result[2 * n..], force);
-            }
+            let used = 0..self.units.used(unit).len();
+            self.units.add(unit, used, 1.0, &result[2 * n..], force);
         };
         in_order(self.units.count(), 3 * n, results, evaluate, add);
     }

@@ -4,16 +4,16 @@
 
 use std::fmt;
 
-use crate::emitted::{Fidelity, Interpolant, Line, MAX_SIZE};
+use crate::emitted::{Interpolant, MAX_SIZE};
 use crate::model::Warning;
 use crate::scene::MeshScene;
 use crate::scene::bodies::place::weighted;
 use crate::space::Vector;
 
 /// Points of integration in [0, 1], at which strains are most accurate.
-const THREE: [f64; 3] = [0.112_701_665_379_258_31, 0.5, 0.887_298_334_620_741_7];
+pub(super) const THREE: [f64; 3] = [0.112_701_665_379_258_31, 0.5, 0.887_298_334_620_741_7];
 /// `1/sqrt 3`.
-const LEAST_STRETCH: f64 = 0.577_350_269_189_625_8;
+pub(super) const LEAST_STRETCH: f64 = 0.577_350_269_189_625_8;
 /// Relative change of the slope for the derivative of the axial force.
 const CHANGE: f64 = 1e-6;
 
@@ -47,16 +47,9 @@ fn weights(scene: &MeshScene, (body, element): (usize, usize), of: &[(Interpolan
 }
 
 impl MeshScene {
-    /// Bodies whose axes give way at the loaded state. Strains of small deformations are not those of the elements,
-    /// and rigid bodies have none.
-    pub(crate) fn giving_way(&self) -> Vec<Warning> {
-        let told = |&body: &usize| {
-            let spec = &self.bodies[body].spec;
-            matches!(spec.fidelity, Fidelity::Full | Fidelity::Modal(_)) && !matches!(spec.line, Line::Nodes(_))
-        };
-        let bodies = (0..self.bodies.len()).filter(told);
-        let may = bodies.filter(|&body| !self.stretches_within(body, &THREE, [LEAST_STRETCH, f64::INFINITY]));
-        let found = may.filter_map(|body| self.most_compressed(body));
+    /// Those of some bodies whose axes give way at the loaded state.
+    pub(crate) fn giving_way(&self, bodies: &[usize]) -> Vec<Warning> {
+        let found = bodies.iter().filter_map(|&body| self.most_compressed(body));
         let warning = |found: GivesWay| Warning {
             text: found.to_string(),
             weight: 1.0 - found.stretch,

@@ -60,23 +60,22 @@ impl Strained<'_> {
         // Of every place where they differ along the body, else one for all.
         let mut flexibilities: Vec<Flexibility> = Vec::new();
         let mut shapes: Vec<Vec<f64>> = Vec::new();
+        let mut found: Vec<([Vector; 3], [Components; 2])> = Vec::with_capacity(places.len());
         for element in 0..spec.count {
             reader.begin(element);
             let size = spec.element_size();
-            let [mut q, mut v] = [[0.0; MAX_SIZE]; 2];
+            let [mut q, mut v, mut undeformed] = [[0.0; MAX_SIZE]; 3];
             body.connectivity.gather(element, &self.scene.buffers.q, &mut q[..size]);
             body.connectivity.gather(element, &self.scene.buffers.v, &mut v[..size]);
-            let local = 0..spec.nodal.len();
-            let undeformed: Vec<f64> = local.flat_map(|local| spec.undeformed(element, local)).collect();
+            let shape = (0..spec.nodal.len()).flat_map(|local| spec.undeformed(element, local));
+            undeformed.iter_mut().zip(shape).for_each(|(own, value)| *own = value);
             let length = spec.element_length(element);
-            let mut found: Vec<([Vector; 3], [Components; 2])> = Vec::with_capacity(places.len());
             let mut slope = Vector::zeros();
             if varies || shapes.is_empty() {
                 shapes = places.iter().map(|&(xi, _)| self.weights(element, xi)).collect();
             }
             for (&(xi, weight), weights) in places.iter().zip(&shapes) {
-                let [free, present, rates] =
-                    [&undeformed[..], &q[..size], &v[..size]].map(|local| self.fields_at(weights, local));
+                let [free, present, rates] = [&undeformed, &q, &v].map(|local| self.fields_at(weights, &local[..size]));
                 let x = spec.arclength(element, xi);
                 if varies || flexibilities.is_empty() {
                     flexibilities.truncate(found.len());
@@ -94,7 +93,7 @@ impl Strained<'_> {
                 }
                 found.push((triad, [balanced, self.strained(&triad, &present, &forces)]));
             }
-            for (place, (triad, [mut balanced, strained])) in found.into_iter().enumerate() {
+            for (place, (triad, [mut balanced, strained])) in found.drain(..).enumerate() {
                 balanced[6..]
                     .iter_mut()
                     .zip(&slope)

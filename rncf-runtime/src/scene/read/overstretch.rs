@@ -1,27 +1,21 @@
 //! Axes that are stretched as no material is: a load is far too large, or a stiffness far too small. The law of the
 //! material goes on, and a run alone does not tell.
 
-use crate::emitted::{Fidelity, Interpolant, Line};
+use crate::emitted::Interpolant;
 use crate::model::Warning;
 use crate::scene::MeshScene;
 use crate::scene::bodies::place::weighted;
 use crate::space::Vector;
 
 /// Stretch that no material bears: natural rubber breaks at 8 or 9.
-const MOST: f64 = 10.0;
+pub(super) const MOST: f64 = 10.0;
 /// Middle and ends of an element.
 const PLACES: [f64; 3] = [0.0, 0.5, 1.0];
 
 impl MeshScene {
-    /// Bodies whose axes are stretched too far at the loaded state.
-    pub(crate) fn overstretched(&self) -> Vec<Warning> {
-        let told = |&body: &usize| {
-            let spec = &self.bodies[body].spec;
-            matches!(spec.fidelity, Fidelity::Full | Fidelity::Modal(_)) && !matches!(spec.line, Line::Nodes(_))
-        };
-        let bodies = (0..self.bodies.len()).filter(told);
-        let may = bodies.filter(|&body| !self.stretches_within(body, &PLACES, [0.0, MOST]));
-        let found = may.filter_map(|body| {
+    /// Those of some bodies whose axes are stretched too far at the loaded state.
+    pub(crate) fn overstretched(&self, bodies: &[usize]) -> Vec<Warning> {
+        let found = bodies.iter().filter_map(|&body| {
             let (stretch, x) = self.most_stretched(body);
             (stretch > MOST).then(|| Warning {
                 text: format!(

@@ -15,8 +15,7 @@ use crate::space::Vector;
 
 /// A unit vector; zero where there is no direction.
 fn unit(vector: Vector) -> Vector {
-    let size = vector.norm();
-    if size > 0.0 { 1.0 / size * vector } else { vector }
+    1.0 / (vector.dot(&vector) + f64::MIN_POSITIVE).sqrt() * vector
 }
 
 /// Right-handed triad of a section: `r_y x r_z`, r_y, and what is normal to both.
@@ -44,14 +43,6 @@ fn sum(weights: &[f64], vectors: &[Vector]) -> Vector {
     parts.fold(Vector::zeros(), |sum, (&weight, &vector)| sum + weight * vector)
 }
 
-/// What the section at a place carries, and how it stands: of a centre line the slope comes first, else r_y and r_z; frame axes.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Carried {
-    pub force: Vector,
-    pub moment: Vector,
-    pub axes: [Vector; 2],
-}
-
 /// Reads off what the sections of one body carry at the loaded state: [`MeshScene::set_sections`] comes first.
 pub(crate) struct Reader<'a> {
     pub(super) scene: &'a MeshScene,
@@ -61,7 +52,7 @@ pub(crate) struct Reader<'a> {
     /// What stresses follow from, where that is the same along the body.
     section: Option<SectionSpec>,
     pub(super) is_line: bool,
-    normal: Option<Vector>,
+    pub(super) normal: Option<Vector>,
     /// Of the axis, m.
     length: f64,
     /// The local vector that is the position of the first node.
@@ -137,13 +128,11 @@ impl<'a> Reader<'a> {
         let reach = self.reaches.to(described(self.scene, self.body), xi);
         let [force, moment] = carried(self.scene, (self.body, element), self.first, reach, found);
         let axes = axis_weights(self.is_line, reach).map(|weights| sum(weights, &found.levers));
-        self.told(element, xi, &Carried { force, moment, axes })
+        self.stressed(element, xi, self.in_own_axes(force, moment, axes))
     }
 
-    /// What a section carries in its own axes.
-    pub(super) fn told(&self, element: usize, xi: f64, carried: &Carried) -> SectionState {
-        let &Carried { force, moment, axes } = carried;
-        let (forces, moments);
+    /// Forces and moments on a section in its own axes, which follow from its slope, or r_y and r_z; frame axes.
+    fn in_own_axes(&self, force: Vector, moment: Vector, axes: [Vector; 2]) -> [[f64; 3]; 2] {
         if self.is_line {
             // Across the slope: a centre line has no torsion.
             let along = unit(axes[0]);
@@ -151,12 +140,15 @@ impl<'a> Reader<'a> {
                 Some(normal) => moment.dot(&normal),
                 None => (moment - along.dot(&moment) * along).norm(),
             };
-            (forces, moments) = ([along.dot(&force), 0.0, 0.0], [0.0, 0.0, size]);
-        } else {
-            let triad = section_axes(axes[0], self.normal.unwrap_or(axes[1]));
-            forces = triad.map(|axis| axis.dot(&force));
-            moments = triad.map(|axis| axis.dot(&moment));
+            return [[along.dot(&force), 0.0, 0.0], [0.0, 0.0, size]];
         }
+        let triad = section_axes(axes[0], self.normal.unwrap_or(axes[1]));
+        [force, moment].map(|carried| triad.map(|axis| axis.dot(&carried)))
+    }
+
+    /// What a section carries, with its stress.
+    #[inline]
+    pub(super) fn stressed(&self, element: usize, xi: f64, [forces, moments]: [[f64; 3]; 2]) -> SectionState {
         let is_planar = self.normal.is_some();
         let spec = &self.scene.bodies[self.body].spec;
         let x = spec.arclength_of(self.length, element, xi);

@@ -1,11 +1,12 @@
 //! What sections carry in four elements of a body side by side. The operations are those of [`Reader`], which takes one element
 //! after the other, in their order: so are the bits.
 
-use super::section::{Carried, Reader, acting_inside, axis_weights, described};
+use super::section::{Reader, acting_inside, axis_weights, described};
 use crate::emitted::lanes::{self, Kernel, Lanes, Real};
 use crate::emitted::{Fidelity, LANES, NodalSpec};
 use crate::model::SectionState;
 use crate::scene::bodies::nodal_mass::{Columns, Total};
+use crate::scene::pieces::buffers::Buffers;
 use crate::scene::pieces::reach::Reach;
 use crate::space::Vector;
 
@@ -64,7 +65,8 @@ impl Reader<'_> {
             start: [NONE; 2],
             local: std::array::from_fn(|_| of_components.next().unwrap_or_default()),
         };
-        let mut carried = [[NONE; 4]; N];
+        let mut carried = [[NONE; 2]; N];
+        out.reserve(count * N);
         for first in (0..count).step_by(LANES) {
             let last = count.min(first + LANES) - 1;
             // The last four repeat an element where there are too few.
@@ -77,11 +79,13 @@ impl Reader<'_> {
                 self.carried_by_four(xi, &found, out);
             }
             for lane in 0..=last - first {
-                for (&xi, [force, moment, y, z]) in places.iter().zip(&carried) {
-                    let of = |vector: &Vectors| Vector::new(vector[0][lane], vector[1][lane], vector[2][lane]);
-                    let (force, moment, axes) = (of(force), of(moment), [of(y), of(z)]);
-                    out.push(self.told(first + lane, xi, &Carried { force, moment, axes }));
-                }
+                let of = |all: &Vectors| [all[0][lane], all[1][lane], all[2][lane]];
+                out.extend(
+                    places
+                        .iter()
+                        .zip(&carried)
+                        .map(|(&xi, [forces, moments])| self.stressed(first + lane, xi, [of(forces), of(moments)])),
+                );
             }
         }
         self.reaches.four = memory;
@@ -93,35 +97,42 @@ impl Reader<'_> {
         let (scene, index) = (self.scene, self.body);
         let body = &scene.bodies[index];
         let (spec, buffers) = (&body.spec, &scene.buffers);
-        let length = spec.element_length(elements[0]);
-        for element in elements {
-            if spec.element_length(element) != length || acting_inside(scene, index, element).next().is_some() {
-                return false;
-            }
+        let differ = |element: usize| spec.element_length(element) != spec.element_length(elements[0]);
+        if !spec.stations.is_empty() && elements.into_iter().any(differ) {
+            return false;
+        }
+        if elements
+            .into_iter()
+            .any(|element| acting_inside(scene, index, element).next().is_some())
+        {
+            return false;
         }
         self.reaches.begin(described(scene, index), elements[0]);
+        let components = elements.map(|element| body.connectivity.element(element));
+        match *spec.axes {
+            [x, y] => gather(buffers, components, [x, y], found),
+            [x, y, z] => gather(buffers, components, [x, y, z], found),
+            _ => return false,
+        }
         let [q, v, force] = &mut found.local;
         force.fill([0.0; LANES]);
-        let components = elements.map(|element| body.connectivity.element(element));
-        // Vectors and axes of an element's components, one after the other.
-        let places = || (0..spec.nodal.len()).flat_map(|vector| spec.axes.iter().map(move |&axis| (vector, axis)));
-        for (place, (vector, axis)) in places().enumerate() {
-            let own = components.map(|components| components[place]);
-            q[place] = own.map(|component| buffers.q[component]);
-            v[place] = own.map(|component| buffers.v[component]);
-            found.levers[vector][axis] = q[place];
-            found.rates[vector][axis] = v[place];
-            found.accelerations[vector][axis] = own.map(|component| buffers.a[component]);
-        }
         let both = [0, 1, 2, 3].map(|lane: usize| (index, elements[lane]));
         scene.parts.elastic_force4(&both, q, v, force);
-        for ((vector, axis), &force) in places().zip(&**force) {
-            found.elastic[vector][axis] = force;
+        // What acts on the section at the start alone is read.
+        for (vector, force) in force.chunks_exact(spec.axes.len()).enumerate() {
+            if spec.nodal[vector].xi == 0.0 {
+                for (&axis, &force) in spec.axes.iter().zip(force) {
+                    found.elastic[vector][axis] = force;
+                }
+            }
         }
         if is_loaded {
             for (lane, element) in elements.into_iter().enumerate() {
-                for ((vector, axis), load) in places().zip(scene.densities_on(index, element)) {
-                    found.loads[vector][axis][lane] = load;
+                let loads = scene.densities_on(index, element);
+                for (loads, load) in found.loads.iter_mut().zip(loads.chunks_exact(spec.axes.len())) {
+                    for (&axis, &load) in spec.axes.iter().zip(load) {
+                        loads[axis][lane] = load;
+                    }
                 }
             }
         }
@@ -133,17 +144,49 @@ impl Reader<'_> {
         })
     }
 
-    /// Force and moment on the sections at one place in [0, 1] of the elements begun last, and how they stand.
-    fn carried_by_four(&mut self, xi: f64, found: &Elements<'_>, out: &mut [Vectors; 4]) {
-        let (first, is_line) = (self.first, self.is_line);
+    /// Forces and moments on the sections at one place in [0, 1] of the elements begun last, in the sections' own axes.
+    fn carried_by_four(&mut self, xi: f64, found: &Elements<'_>, out: &mut [Vectors; 2]) {
+        let (first, is_line, normal) = (self.first, self.is_line, self.normal);
         let reach = self.reaches.to(described(self.scene, self.body), xi);
         lanes::run(To {
             first,
+            is_line,
+            normal,
             reach,
             axes: axis_weights(is_line, reach),
             found,
             out,
         });
+    }
+}
+
+/// Copies places, rates and accelerations of four elements' vectors with `D` components along these axes.
+fn gather<const D: usize>(
+    buffers: &Buffers,
+    components: [&[usize]; LANES],
+    axes: [usize; D],
+    found: &mut Elements<'_>,
+) {
+    let [a, b, c, d] = components.map(|components| components.as_chunks::<D>().0);
+    let [q, v, _] = &mut found.local;
+    let local = q.as_chunks_mut::<D>().0.iter_mut().zip(v.as_chunks_mut::<D>().0);
+    let vectors = found
+        .levers
+        .iter_mut()
+        .zip(&mut *found.rates)
+        .zip(&mut *found.accelerations);
+    let of = a.iter().zip(b).zip(c).zip(d);
+    for (((q, v), ((lever, rate), acceleration)), (((a, b), c), d)) in local.zip(vectors).zip(of) {
+        for place in 0..D {
+            let own = [a[place], b[place], c[place], d[place]];
+            for lane in 0..LANES {
+                q[place][lane] = buffers.q[own[lane]];
+                v[place][lane] = buffers.v[own[lane]];
+                acceleration[axes[place]][lane] = buffers.a[own[lane]];
+            }
+            lever[axes[place]] = q[place];
+            rate[axes[place]] = v[place];
+        }
     }
 }
 
@@ -191,6 +234,18 @@ fn cross<L: Lanes>(a: Wide<L>, b: Wide<L>) -> Wide<L> {
         a[2] * b[0] - a[0] * b[2],
         a[0] * b[1] - a[1] * b[0],
     ]
+}
+
+#[inline(always)]
+fn dot<L: Lanes>(a: Wide<L>, b: Wide<L>) -> L::Real {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// As that of one element.
+#[inline(always)]
+fn unit<L: Lanes>(vector: Wide<L>) -> Wide<L> {
+    let factor = (dot::<L>(vector, vector) + f64::MIN_POSITIVE).sqrt().recip();
+    [factor * vector[0], factor * vector[1], factor * vector[2]]
 }
 
 /// `sum_a weight_a u_a`
@@ -272,13 +327,15 @@ fn with_product<L: Lanes>(_: L, columns: &Columns, x: Wide<L>, mut sum: Wide<L>)
     sum
 }
 
-/// [`Reader::carried`] of four elements: force and moment, and the axes of the sections.
+/// What the sections of four elements carry, in their own axes.
 struct To<'a, 'b> {
     first: usize,
+    is_line: bool,
+    normal: Option<Vector>,
     reach: &'a Reach,
     axes: [&'a [f64]; 2],
     found: &'a Elements<'b>,
-    out: &'a mut [Vectors; 4],
+    out: &'a mut [Vectors; 2],
 }
 
 impl Kernel for To<'_, '_> {
@@ -306,8 +363,40 @@ impl Kernel for To<'_, '_> {
             }
         }
         let [y, z] = [sum(lanes, self.axes[0], levers), sum(lanes, self.axes[1], levers)];
-        for (value, out) in [force, moment, y, z].into_iter().zip(self.out) {
-            store::<L>(value, out);
+        let none = lanes.load([0.0; LANES]);
+        let (mut forces, mut moments) = ([none; 3], [none; 3]);
+        let normal = match self.normal {
+            Some(normal) => Some([
+                lanes.load([normal[0]; LANES]),
+                lanes.load([normal[1]; LANES]),
+                lanes.load([normal[2]; LANES]),
+            ]),
+            None => None,
+        };
+        if self.is_line {
+            let along = unit::<L>(y);
+            forces[0] = dot::<L>(along, force);
+            moments[2] = match normal {
+                Some(normal) => dot::<L>(moment, normal),
+                None => {
+                    let about = dot::<L>(along, moment);
+                    let across = minus::<L>(moment, [about * along[0], about * along[1], about * along[2]]);
+                    dot::<L>(across, across).sqrt()
+                }
+            };
+        } else {
+            let z = match normal {
+                Some(normal) => normal,
+                None => z,
+            };
+            let (along, y) = (unit::<L>(cross::<L>(y, z)), unit::<L>(y));
+            let triad = [along, y, cross::<L>(along, y)];
+            for (place, axis) in triad.into_iter().enumerate() {
+                forces[place] = dot::<L>(axis, force);
+                moments[place] = dot::<L>(axis, moment);
+            }
         }
+        store::<L>(forces, &mut self.out[0]);
+        store::<L>(moments, &mut self.out[1]);
     }
 }

@@ -7,6 +7,8 @@ use crate::space::Vector;
 
 /// A centre line has slope and curvature; a section its own axes and their derivatives as well.
 const LINE: [(Interpolant, usize); 2] = [(Interpolant::Position, 1), (Interpolant::Position, 2)];
+/// Most fields of an energy: position, r_y and r_z, with two derivatives each.
+const MOST_FIELDS: usize = 9;
 /// Strain by which a section is disturbed to find its stiffness.
 const DISTURBED: f64 = 1e-6;
 /// `l^2 int w''^2 / int w'^2` of `w = x^2 (l - x)^2`.
@@ -25,6 +27,9 @@ pub(super) enum Kind {
 /// Forces and moments of a section in its own axes: axial, shear y, shear z, torque, moments about y and z; then what its own
 /// strains meet, along y, along z and their shear. Of a line and in a plane those that are there.
 pub(super) type Components = [f64; 9];
+
+/// A vector of every field of a body; zero beyond these.
+pub(super) type Fields = [Vector; MOST_FIELDS];
 
 /// Flexibility of a section, rows first.
 pub(super) struct Flexibility {
@@ -61,6 +66,9 @@ impl<'a> Strained<'a> {
     /// `None` where its elements have other fields than lines and sections.
     pub fn new(scene: &'a MeshScene, body: usize) -> Option<Self> {
         let fields = scene.parts.fields(body);
+        if fields.len() > MOST_FIELDS {
+            return None;
+        }
         let has = |field: (Interpolant, usize)| fields.contains(&field);
         let is_section = |of: Interpolant| has((of, 0)) && has((of, 1));
         let kind = if fields.iter().all(|field| LINE.contains(field)) {
@@ -87,19 +95,18 @@ impl<'a> Strained<'a> {
     }
 
     /// Every field of an element at a place, from its components; frame axes.
-    pub fn fields_at(&self, weights: &[f64], local: &[f64]) -> Vec<Vector> {
+    pub fn fields_at(&self, weights: &[f64], local: &[f64]) -> Fields {
         let spec = &self.scene.bodies[self.body].spec;
         let (dimension, count) = (spec.dimension(), spec.nodal.len());
-        let field = |weights: &[f64]| {
-            let mut value = Vector::zeros();
-            for (a, weight) in weights.iter().enumerate() {
-                for (k, &axis) in spec.axes.iter().enumerate() {
-                    value[axis] += weight * local[a * dimension + k];
+        let mut fields = [Vector::zeros(); MOST_FIELDS];
+        for (value, weights) in fields.iter_mut().zip(weights.chunks_exact(count)) {
+            for (weight, components) in weights.iter().zip(local.chunks_exact(dimension)) {
+                for (&axis, component) in spec.axes.iter().zip(components) {
+                    value[axis] += weight * component;
                 }
             }
-            value
-        };
-        weights.chunks_exact(count).map(field).collect()
+        }
+        fields
     }
 
     /// Weights of an element's nodal vectors in every field at a place.
@@ -113,27 +120,30 @@ impl<'a> Strained<'a> {
     }
 
     /// Forces on the fields at an arclength (m), frame axes.
-    pub fn forces(&self, x: f64, [free, present, rates]: [&[Vector]; 3]) -> Vec<Vector> {
+    pub fn forces(&self, x: f64, fields: [&[Vector]; 3]) -> Fields {
         let spec = &self.scene.bodies[self.body].spec;
-        let flat = |fields: &[Vector]| -> Vec<f64> {
-            let components = fields
-                .iter()
-                .flat_map(|field| spec.axes.iter().map(|&axis| field[axis]));
-            components.collect()
-        };
-        let mut forces = vec![0.0; free.len() * spec.dimension()];
+        let (dimension, size) = (spec.dimension(), self.fields.len() * spec.dimension());
+        let mut flat = [[0.0; 3 * MOST_FIELDS]; 3];
+        for (flat, fields) in flat.iter_mut().zip(fields) {
+            for (components, field) in flat[..size].chunks_exact_mut(dimension).zip(fields) {
+                for (component, &axis) in components.iter_mut().zip(spec.axes) {
+                    *component = field[axis];
+                }
+            }
+        }
+        let [free, present, rates] = flat.each_ref().map(|flat| &flat[..size]);
+        let mut on = [0.0; 3 * MOST_FIELDS];
         let at = [x, spec.line.length()];
         self.scene
             .parts
-            .field_forces(self.body, at, &flat(free), &flat(present), &flat(rates), &mut forces);
-        let spread = |components: &[f64]| {
-            let mut value = Vector::zeros();
+            .field_forces(self.body, at, free, present, rates, &mut on[..size]);
+        let mut forces = [Vector::zeros(); MOST_FIELDS];
+        for (force, components) in forces.iter_mut().zip(on[..size].chunks_exact(dimension)) {
             for (&axis, component) in spec.axes.iter().zip(components) {
-                value[axis] = *component;
+                force[axis] = *component;
             }
-            value
-        };
-        forces.chunks_exact(spec.dimension()).map(spread).collect()
+        }
+        forces
     }
 
     /// One of some vectors of all fields; nothing where there is no such field.

@@ -348,7 +348,8 @@ impl MeshScene {
                             forces[component] -= load_scale * value;
                         }
                     } else {
-                        of.units.add(unit, lane, -load_scale, result.force, &mut forces);
+                        of.units
+                            .add(unit, lane..lane + 1, -load_scale, result.force, &mut forces);
                     }
                 }
             };
