@@ -2509,6 +2509,7 @@ pub mod curved_out_of_plane_equations {
                     section_y: None,
                     twist: ::rncf::emitted::Twist::even(0.0),
                     fidelity: ::rncf::emitted::Fidelity::Full,
+                    damps: false,
                     tie: ::rncf::emitted::FrameTie::Joints,
                     normals: ::std::vec::Vec::new(),
                 },

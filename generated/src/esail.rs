@@ -3368,6 +3368,7 @@ pub mod esail_equations {
                         section_y: None,
                         twist: ::rncf::emitted::Twist::even(0.0),
                         fidelity: ::rncf::emitted::Fidelity::Full,
+                        damps: false,
                         tie: ::rncf::emitted::FrameTie::Joints,
                         normals: ::std::vec::Vec::new(),
                     });
@@ -3424,6 +3425,7 @@ pub mod esail_equations {
                         section_y: None,
                         twist: ::rncf::emitted::Twist::even(0.0),
                         fidelity: ::rncf::emitted::Fidelity::Full,
+                        damps: false,
                         tie: ::rncf::emitted::FrameTie::Joints,
                         normals: ::std::vec::Vec::new(),
                     });

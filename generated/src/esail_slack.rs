@@ -4032,6 +4032,7 @@ pub mod esail_slack_equations {
                         section_y: None,
                         twist: ::rncf::emitted::Twist::even(0.0),
                         fidelity: ::rncf::emitted::Fidelity::Full,
+                        damps: false,
                         tie: ::rncf::emitted::FrameTie::Joints,
                         normals: ::std::vec::Vec::new(),
                     });
@@ -4088,6 +4089,7 @@ pub mod esail_slack_equations {
                         section_y: None,
                         twist: ::rncf::emitted::Twist::even(0.0),
                         fidelity: ::rncf::emitted::Fidelity::Full,
+                        damps: false,
                         tie: ::rncf::emitted::FrameTie::Joints,
                         normals: ::std::vec::Vec::new(),
                     });

@@ -4306,6 +4306,7 @@ pub mod esail_tilted_equations {
                         section_y: None,
                         twist: ::rncf::emitted::Twist::even(0.0),
                         fidelity: ::rncf::emitted::Fidelity::Full,
+                        damps: false,
                         tie: ::rncf::emitted::FrameTie::Joints,
                         normals: ::std::vec::Vec::new(),
                     });
@@ -4362,6 +4363,7 @@ pub mod esail_tilted_equations {
                         section_y: None,
                         twist: ::rncf::emitted::Twist::even(0.0),
                         fidelity: ::rncf::emitted::Fidelity::Full,
+                        damps: false,
                         tie: ::rncf::emitted::FrameTie::Joints,
                         normals: ::std::vec::Vec::new(),
                     });

@@ -2104,6 +2104,7 @@ pub mod free_flight_equations {
                     section_y: None,
                     twist: ::rncf::emitted::Twist::even(0.0),
                     fidelity: ::rncf::emitted::Fidelity::Full,
+                    damps: false,
                     tie: ::rncf::emitted::FrameTie::Chord,
                     normals: ::std::vec::Vec::new(),
                 },

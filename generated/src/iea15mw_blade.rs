@@ -4373,6 +4373,7 @@ pub mod iea15mw_blade_equations {
                         })
                     },
                     fidelity: ::rncf::emitted::Fidelity::Full,
+                    damps: false,
                     tie: ::rncf::emitted::FrameTie::Joints,
                     normals: ::std::vec::Vec::new(),
                 },

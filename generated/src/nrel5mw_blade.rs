@@ -6870,6 +6870,7 @@ pub mod nrel5mw_blade_equations {
                         })
                     },
                     fidelity: ::rncf::emitted::Fidelity::Full,
+                    damps: true,
                     tie: ::rncf::emitted::FrameTie::Joints,
                     normals: ::std::vec::Vec::new(),
                 },

@@ -1335,6 +1335,7 @@ pub mod pinned_pipe_equations {
                     section_y: None,
                     twist: ::rncf::emitted::Twist::even(0.0),
                     fidelity: ::rncf::emitted::Fidelity::Full,
+                    damps: false,
                     tie: ::rncf::emitted::FrameTie::Chord,
                     normals: ::std::vec::Vec::new(),
                 },

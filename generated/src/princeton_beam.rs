@@ -2646,6 +2646,7 @@ pub mod princeton_beam_equations {
                     section_y: None,
                     twist: ::rncf::emitted::Twist::even(0.0),
                     fidelity: ::rncf::emitted::Fidelity::Full,
+                    damps: false,
                     tie: ::rncf::emitted::FrameTie::Joints,
                     normals: ::std::vec::Vec::new(),
                 },

@@ -41,6 +41,8 @@ pub struct BodySpec {
     pub twist: Twist,
     /// How finely its deformation is described.
     pub fidelity: Fidelity,
+    /// Whether rates of strain count: something damps.
+    pub damps: bool,
     /// What its free frame follows beside joints.
     pub tie: FrameTie,
     /// Where normals of sections are vectors of their own: element and place on it in [0, 1]. The scene fills them in, for

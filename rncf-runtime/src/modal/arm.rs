@@ -166,6 +166,7 @@ impl Bodies for Arm {
             twist: Twist::even(0.0),
             stations: Vec::new(),
             fidelity: self.fidelity,
+            damps: true,
             tie: FrameTie::Joints,
             normals: Vec::new(),
         }]

@@ -98,7 +98,7 @@ impl Parts<'_> {
                 "None"
             };
             let entry = format!(
-                "::rncf::emitted::BodySpec {{ name: {:?}, kind: {index}, instance: {instance}, frame: {}, axes: &{:?}, line: {}, count: {count}, stations: {stations}, nodal: &[{nodal}], connectivity: &{:?}, vectors_per_node: {}, stride: {}, section_y: {section_y}, twist: {twist}, fidelity: ::rncf::emitted::Fidelity::{}, tie: ::rncf::emitted::FrameTie::{:?}, normals: ::std::vec::Vec::new() }}",
+                "::rncf::emitted::BodySpec {{ name: {:?}, kind: {index}, instance: {instance}, frame: {}, axes: &{:?}, line: {}, count: {count}, stations: {stations}, nodal: &[{nodal}], connectivity: &{:?}, vectors_per_node: {}, stride: {}, section_y: {section_y}, twist: {twist}, fidelity: ::rncf::emitted::Fidelity::{}, damps: {}, tie: ::rncf::emitted::FrameTie::{:?}, normals: ::std::vec::Vec::new() }}",
                 body.name,
                 body.frame.0,
                 body.space.axes(),
@@ -107,6 +107,7 @@ impl Parts<'_> {
                 connectivity.per_node,
                 connectivity.stride,
                 self.fidelity(body),
+                self.variant(index).variant.damped,
                 body.tie,
             );
             entries.push((body.repeat, entry));

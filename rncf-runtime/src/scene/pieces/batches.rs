@@ -18,6 +18,8 @@ pub(crate) struct Group {
     pub body: usize,
     /// Number of nodal vectors of an element.
     vectors: usize,
+    /// Whether rates count.
+    damps: bool,
     units: Units,
     /// Mass matrices of the elements' vectors, unit by unit.
     masses: Vec<Lanes>,
@@ -70,12 +72,13 @@ impl Group {
         Self {
             body,
             vectors,
+            damps: spec.damps,
             masses: masses.collect(),
             units,
         }
     }
 
-    /// Gathers components and their rates to the front of a unit's results; these, and what follows them.
+    /// Gathers components and, where they count, their rates to the front of a unit's results; these, and what follows them.
     fn begin_local<'a>(
         &self,
         unit: usize,
@@ -85,7 +88,11 @@ impl Group {
         let (q, rest) = result.split_at_mut(self.units.size);
         let (v, rest) = rest.split_at_mut(self.units.size);
         self.units.gather(unit, at[0], q);
-        self.units.gather(unit, at[1], v);
+        if self.damps {
+            self.units.gather(unit, at[1], v);
+        } else {
+            v.fill([0.0; LANES]);
+        }
         ([q, v], rest)
     }
 

@@ -199,6 +199,13 @@ fn load<L: Lanes>(lanes: L, [x, y, z]: &Vectors) -> Wide<L> {
     [lanes.load(*x), lanes.load(*y), lanes.load(*z)]
 }
 
+/// The same vector of all four.
+#[inline(always)]
+fn even<L: Lanes>(lanes: L, vector: Vector) -> Wide<L> {
+    let [x, y, z] = vector.into();
+    [lanes.load([x; LANES]), lanes.load([y; LANES]), lanes.load([z; LANES])]
+}
+
 #[inline(always)]
 fn store<L: Lanes>(vector: Wide<L>, out: &mut Vectors) {
     for (out, component) in out.iter_mut().zip(vector) {
@@ -365,19 +372,11 @@ impl Kernel for To<'_, '_> {
         let [y, z] = [sum(lanes, self.axes[0], levers), sum(lanes, self.axes[1], levers)];
         let none = lanes.load([0.0; LANES]);
         let (mut forces, mut moments) = ([none; 3], [none; 3]);
-        let normal = match self.normal {
-            Some(normal) => Some([
-                lanes.load([normal[0]; LANES]),
-                lanes.load([normal[1]; LANES]),
-                lanes.load([normal[2]; LANES]),
-            ]),
-            None => None,
-        };
         if self.is_line {
             let along = unit::<L>(y);
             forces[0] = dot::<L>(along, force);
-            moments[2] = match normal {
-                Some(normal) => dot::<L>(moment, normal),
+            moments[2] = match self.normal {
+                Some(normal) => dot::<L>(moment, even(lanes, normal)),
                 None => {
                     let about = dot::<L>(along, moment);
                     let across = minus::<L>(moment, [about * along[0], about * along[1], about * along[2]]);
@@ -385,8 +384,8 @@ impl Kernel for To<'_, '_> {
                 }
             };
         } else {
-            let z = match normal {
-                Some(normal) => normal,
+            let z = match self.normal {
+                Some(normal) => even(lanes, normal),
                 None => z,
             };
             let (along, y) = (unit::<L>(cross::<L>(y, z)), unit::<L>(y));

@@ -61,6 +61,7 @@ pub fn body(name: &'static str, frame: usize, axes: &'static [usize], to: Vector
         twist: Twist::even(0.0),
         stations: Vec::new(),
         fidelity: Fidelity::Full,
+        damps: false,
         tie: FrameTie::Joints,
         normals: Vec::new(),
     }
