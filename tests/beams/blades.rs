@@ -93,11 +93,13 @@ rncf::model! {
     /// The NREL 5-MW blade by the columns of another program, field by field: slender, without shear.
     pub model Slender {
         param speed = 0 rpm;
+        /// Axial stiffness over that of the table.
+        param stiffer = 1;
         param each: count = 1;
         table rows = file("../models/data/nrel5mw_elastodyn.csv", at = BlFract);
         section layup {
-            EA = rows.EAStff; GAy = rows.EAStff; GAz = rows.EAStff; GJ = rows.GJStff; EIy = rows.EdgStff; EIz = rows.FlpStff;
-            mass = rows.BMassDen; inertia_y = 1e-2 * rows.EdgIner; inertia_z = 1e-2 * rows.FlpIner;
+            EA = stiffer * rows.EAStff; GAy = 100 * rows.EAStff; GAz = 100 * rows.EAStff; GJ = rows.GJStff; EIy = rows.EdgStff; EIz = rows.FlpStff;
+            mass = rows.BMassDen; inertia_y = 1e-4 * rows.EdgIner; inertia_z = 1e-4 * rows.FlpIner;
         }
         frame rotor = rotating(axis = x, angle = speed * t);
         body blade in rotor {
@@ -155,18 +157,27 @@ fn the_nrel_5mw_blade_has_the_modes_and_the_deflection_of_others() {
     near(&row[2..3], &[16844.752], 1e-7);
 }
 
-/// The same by the columns of a slender beam (BeamDyn's blade has shear besides), at rest and at 12.1 rpm.
+/// By the columns of a slender beam, without shear and rotary inertia, at rest and at 12.1 rpm: `bench/blade_bending.py`, Hermite
+/// elements in scipy that do not stretch, the same in six digits with 2 and 4 elements between stations.
 #[test]
 fn the_slender_blade_grows_stiffer_as_it_turns() {
-    let turning = |rpm: f64| Slender {
-        speed: rpm * std::f64::consts::PI / 30.0,
-        ..Slender::default()
+    let of = |rpm: f64, stiffer: f64, kind: Kind| {
+        let blade = Slender {
+            speed: rpm * std::f64::consts::PI / 30.0,
+            stiffer,
+            ..Slender::default()
+        };
+        frequencies(&blade, kind, 3)
     };
-    let still = frequencies(&turning(0.0), Kind::Static, 3);
-    let spinning = frequencies(&turning(12.1), Kind::Steady, 3);
-    println!("{still:?} {spinning:?}");
-    near(&still, &[0.69258, 1.10843, 1.99513], 2e-3);
-    near(&spinning, &[0.74324, 1.11697, 2.05312], 2e-3);
+    near(&of(0.0, 1.0, Kind::Static), &[0.692900, 1.110805, 1.998157], 1e-4);
+    let turning = [0.743576, 1.119349, 2.056212];
+    near(&of(12.1, 1e3, Kind::Steady), &turning, 1e-4);
+    // A blade that stretches takes part in what Coriolis forces of its swing do along it: its squares fall by about 4 speed^2 over
+    // that of its axial vibration, 75 rad/s.
+    let found = of(12.1, 1.0, Kind::Steady);
+    println!("{found:?}");
+    near(&found, &turning, 1e-3);
+    assert!(found[1] / turning[1] - 1.0 < -3e-4, "{found:?}");
 }
 
 rncf::model! {
@@ -225,7 +236,7 @@ fn the_nrel_5mw_blade_falls_as_others_have_it() {
     for ((t, x, y), state) in wanted.into_iter().zip(&states) {
         scene.outputs(state, &mut row);
         println!("{t}: {:.5} {:.5}", row[0] - x, row[1] - y);
-        assert!((row[0] - x).abs() < 2e-3 && (row[1] - y).abs() < 2e-3, "{t}: {row:?}");
+        assert!((row[0] - x).abs() < 9e-4 && (row[1] - y).abs() < 9e-4, "{t}: {row:?}");
     }
 }
 
