@@ -107,7 +107,7 @@ impl Campbell {
             for track in &self.tracks {
                 match track[row] {
                     Some(mode) => {
-                        text += &format!(",{},{},", cell(Some(mode.im)), cell(Some(mode.re)));
+                        text += &format!(",{},{},", cell(mode.im), cell(mode.re));
                         match mode.inertial(self.spins[row]) {
                             Inertial::One(velocity) | Inertial::Whirl(velocity) => push_number(&mut text, velocity),
                             Inertial::Two(_) => {}

@@ -6,9 +6,9 @@ pub(super) fn push_number(text: &mut String, value: f64) {
 }
 
 /// A number as text; none where there is no value.
-pub(super) fn cell(value: Option<f64>) -> String {
+pub(super) fn cell(value: impl Into<Option<f64>>) -> String {
     let mut text = String::new();
-    if let Some(value) = value {
+    if let Some(value) = value.into() {
         push_number(&mut text, value);
     }
     text

@@ -507,8 +507,8 @@ pub(super) fn modes_csv(result: &Modes) -> String {
             text,
             "{},{},{},{}",
             index + 1,
-            cell(Some(mode.re)),
-            cell(Some(mode.im)),
+            cell(mode.re),
+            cell(mode.im),
             cell(mode.damping_ratio())
         );
         let mut seen = mode.inertial_frequencies(result.spin);

@@ -14,12 +14,12 @@ use crate::scene::pieces::reach::{Body, Reach, Reaches};
 use crate::space::Vector;
 
 /// A unit vector; zero where there is no direction.
-fn unit(vector: Vector) -> Vector {
+pub(super) fn unit(vector: Vector) -> Vector {
     1.0 / (vector.dot(&vector) + f64::MIN_POSITIVE).sqrt() * vector
 }
 
 /// Right-handed triad of a section: `r_y x r_z`, r_y, and what is normal to both.
-fn section_axes(y: Vector, z: Vector) -> [Vector; 3] {
+pub(super) fn section_axes(y: Vector, z: Vector) -> [Vector; 3] {
     let (along, y) = (unit(y.cross(&z)), unit(y));
     [along, y, along.cross(&y)]
 }

@@ -1,5 +1,6 @@
 //! Strains of the elements of a body, read as forces and moments of its sections, and how flexible these are.
 
+use super::section::{section_axes, unit};
 use crate::emitted::Interpolant;
 use crate::linalg::Cholesky;
 use crate::scene::MeshScene;
@@ -156,10 +157,6 @@ impl<'a> Strained<'a> {
     /// normal to a plane's normal.
     pub fn triad(&self, fields: &[Vector]) -> [Vector; 3] {
         let normal = self.scene.bodies[self.body].spec.plane_normal();
-        let unit = |vector: Vector| {
-            let size = vector.norm();
-            if size > 0.0 { 1.0 / size * vector } else { vector }
-        };
         match self.kind {
             Kind::Line => {
                 let along = unit(self.of(fields, LINE[0]));
@@ -169,8 +166,7 @@ impl<'a> Strained<'a> {
             Kind::PlanarSection | Kind::Section => {
                 let y = self.of(fields, (Interpolant::SectionY, 0));
                 let z = normal.unwrap_or_else(|| self.of(fields, (Interpolant::SectionZ, 0)));
-                let (along, y) = (unit(y.cross(&z)), unit(y));
-                [along, y, along.cross(&y)]
+                section_axes(y, z)
             }
         }
     }
