@@ -41,11 +41,17 @@ pub(super) struct Accumulated {
     pub told: Option<String>,
     /// Whether it is known until the end of the run.
     pub is_known: bool,
+    /// How far outputs are off.
+    pub off: Vec<Off>,
 }
 
 impl Accumulated {
-    fn known(told: Option<String>) -> Self {
-        Self { told, is_known: true }
+    fn known(told: Option<String>, off: Vec<Off>) -> Self {
+        Self {
+            told,
+            is_known: true,
+            off,
+        }
     }
 }
 
@@ -62,7 +68,7 @@ pub(super) fn accumulated(
         return Accumulated::default();
     }
     if run.steps < STEPS {
-        return Accumulated::known(None);
+        return Accumulated::known(None, Vec::new());
     }
     let afforded = (AFFORDED / scene.unknowns().max(1)) as u64;
     let most = SHARE.map(|share| afforded.max((share * run.iterations as f64) as u64));
@@ -74,11 +80,12 @@ pub(super) fn accumulated(
         goes_on,
     );
     if let Some(rows) = by_radau {
-        let names = told_of_motion(outputs, &run.marks.differences(outputs, &rows, options.rtol));
-        return Accumulated::known(names.map(|names| format!(
+        let off = run.marks.differences(outputs, &rows, options.rtol);
+        let told = told_of_motion(outputs, &off).map(|names| format!(
             "The tolerance holds for each step, and errors of {} steps add up: Radau with the same tolerance finds another motion, from which outputs differ by parts of their largest change or value, {names}. Take `--integrator radau`, or a smaller `--rtol`.",
             run.steps
-        )));
+        ));
+        return Accumulated::known(told, off);
     }
     let rtol = LOOSER * options.rtol;
     if rtol > LOOSEST {
@@ -90,11 +97,11 @@ pub(super) fn accumulated(
     };
     let mut found = run.marks.differences(outputs, &rows, options.rtol);
     found.iter_mut().for_each(|off| off.part /= ORDER - 1.0);
-    let names = told_of_motion(outputs, &found);
-    Accumulated::known(names.map(|names| format!(
+    let told = told_of_motion(outputs, &found).map(|names| format!(
         "The tolerance holds for each step, and errors of {} steps add up: the same run with a hundred times the tolerance ends so far away that outputs of this one may be off by parts of their largest change or value, {names} or more. Take `--integrator radau`, or a smaller `--rtol`.",
         run.steps
-    )))
+    ));
+    Accumulated::known(told, found)
 }
 
 /// What is off, where places or speeds are: errors of forces alone do not add up.

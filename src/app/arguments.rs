@@ -330,6 +330,7 @@ fn equilibrium(matches: &ArgMatches) -> Result<EquilibriumSettings, String> {
         count: whole("modes", 1000)?.unwrap_or(defaults.count),
         spin,
         range: None,
+        judged: judging(matches),
     })
 }
 
@@ -386,12 +387,16 @@ fn settings(matches: &ArgMatches) -> Result<RunSettings, String> {
         t_end: flag_time("t-end", "20 s")?,
         every: flag_time("every", "0.05 s")?,
         pictures: matches.get_flag("animate") || matches.get_flag("vtu"),
-        judged: match (matches.get_flag("unjudged"), matches.get_flag("thorough")) {
-            (true, _) => Judging::No,
-            (_, true) => Judging::Whole,
-            _ => Judging::Affordable,
-        },
+        judged: judging(matches),
     })
+}
+
+fn judging(matches: &ArgMatches) -> Judging {
+    match (matches.get_flag("unjudged"), matches.get_flag("thorough")) {
+        (true, _) => Judging::No,
+        (_, true) => Judging::Whole,
+        _ => Judging::Affordable,
+    }
 }
 
 /// `rod=rigid,beam=modal(3)`

@@ -1,5 +1,6 @@
 //! Meshes that are too coarse for what their bodies do: the energy of the error of their elements, as the scene estimates it.
 
+use super::marks::percent;
 use crate::archive::{Archive, Keep};
 use crate::equilibrium::Uniform;
 use crate::model::{MeshError, SectionBody};
@@ -144,15 +145,6 @@ fn named(body: &SectionBody) -> String {
         body.name,
         if elements == 1 { "" } else { "s" }
     )
-}
-
-/// A part with two digits; beyond one half the first order says no number.
-fn percent(part: f64) -> String {
-    if part > 0.5 {
-        return "more than 50 %".into();
-    }
-    let digits = usize::from(part < 0.1);
-    format!("about {:.digits$} %", 100.0 * part)
 }
 
 /// The first of some parts of a sentence, and how many more there are; `None` without any.

@@ -141,9 +141,8 @@ impl Command {
             "start" | "every" | "t-end" | "stabilised" | "max-step" => self.runs(),
             "integrator" | "rtol" | "alpha" | "rho-inf" => matches!(self, Command::Run | Command::Advise),
             "fidelity" => matches!(self, Command::Run | Command::Explain),
-            "step" | "proportional" | "animate" | "compare" | "vtu" | "resume" | "unjudged" | "thorough" => {
-                self == Command::Run
-            }
+            "step" | "proportional" | "animate" | "compare" | "vtu" | "resume" => self == Command::Run,
+            "unjudged" | "thorough" => matches!(self, Command::Run | Command::Steady | Command::Static),
             "out" | "save-scenario" | "at" if self == Command::Explain => false,
             "formulation" => self != Command::Chart,
             "formulations" | "integrators" | "rtols" | "reference" | "beside" => self == Command::Chart,

@@ -1,6 +1,8 @@
 //! Equilibria one after the other along a parameter, along the spin or along the load: the way that
 //! `steady`, `static` and `campbell` share; nothing is printed or written here.
 
+use super::balanced::is_balanced;
+use super::finer::Judging;
 use super::history::Column;
 use super::parameters::digits;
 use super::run_error::RunError;
@@ -32,10 +34,12 @@ pub struct EquilibriumSettings {
     pub spin: Option<Spin>,
     /// Number of modes.
     pub count: usize,
+    /// How far the way is gone again on finer meshes, to tell what its outputs and critical values are off by.
+    pub judged: Judging,
 }
 
 impl Default for EquilibriumSettings {
-    /// 32 steps of the spin or load at the model's end time; eight modes.
+    /// 32 steps of the spin or load at the model's end time; eight modes; not judged.
     fn default() -> Self {
         Self {
             at: None,
@@ -43,6 +47,7 @@ impl Default for EquilibriumSettings {
             steps: 32,
             spin: None,
             count: 8,
+            judged: Judging::No,
         }
     }
 }
@@ -85,6 +90,8 @@ pub(super) struct Line<'m> {
     leaps: Vec<[f64; 2]>,
     /// Newton iterations so far.
     pub iterations: u64,
+    /// Whether the first state is an equilibrium: a declared initial shape may be none without spin and loads.
+    pub begins_balanced: bool,
 }
 
 /// An equilibrium on the way.
@@ -143,6 +150,7 @@ impl<'m> Line<'m> {
         let mut leaps = Vec::new();
         let mut iterations = 0;
         let mut place = 0;
+        let mut begins_balanced = true;
         let (state, negative) = match settings.range {
             Some(range) => {
                 let mut found = follow(scene.as_mut(), &at, 1.0, |_, _| ());
@@ -172,6 +180,7 @@ impl<'m> Line<'m> {
             }
             None => {
                 let mut rest = scene.uniform_guess(&at);
+                begins_balanced = is_balanced(scene.as_mut(), &at, &rest);
                 scene.uniform_state(&at, &mut rest);
                 (rest, None)
             }
@@ -195,6 +204,7 @@ impl<'m> Line<'m> {
             before: None,
             leaps,
             iterations,
+            begins_balanced,
         })
     }
 

@@ -175,6 +175,9 @@ fn execute_run(arguments: &Arguments, interrupted: impl Fn() -> bool) -> Result<
         digits(result.seconds.cpu, 3),
     );
     head += &result.envelopes.lines();
+    if let Some(agreement) = &result.agreement {
+        head += &format!("\n{agreement}");
+    }
     finish(head, &result.warnings, files, failure)
 }
 
@@ -214,6 +217,9 @@ fn execute_equilibria(arguments: &Arguments, kind: Kind, interrupted: impl Fn() 
         head += &format!("\n{line}");
     }
     head += &result.envelopes.lines();
+    if let Some(agreement) = &result.agreement {
+        head += &format!("\n{agreement}");
+    }
     finish(head, &result.warnings, files, failure)
 }
 

@@ -6,6 +6,8 @@
 //! the same is done on the meshes of the run: what differs between both is the error of the mesh, and what differs between this and the run that
 //! of its steps.
 
+use std::cell::Cell;
+
 use super::accumulated::Ended;
 use super::marks::{Again, Marks, Off, TOLD, again, is_of_motion, largest, sorted, told};
 use crate::model::Fidelity;
@@ -24,6 +26,13 @@ const AFFORDED: f64 = 1.5e6;
 const FIRST: f64 = 0.6;
 /// Part of a difference that the errors of both steps may make.
 const STEPS: f64 = 0.3;
+/// Part by which outputs of Radau with ten times the tolerance are off, from which on it is not taken for ten times the error of the run: where steps are too
+/// long for what moves, both are wrong alike. A tenth of the tolerance tells.
+const FAR: f64 = 2.0 * TOLD;
+/// Part of the iterations of the run, times unknowns, that this may take.
+const LAST: f64 = 2.5;
+/// No tolerance is smaller: round-off is near.
+const LEAST: f64 = 1e-13;
 /// Most bodies in the sentence.
 const MOST: usize = 3;
 
@@ -56,11 +65,15 @@ pub(super) struct Found {
     /// Until when the run was compared, s, and whether that is all of it.
     pub until: f64,
     pub is_whole: bool,
+    /// Whether there are finer meshes.
+    pub has_meshes: bool,
     /// One sentence on the meshes, and one on steps, where outputs are off by much.
     pub mesh: Option<String>,
     pub steps: Option<String>,
     /// One sentence on what was not compared.
     pub rest: Option<String>,
+    /// How far all outputs are off, for meshes or steps, as far as they were compared; the largest part first.
+    pub off: Vec<Off>,
 }
 
 /// A scene with the state in which it starts.
@@ -84,6 +97,10 @@ struct Kind<'r> {
     /// Parts of outputs that are off for the mesh, until then, and, with the tolerance of Radau that tells it, for steps.
     mesh: Vec<Off>,
     steps: (f64, Vec<Off>),
+    /// What all outputs of this kind are off by, for the mesh and for steps.
+    seen: [Vec<Off>; 2],
+    /// Whether ten times the tolerance of the run is so far away that a tenth has to tell.
+    is_far: bool,
 }
 
 impl<'r> Kind<'r> {
@@ -98,6 +115,8 @@ impl<'r> Kind<'r> {
             stepped: if run.is_compared { f64::INFINITY } else { 0.0 },
             mesh: Vec::new(),
             steps: (0.0, Vec::new()),
+            seen: [Vec::new(), Vec::new()],
+            is_far: false,
         }
     }
 
@@ -124,6 +143,7 @@ impl<'r> Kind<'r> {
             }
             if until >= self.until {
                 (self.until, self.mesh) = (until, Vec::new());
+                self.seen = [self.of(beyond), Vec::new()];
             }
         }
     }
@@ -149,20 +169,35 @@ impl<'r> Kind<'r> {
         if !is_exact && is_last || is_exact && looser < 2.0 * TEN {
             // The error of the run is at most so much less than that of larger steps.
             let less = if is_exact { looser.max(1.0) } else { 1.0 };
+            self.is_far |= less > 1.0 && largest(&steps) > FAR;
             steps.iter_mut().for_each(|off| off.part /= less);
             if largest(&steps) > TOLD {
-                self.steps = (rtol, steps);
+                self.steps = (rtol, steps.clone());
             }
         }
         self.is_settled = is_last || is_clear && !self.has(open);
         if self.is_settled {
             self.stepped = self.stepped.max(until);
         }
+        if until >= self.until {
+            self.seen[0].clone_from(&meshes);
+            // The run itself has no others.
+            if !steps.is_empty() {
+                self.seen[1] = steps;
+            }
+        }
         // Otherwise the errors of these steps stand in the way of what is looked for.
         if (self.is_settled || by_meshes > by_steps) && until >= self.until {
             meshes.retain(|mesh| mesh.part > TOLD);
             (self.until, self.mesh) = (until, meshes);
         }
+    }
+
+    /// What a tenth of the tolerance makes of all of the run.
+    fn meet_smaller(&mut self, rtol: f64, steps: &[Off]) {
+        let steps = self.of(steps);
+        self.seen[1].clone_from(&steps);
+        self.steps = (rtol, if largest(&steps) > TOLD { steps } else { Vec::new() });
     }
 }
 
@@ -210,9 +245,9 @@ impl<'r> Sets<'r> {
         marks.between(self.outputs, &marks.rows, rows, &self.known, rtol)
     }
 
-    fn open(&self, rows: &[Vec<f64>]) -> Vec<bool> {
+    fn open(&self, rows: &[Vec<f64>], rtol: f64) -> Vec<bool> {
         let marks = self.run.marks;
-        marks.open(self.outputs, rows, &self.known, self.run.options.rtol)
+        marks.open(self.outputs, rows, &self.known, [self.run.options.rtol, rtol])
     }
 }
 
@@ -231,10 +266,11 @@ pub(super) fn compare(
     goes_on: &mut dyn FnMut() -> bool,
 ) -> Found {
     let unknowns = |of: &Begun<'_>| of.scene.unknowns().max(1) as f64;
-    let mut left = match judging {
+    let afforded = |share: f64, of: &Begun<'_>| match judging {
         Judging::Whole => f64::INFINITY,
-        _ => AFFORDED.max(SHARE * run.iterations as f64 * unknowns(&own)),
+        _ => AFFORDED.max(share * run.iterations as f64 * unknowns(of)),
     };
+    let left = Cell::new(afforded(SHARE, &own));
     let mut rows = |of: &mut Begun<'_>, rtol: f64, share: f64, marks: &Marks| {
         let how = Again {
             t_end: run.t_end,
@@ -245,10 +281,10 @@ pub(super) fn compare(
                 ..run.options
             },
             // Of infinitely many there are u64::MAX.
-            most: (share * left / unknowns(of)).max(0.0) as u64,
+            most: (share * left.get() / unknowns(of)).max(0.0) as u64,
         };
         let (rows, iterations) = again(of.scene, of.start.clone(), how, marks, goes_on);
-        left -= iterations as f64 * unknowns(of);
+        left.set(left.get() - iterations as f64 * unknowns(of));
         rows
     };
     let mut kinds = [true, false].map(|is_motion| Kind::new(run, outputs, is_motion));
@@ -267,7 +303,7 @@ pub(super) fn compare(
             seen.rows.truncate(there.len());
             found_so_far.meet(there, rtol, true);
             let beyond = found_so_far.off(there, rtol);
-            let open = found_so_far.open(there);
+            let open = found_so_far.open(there, rtol);
             kinds
                 .iter_mut()
                 .for_each(|kind| kind.meet_finer(rtol, seen.until(), &beyond, &open));
@@ -284,7 +320,7 @@ pub(super) fn compare(
             let here = rows(&mut own, rtol, 1.0, &seen);
             found_so_far.meet(&here, rtol, false);
             steps = found_so_far.off(&here, rtol);
-            open = found_so_far.open(&here);
+            open = found_so_far.open(&here, rtol);
             seen = run.marks.with(here);
         }
         let meshes = there.map_or(Vec::new(), |there| {
@@ -295,11 +331,27 @@ pub(super) fn compare(
             .iter_mut()
             .for_each(|kind| kind.meet(rtol, is_last, seen.until(), [&meshes, &steps], &open));
     }
-    found(own.scene, &run, outputs, judging, kinds)
+    let smaller = run.options.rtol / TEN;
+    if smaller >= LEAST && kinds.iter().any(|kind| kind.is_far) {
+        left.set(afforded(LAST, &own));
+        let here = rows(&mut own, smaller, 1.0, run.marks);
+        if here.len() == run.marks.rows.len() {
+            found_so_far.meet(&here, smaller, false);
+            let steps = found_so_far.off(&here, smaller);
+            kinds.iter_mut().for_each(|kind| kind.meet_smaller(smaller, &steps));
+        }
+    }
+    found(own.scene, &run, outputs, (judging, finer.is_some()), kinds)
 }
 
 /// The sentences.
-fn found(scene: &dyn Scene, run: &Ended<'_>, outputs: &[Output], judging: Judging, kinds: [Kind<'_>; 2]) -> Found {
+fn found(
+    scene: &dyn Scene,
+    run: &Ended<'_>,
+    outputs: &[Output],
+    (judging, has_meshes): (Judging, bool),
+    kinds: [Kind<'_>; 2],
+) -> Found {
     let there = || {
         kinds
             .iter()
@@ -313,6 +365,7 @@ fn found(scene: &dyn Scene, run: &Ended<'_>, outputs: &[Output], judging: Judgin
     let meshes = sorted(kinds.iter().flat_map(|kind| kind.mesh.clone()).collect());
     let seen = kinds.iter().filter(|kind| !kind.mesh.is_empty()).map(|kind| kind.until);
     let seen = Some(seen.fold(whole, f64::min)).filter(|&seen| seen < whole);
+    let off = each(kinds.iter().flat_map(|kind| kind.seen.concat()).collect());
     let [motion, others] = kinds.map(|kind| kind.steps);
     // What is off in places is off in forces too.
     let rtol = if motion.1.is_empty() { others.0 } else { motion.0 };
@@ -320,10 +373,23 @@ fn found(scene: &dyn Scene, run: &Ended<'_>, outputs: &[Output], judging: Judgin
     Found {
         until,
         is_whole: until >= whole,
+        has_meshes,
         rest: (until < whole && judging == Judging::Affordable).then(|| not_compared(until, whole)),
-        mesh: told(outputs, &meshes).map(|names| on_meshes(scene, &names, seen)),
+        mesh: told(outputs, &meshes).map(|names| on_meshes(scene, 1, ("this motion", seen), &names)),
         steps: sentence_on_steps(run, rtol, outputs, &steps),
+        off,
     }
+}
+
+/// The largest part of each output.
+pub(super) fn each(parts: Vec<Off>) -> Vec<Off> {
+    let mut each: Vec<Off> = Vec::new();
+    for off in sorted(parts) {
+        if each.iter().all(|other| other.output != off.output) {
+            each.push(off);
+        }
+    }
+    each
 }
 
 /// The tolerances to compare with, the largest first. Where outputs hardly differ, the first one suffices; else errors of meshes and
@@ -379,7 +445,8 @@ fn not_compared(until: f64, end: f64) -> String {
     )
 }
 
-fn on_meshes(scene: &dyn Scene, names: &str, until: Option<f64>) -> String {
+/// That the meshes of a scene, which has so many elements for each one of them, are too coarse for `what`, as far as it was compared.
+pub(super) fn on_meshes(scene: &dyn Scene, times: usize, (what, until): (&str, Option<f64>), names: &str) -> String {
     let described = scene.bodies();
     let deforming = described
         .iter()
@@ -387,7 +454,7 @@ fn on_meshes(scene: &dyn Scene, names: &str, until: Option<f64>) -> String {
     let mut in_modes = false;
     let mut meshes: Vec<String> = Vec::new();
     for body in deforming {
-        let elements = body.elements;
+        let elements = body.elements / times;
         meshes.push(if body.fidelity == Fidelity::Full {
             format!("`{}` ({elements})", body.name)
         } else {
@@ -402,16 +469,16 @@ fn on_meshes(scene: &dyn Scene, names: &str, until: Option<f64>) -> String {
     }
     let meshes = meshes.join(", ");
     let until = until.map_or(String::new(), |t| format!(" until {t:.3} s"));
-    let [what, how, more] = if in_modes {
+    let [modes, how, more] = if in_modes {
         [
-            "The mesh is too coarse for this motion, or the modes are too few",
+            ", or the modes are too few",
             " and without modes",
             ", or leave `modal` or `small` out",
         ]
     } else {
-        ["The mesh is too coarse for this motion", "", ""]
+        [""; 3]
     };
     format!(
-        "{what}: with twice as many elements{how} in {meshes} outputs differ{until} by parts of their largest change or value, {names}. Take more elements in `mesh` (twice as many make it some ten times less){more}."
+        "The mesh is too coarse for {what}{modes}: with twice as many elements{how} in {meshes} outputs differ{until} by parts of their largest change or value, {names}. Take more elements in `mesh` (twice as many make it some ten times less){more}."
     )
 }

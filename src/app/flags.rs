@@ -98,12 +98,12 @@ pub(super) fn command_line(model: &dyn AnyModel, program: &Program<'_>) -> clap:
         ))
         .arg(flag(
             "unjudged",
-            "Do not repeat the run on finer meshes and with other steps to tell what its outputs are off by",
+            "Do not repeat a run on finer meshes and with other steps, nor equilibria on finer meshes, to tell what outputs are off by",
         ))
         .arg(
             flag(
                 "thorough",
-                "Compare all of the run with finer meshes and other steps, however long that takes",
+                "Compare all of a run or way with finer meshes and other steps, however long that takes",
             )
             .conflicts_with("unjudged"),
         )

@@ -167,14 +167,22 @@ impl Marks {
         compared.iter().map(Compared::agrees).collect()
     }
 
-    /// Which outputs differ by no more than what they are made of is known to, but would be off by much if they were there.
-    pub fn open(&self, outputs: &[Output], there: &[Vec<f64>], known: &[bool], rtol: f64) -> Vec<bool> {
+    /// Which outputs are more than a part of what they are made of, in one of both.
+    pub fn above(&self, outputs: &[Output], there: &[Vec<f64>], part: f64) -> Vec<bool> {
+        let compared = self.compared(outputs, &self.rows, there);
+        compared
+            .iter()
+            .map(|of| of.sizes[0].max(of.sizes[1]) > (part * of.operands).max(of.round_off))
+            .collect()
+    }
+
+    /// Which outputs differ by no more than the second of two tolerances knows of them, but would be off by much if they were there to the first, that of the run.
+    pub fn open(&self, outputs: &[Output], there: &[Vec<f64>], known: &[bool], [own, other]: [f64; 2]) -> Vec<bool> {
         let compared = self.compared(outputs, &self.rows, there);
         let is_open = |of: &Compared| {
-            let nothing = (NOTHING * rtol * of.operands).max(of.round_off);
-            !known[of.output]
-                && of.away <= TOLD * of.measure(false, rtol)
-                && of.away > TOLD * of.measure(true, rtol)
+            let nothing = (NOTHING * own * of.operands).max(of.round_off);
+            of.away <= TOLD * of.measure(known[of.output], other)
+                && of.away > TOLD * of.measure(true, own)
                 && of.sizes[0].max(of.sizes[1]) > nothing
         };
         compared.iter().map(is_open).collect()
@@ -285,15 +293,20 @@ pub(super) fn told(outputs: &[Output], found: &[Off]) -> Option<String> {
             // What should not change has no part of its change.
             Some(size) if unit == "1" => format!("`{name}` by about {:.1e}", part * size),
             Some(size) => format!("`{name}` by about {:.1e} {unit}", part * size),
-            None if part > WRONG => format!("`{name}` by more than {:.0} %", 100.0 * WRONG),
-            None => {
-                let digits = usize::from(part < 0.1);
-                format!("`{name}` by about {:.digits$} %", 100.0 * part)
-            }
+            None => format!("`{name}` by {}", percent(part)),
         }
     };
     let worth = found.iter().filter(|off| off.part > TOLD);
     listed(&worth.map(name).collect::<Vec<_>>(), MOST)
+}
+
+/// A part with two digits; beyond one half both are different.
+pub(super) fn percent(part: f64) -> String {
+    if part > WRONG {
+        return format!("more than {:.0} %", 100.0 * WRONG);
+    }
+    let digits = usize::from(part < 0.1);
+    format!("about {:.digits$} %", 100.0 * part)
 }
 
 /// How to go a second time.
@@ -399,8 +412,16 @@ mod tests {
         // A number that is 1e-6 of what it is made of may be an error of the steps, or there: another comparison has to tell.
         let known = measured.known(&outputs, &measured.rows, &rows);
         assert_eq!(known, [true, false, true, false, false, true]);
-        let open = measured.open(&outputs, &rows, &known, 1e-6);
+        let open = measured.open(&outputs, &rows, &known, [1e-6, 1e-6]);
         assert_eq!(open, [false, true, false, false, false, false]);
+        // A hundred times the tolerance knows less of what is there, and of what may be.
+        let mut small = measured.clone();
+        small.rows.iter_mut().for_each(|(_, row)| row[1] += 1.0);
+        let mut there = others(3e-6);
+        there.iter_mut().for_each(|row| row[1] += 1.0);
+        let known = small.known(&outputs, &small.rows, &there);
+        let open = |other: f64| small.open(&outputs, &there, &known, [1e-9, other])[1];
+        assert!(open(1e-6) && !open(1e-9));
         let nearer = others(2.8e-6);
         let known = measured.known(&outputs, &measured.with(rows.clone()).rows, &nearer);
         assert!(known[1] && !known[3]);

@@ -43,9 +43,12 @@
 
 mod accumulated;
 mod advise;
+mod agreement;
 mod arguments;
 #[cfg(test)]
 mod arguments_tests;
+mod balanced;
+mod buckling;
 mod campbell;
 mod card;
 mod cautions;
@@ -69,6 +72,8 @@ mod export;
 mod figure;
 mod files;
 mod finer;
+mod finer_equilibria;
+mod finer_model;
 mod flags;
 mod help;
 mod history;

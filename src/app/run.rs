@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::accumulated::{Ended, accumulated};
+use super::agreement;
 use super::cautions;
 use super::clock::{Clock, Seconds};
 use super::course::Course;
@@ -121,6 +122,11 @@ pub struct RunResult {
     pub(super) marks: Marks,
     /// Until when the outputs were compared with those of finer meshes, s; `None` where they were not.
     pub judged_until: Option<f64>,
+    /// Outputs, by their index in `outputs()`, with how far they were found to be off until then, for the mesh or for steps: as part of the largest change or
+    /// value, whichever is less, and not of less than a thousandth of what the output is made of. The largest first.
+    pub off_by: Vec<(usize, f64)>,
+    /// The same in a sentence, where all of the run was compared and nothing is worth a warning.
+    pub agreement: Option<String>,
     /// What the meshes tell of themselves at single moments of the run.
     pub(super) coarse: Option<String>,
     /// Last good state.
@@ -190,6 +196,8 @@ pub(super) fn run_recorded(
         warnings: Vec::new(),
         marks: Marks::default(),
         judged_until: None,
+        off_by: Vec::new(),
+        agreement: None,
         coarse: None,
         state: start.clone(),
         seconds: Seconds::default(),
@@ -232,6 +240,7 @@ fn look_again(
         is_compared: false,
     };
     let [mut missed, mut added_up] = [None, None];
+    let mut off = Vec::new();
     if run.method != Method::EnergyMomentum {
         let followed = Followed {
             t_end,
@@ -241,7 +250,7 @@ fn look_again(
         };
         missed = unfollowed(scene, start.clone(), followed, model.outputs());
         let added = accumulated(scene, start.clone(), run, model.outputs(), &mut goes_on);
-        (added_up, run.is_compared) = (added.told, added.is_known);
+        (added_up, run.is_compared, off) = (added.told, added.is_known, added.off);
     }
     let own = Begun {
         scene,
@@ -249,10 +258,16 @@ fn look_again(
     };
     let found = compared(model, own, run, &result.settings, &mut goes_on);
     result.judged_until = Some(found.until).filter(|&until| until > 0.0);
+    off.extend(found.off);
+    let off = finer::each(off);
+    result.off_by = off.iter().map(|of| (of.output, of.part)).collect();
     // What outputs are off by says more than the energy of single moments.
     let coarse = found.mesh.or_else(|| result.coarse.take().filter(|_| !found.is_whole));
     let told = coarse.into_iter().chain(missed).chain(added_up.or(found.steps));
-    let told = told.chain(found.rest);
+    let told: Vec<String> = told.chain(found.rest).collect();
+    if found.is_whole && told.is_empty() {
+        result.agreement = agreement::of_run(model.outputs(), &off, found.has_meshes);
+    }
     result.warnings.extend(told);
 }
 

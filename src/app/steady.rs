@@ -3,12 +3,16 @@
 
 use std::ops::ControlFlow;
 
+use super::buckling::buckling;
 use super::cautions;
 use super::clock::{Clock, Seconds};
 use super::coarse;
-use super::continuation::{EquilibriumProgress, EquilibriumSettings, Line, Measured, Station};
+use super::continuation::{EquilibriumProgress, EquilibriumSettings, Line, Station};
 use super::envelopes::Envelopes;
+use super::finer::Judging;
+use super::finer_equilibria;
 use super::history::History;
+use super::marks::round_off;
 use super::modes::{SeenMode, growth};
 use super::parameters::digits;
 use super::run_error::{Incomplete, RunError};
@@ -50,6 +54,11 @@ pub struct Equilibria {
     pub cautions: Vec<Caution>,
     /// The same in sentences, and what the scene warns of at the last equilibrium.
     pub warnings: Vec<String>,
+    /// Outputs, by their index in `outputs()`, with how far they are off from those of finer meshes: as part of the largest change or value, whichever is
+    /// less. The largest first; none where they were not compared.
+    pub off_by: Vec<(usize, f64)>,
+    /// The same in a sentence, where nothing is worth a warning.
+    pub agreement: Option<String>,
     /// Time that it took.
     pub seconds: Seconds,
     /// Why the last equilibrium is not that of the end; `None` where it is.
@@ -123,7 +132,10 @@ pub fn equilibria(
     let mut history = History::new(model, line.column());
     let mut envelopes = Envelopes::new(line.station().scene, &history.key);
     let mut critical = Vec::new();
-    let mut incomplete = record(&mut line, &mut history, &mut envelopes).err();
+    let mut incomplete = None;
+    if line.begins_balanced {
+        incomplete = record(&mut line, &mut history, &mut envelopes).err();
+    }
     while incomplete.is_none() && !line.is_done() {
         if let Err(text) = line.advance() {
             if line.iterations == 0 {
@@ -150,10 +162,10 @@ pub fn equilibria(
     warnings.extend(cautions::texts(station.scene.warnings(station.state)));
     warnings.extend(equilibrium::untied(station.scene, &station.at, station.state));
     warnings.extend(envelopes.warning());
-    warnings.extend(coarse::of_equilibrium(station.scene, &station.at, station.state));
+    let coarse = coarse::of_equilibrium(station.scene, &station.at, station.state);
     warnings.extend(leaps);
     warnings.extend(unstable);
-    let result = Equilibria {
+    let mut result = Equilibria {
         kind,
         settings: *settings,
         t: station.at.t,
@@ -168,13 +180,52 @@ pub fn equilibria(
         newton_iterations,
         cautions,
         warnings,
+        off_by: Vec::new(),
+        agreement: None,
         seconds: clock.seconds(),
         incomplete,
     };
+    let found = look_again(model, &mut station, &result, &mut watch);
+    // What outputs are off by says more than the energy of the last state.
+    result.warnings.extend(if found.is_some() { None } else { coarse });
+    if let Some(found) = found {
+        result.warnings.extend(found.told);
+        (result.off_by, result.agreement) = (found.off_by, found.agreement);
+    }
     match result.incomplete {
         None => Ok(result),
         Some(_) => Err(RunError::Equilibria(Box::new(result))),
     }
+}
+
+/// What finer meshes make of equilibria, unless they are not asked for or were interrupted.
+fn look_again(
+    model: &dyn AnyModel,
+    station: &mut Station<'_>,
+    result: &Equilibria,
+    watch: &mut dyn FnMut(&EquilibriumProgress) -> ControlFlow<()>,
+) -> Option<finer_equilibria::Found> {
+    if result.settings.judged == Judging::No || result.incomplete == Some(Incomplete::Interrupted) {
+        return None;
+    }
+    let mut operands = vec![0.0; station.scene.output_columns()];
+    station.scene.operands(station.state, &mut operands);
+    let own = finer_equilibria::Own {
+        kind: result.kind,
+        settings: &result.settings,
+        history: &result.history,
+        critical: &result.critical,
+        is_whole: result.incomplete.is_none(),
+        unknowns: result.unknowns,
+        iterations: result.newton_iterations,
+        round_off: round_off(station.scene, station.state),
+        operands,
+    };
+    let progress = EquilibriumProgress {
+        share: 1.0,
+        key: station.key,
+    };
+    finer_equilibria::compare(model, &own, &mut || watch(&progress).is_continue())
 }
 
 fn record(line: &mut Line<'_>, history: &mut History, envelopes: &mut Envelopes) -> Result<(), Incomplete> {
@@ -184,27 +235,6 @@ fn record(line: &mut Line<'_>, history: &mut History, envelopes: &mut Envelopes)
     history.push(station.key, &row).map_err(Incomplete::Output)?;
     envelopes.meet_uniform(station.scene, &station.at, station.key, station.state);
     Ok(())
-}
-
-/// Where the number of negative directions changed in the last step.
-fn buckling(line: &mut Line<'_>) -> Vec<Critical> {
-    let (Some(before), after) = line.last_two() else {
-        return Vec::new();
-    };
-    let (Some(low), Some(high)) = (before.negative, after.negative) else {
-        return Vec::new();
-    };
-    if low == high {
-        return Vec::new();
-    }
-    let (before, after) = (before.clone(), after.clone());
-    let known = |negative| Measured {
-        negative,
-        values: Vec::new(),
-    };
-    line.critical([&before, &after], [low, high].map(known), &mut |_, _, step, _| {
-        step.negative.map(known)
-    })
 }
 
 /// Nodal vectors of the relative equilibrium with the spin at `t`, for a start in any formulation.

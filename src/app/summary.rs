@@ -72,6 +72,7 @@ pub(super) const STATISTICS: &[&str] = &[
     "wall_seconds",
     "energy_error",
     "judged_until",
+    "agreement",
     "max_constraint_residual",
     "position_correction",
     "velocity_correction",
@@ -90,6 +91,12 @@ pub(super) fn of_run(model: &dyn AnyModel, result: &RunResult) -> Summary {
     seconds(&mut summary, result.seconds);
     put(&mut summary, "energy_error", json!(result.energy_error));
     put(&mut summary, "judged_until", json!(result.judged_until));
+    put(&mut summary, "agreement", json!(result.agreement));
+    let off_by = result
+        .off_by
+        .iter()
+        .map(|&(output, part)| (model.outputs()[output].name.to_owned(), json!(part)));
+    put(&mut summary, "off_by", Value::Object(off_by.collect()));
     let violation = (result.constraints > 0).then_some(result.statistics.max_constraint_residual);
     put(&mut summary, "max_constraint_residual", json!(violation));
     put(
@@ -106,6 +113,14 @@ pub(super) fn of_run(model: &dyn AnyModel, result: &RunResult) -> Summary {
     section_table::put(&mut summary, &result.envelopes);
     tail(model, &mut summary, &result.history, &result.warnings);
     summary
+}
+
+/// How far outputs are off, by their names.
+fn put_off_by(model: &dyn AnyModel, summary: &mut Summary, off_by: &[(usize, f64)]) {
+    let named = off_by
+        .iter()
+        .map(|&(output, part)| (model.outputs()[output].name.to_owned(), json!(part)));
+    put(summary, "off_by", Value::Object(named.collect()));
 }
 
 /// Summary of relative or static equilibria.
@@ -129,6 +144,8 @@ pub(super) fn of_equilibria(model: &dyn AnyModel, result: &Equilibria) -> Summar
         result.newton_iterations,
     );
     put(&mut summary, "steps", json!(result.history.keys.len()));
+    put(&mut summary, "agreement", json!(result.agreement));
+    put_off_by(model, &mut summary, &result.off_by);
     seconds(&mut summary, result.seconds);
     section_table::put(&mut summary, &result.envelopes);
     tail(model, &mut summary, &result.history, &result.warnings);

@@ -113,7 +113,7 @@ const OUTPUTS: [(&str, &[usize]); 4] = [
 ];
 
 /// What a note tells of an output.
-fn told(note: &str, output: &str) -> Option<f64> {
+pub fn told(note: &str, output: &str) -> Option<f64> {
     let after = note.split(&format!("`{output}` by about ")).nth(1)?;
     Some(after.split(' ').next()?.parse::<f64>().ok()? / 100.0)
 }

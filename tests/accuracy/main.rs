@@ -1,5 +1,6 @@
 //! Generated models, integrated, against references that were written by hand from THEORY.
 
+mod agreement;
 mod closed_forms;
 mod coarse_meshes;
 mod dense;
