@@ -26,6 +26,14 @@ pub(super) fn of_equilibria(outputs: &[Output], off: &[Off], critical: Option<f6
     Some(format!("{}{critical}.", text.trim_end_matches('.')))
 }
 
+/// The same of frequencies: the largest part by which one is off, and the number of its mode.
+pub(super) fn of_modes(most: f64, mode: usize) -> String {
+    format!(
+        "Compared with twice as many elements, frequencies differ by at most {:.1e} of them (mode {mode}).",
+        most.max(LEAST)
+    )
+}
+
 fn sentence(outputs: &[Output], off: &[Off], with: &str) -> Option<String> {
     let most = largest(off);
     if off.is_empty() || most > TOLD {

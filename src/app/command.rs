@@ -142,7 +142,9 @@ impl Command {
             "integrator" | "rtol" | "alpha" | "rho-inf" => matches!(self, Command::Run | Command::Advise),
             "fidelity" => matches!(self, Command::Run | Command::Explain),
             "step" | "proportional" | "animate" | "compare" | "vtu" | "resume" => self == Command::Run,
-            "unjudged" | "thorough" => matches!(self, Command::Run | Command::Steady | Command::Static),
+            "unjudged" | "thorough" => {
+                matches!(self, Command::Run | Command::Steady | Command::Static | Command::Modes)
+            }
             "out" | "save-scenario" | "at" if self == Command::Explain => false,
             "formulation" => self != Command::Chart,
             "formulations" | "integrators" | "rtols" | "reference" | "beside" => self == Command::Chart,

@@ -175,9 +175,7 @@ fn execute_run(arguments: &Arguments, interrupted: impl Fn() -> bool) -> Result<
         digits(result.seconds.cpu, 3),
     );
     head += &result.envelopes.lines();
-    if let Some(agreement) = &result.agreement {
-        head += &format!("\n{agreement}");
-    }
+    tell(&mut head, result.agreement.as_deref());
     finish(head, &result.warnings, files, failure)
 }
 
@@ -217,9 +215,7 @@ fn execute_equilibria(arguments: &Arguments, kind: Kind, interrupted: impl Fn() 
         head += &format!("\n{line}");
     }
     head += &result.envelopes.lines();
-    if let Some(agreement) = &result.agreement {
-        head += &format!("\n{agreement}");
-    }
+    tell(&mut head, result.agreement.as_deref());
     finish(head, &result.warnings, files, failure)
 }
 
@@ -256,7 +252,7 @@ fn execute_modes(arguments: &Arguments) -> Result<String, Failure> {
     if arguments.export {
         files += &export::execute(arguments)?;
     }
-    let head = format!(
+    let mut head = format!(
         "{}: {} modes at t = {} s, spin {}, {} s\n{}",
         arguments.model().name(),
         result.modes.len(),
@@ -265,6 +261,7 @@ fn execute_modes(arguments: &Arguments) -> Result<String, Failure> {
         digits(result.seconds.cpu, 3),
         mode_lines(&result, arguments.frequency).trim_end(),
     );
+    tell(&mut head, result.agreement.as_deref());
     finish(head, &result.warnings, files, None)
 }
 
@@ -302,6 +299,11 @@ fn execute_campbell(arguments: &Arguments, interrupted: impl Fn() -> bool) -> Re
 }
 
 /// What to say at the end: with a failure, the files go into its message.
+/// How little the results are off.
+fn tell(head: &mut String, agreement: Option<&str>) {
+    head.extend(agreement.map(|line| format!("\n{line}")));
+}
+
 fn finish(head: String, warnings: &[String], files: String, failure: Option<Failure>) -> Result<String, Failure> {
     let warnings: String = warnings.iter().map(|text| format!("warning: {text}\n")).collect();
     match failure {

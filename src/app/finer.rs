@@ -445,40 +445,62 @@ fn not_compared(until: f64, end: f64) -> String {
     )
 }
 
-/// That the meshes of a scene, which has so many elements for each one of them, are too coarse for `what`, as far as it was compared.
-pub(super) fn on_meshes(scene: &dyn Scene, times: usize, (what, until): (&str, Option<f64>), names: &str) -> String {
-    let described = scene.bodies();
-    let deforming = described
-        .iter()
-        .filter(|body| !matches!(body.fidelity, Fidelity::Rigid | Fidelity::Point));
-    let mut in_modes = false;
-    let mut meshes: Vec<String> = Vec::new();
-    for body in deforming {
-        let elements = body.elements / times;
-        meshes.push(if body.fidelity == Fidelity::Full {
-            format!("`{}` ({elements})", body.name)
+/// The meshes of a scene in a sentence on finer ones.
+pub(super) struct Meshes {
+    /// Bodies that deform, with their elements.
+    pub names: String,
+    /// What else may be too little, how else the finer ones differ, and what else helps, where some are described by modes.
+    pub too: &'static str,
+    pub how: &'static str,
+    pub more: &'static str,
+}
+
+impl Meshes {
+    /// Of a scene that has so many elements for each one that is named.
+    pub fn of(scene: &dyn Scene, times: usize) -> Self {
+        let described = scene.bodies();
+        let deforming = described
+            .iter()
+            .filter(|body| !matches!(body.fidelity, Fidelity::Rigid | Fidelity::Point));
+        let mut in_modes = false;
+        let mut meshes: Vec<String> = Vec::new();
+        for body in deforming {
+            let elements = body.elements / times;
+            meshes.push(if body.fidelity == Fidelity::Full {
+                format!("`{}` ({elements})", body.name)
+            } else {
+                in_modes = true;
+                format!("`{}` ({elements}, {})", body.name, body.fidelity)
+            });
+        }
+        let others = meshes.len().saturating_sub(MOST);
+        if others > 0 {
+            meshes.truncate(MOST);
+            meshes.push(format!("{others} more"));
+        }
+        let [too, how, more] = if in_modes {
+            [
+                ", or the modes are too few",
+                " and without modes",
+                ", or leave `modal` or `small` out",
+            ]
         } else {
-            in_modes = true;
-            format!("`{}` ({elements}, {})", body.name, body.fidelity)
-        });
+            [""; 3]
+        };
+        Self {
+            names: meshes.join(", "),
+            too,
+            how,
+            more,
+        }
     }
-    let others = meshes.len().saturating_sub(MOST);
-    if others > 0 {
-        meshes.truncate(MOST);
-        meshes.push(format!("{others} more"));
-    }
-    let meshes = meshes.join(", ");
+}
+
+/// That the meshes of a scene, which has so many elements for each one of them, are too coarse for `what`, as far as it was compared.
+pub(super) fn on_meshes(scene: &dyn Scene, times: usize, (what, until): (&str, Option<f64>), outputs: &str) -> String {
+    let Meshes { names, too, how, more } = Meshes::of(scene, times);
     let until = until.map_or(String::new(), |t| format!(" until {t:.3} s"));
-    let [modes, how, more] = if in_modes {
-        [
-            ", or the modes are too few",
-            " and without modes",
-            ", or leave `modal` or `small` out",
-        ]
-    } else {
-        [""; 3]
-    };
     format!(
-        "The mesh is too coarse for {what}{modes}: with twice as many elements{how} in {meshes} outputs differ{until} by parts of their largest change or value, {names}. Take more elements in `mesh` (twice as many make it some ten times less){more}."
+        "The mesh is too coarse for {what}{too}: with twice as many elements{how} in {names} outputs differ{until} by parts of their largest change or value, {outputs}. Take more elements in `mesh` (twice as many make it some ten times less){more}."
     )
 }

@@ -98,7 +98,7 @@ pub(super) fn command_line(model: &dyn AnyModel, program: &Program<'_>) -> clap:
         ))
         .arg(flag(
             "unjudged",
-            "Do not repeat a run on finer meshes and with other steps, nor equilibria on finer meshes, to tell what outputs are off by",
+            "Do not repeat a run on finer meshes and with other steps, nor equilibria and modes on finer meshes, to tell what they are off by",
         ))
         .arg(
             flag(

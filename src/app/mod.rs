@@ -74,6 +74,7 @@ mod files;
 mod finer;
 mod finer_equilibria;
 mod finer_model;
+mod finer_modes;
 mod flags;
 mod help;
 mod history;

@@ -5,6 +5,9 @@ use super::cautions;
 use super::clock::{Clock, Seconds};
 use super::coarse;
 use super::continuation::{self, EquilibriumSettings};
+use super::finer::FINER;
+use super::finer_model::FinerModel;
+use super::finer_modes;
 use super::pictures::Shapes;
 use super::run_error::RunError;
 use crate::equilibrium::{Kind, Uniform, follow};
@@ -60,6 +63,8 @@ pub struct Modes {
     pub newton_iterations: u64,
     /// What the scene warns of at the equilibrium.
     pub warnings: Vec<String>,
+    /// How far frequencies are from those of finer meshes, where that was asked for and is not worth a warning.
+    pub agreement: Option<String>,
     /// Time that it took.
     pub seconds: Seconds,
 }
@@ -203,7 +208,11 @@ pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Mod
     let mut warnings = cautions::cautioned(model.as_ref(), scene.warnings(&state));
     warnings.extend(crate::equilibrium::untied(scene, &at, &state));
     warnings.extend(coarse::of_equilibrium(scene, &at, &state));
-    warnings.extend(coarse::of_modes(scene, &errors));
+    let seconds = clock.seconds();
+    let [told, agreement] = on_finer_meshes(model.as_ref(), settings, scene.unknowns(), &modes);
+    // The frequencies themselves say more than the energy of their modes.
+    let is_known = told.is_some() || agreement.is_some();
+    warnings.extend(told.or_else(|| coarse::of_modes(scene, &errors).filter(|_| !is_known)));
     Ok(Modes {
         settings: *settings,
         t,
@@ -220,8 +229,37 @@ pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Mod
         constraints: scene.constraints(),
         newton_iterations,
         warnings,
-        seconds: clock.seconds(),
+        agreement,
+        seconds,
     })
+}
+
+/// What finer meshes make of the frequencies, where that is asked for.
+fn on_finer_meshes(
+    model: &dyn AnyModel,
+    settings: &EquilibriumSettings,
+    unknowns: usize,
+    modes: &[SeenMode],
+) -> [Option<String>; 2] {
+    if !finer_modes::is_asked(settings.judged, unknowns) {
+        return [None, None];
+    }
+    let finer = FinerModel {
+        model: model.boxed(),
+        times: FINER,
+    };
+    let Ok(there) = about(&finer, settings) else {
+        return [None, None];
+    };
+    if there.scene.unknowns() == unknowns {
+        return [None, None];
+    }
+    // Those of a motion that creeps have no frequency.
+    let vibrating = |modes: &[SeenMode]| -> Vec<(usize, f64)> {
+        let all = modes.iter().enumerate().filter(|(_, mode)| mode.im > mode.re.abs());
+        all.map(|(index, mode)| (index, mode.im)).collect()
+    };
+    finer_modes::compare(&*there.scene, &vibrating(modes), &vibrating(&there.modes))
 }
 
 /// Time (s), spin (rad/s) and modes of [`modes`] alone, without how far the meshes are off and what else is told beside them.

@@ -188,6 +188,7 @@ pub(super) fn of_modes(model: &dyn AnyModel, result: &Modes) -> Summary {
         result.newton_iterations,
     );
     seconds(&mut summary, result.seconds);
+    put(&mut summary, "agreement", json!(result.agreement));
     put(&mut summary, "notes", notes(model, &result.warnings));
     summary
 }

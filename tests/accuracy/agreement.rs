@@ -237,3 +237,47 @@ fn a_start_that_is_no_equilibrium_is_no_row() {
         assert!((value / exact - 1.0).abs() < 3e-5, "{value} {exact}");
     }
 }
+
+rncf::model! {
+    /// A cantilever of a fifth of its length in thickness.
+    pub model Thick {
+        param elements: count = 2;
+        material steel { density = 7850 kg/m^3; young = 210 GPa; poisson = 0.3; }
+        section bar { area = 0.02 m^2; second_moment = 6.666666666666667e-5 m^4; shear_factor = 0.8333333333333333; }
+        body beam { planar xy; line from [0, 0, 0] m to [1, 0, 0] m; mesh elements * beam(bar, steel); }
+        joint root = clamp(beam.start, inertial);
+        output tip = beam.end.y;
+    }
+}
+
+/// Timoshenko's beam: where the determinant of its transfer matrix vanishes (scipy), rad/s.
+#[test]
+fn frequencies_are_told_with_their_errors() {
+    let exact = [1018.2184268, 5483.7096776];
+    for (elements, is_told) in [(2, true), (6, false)] {
+        let settings = EquilibriumSettings {
+            count: 2,
+            judged: Judging::Whole,
+            ..EquilibriumSettings::default()
+        };
+        let found = modes(&Thick { elements }, &settings).unwrap();
+        let errors = found.modes.iter().zip(exact).map(|(mode, exact)| mode.im / exact - 1.0);
+        let error = errors.fold(0.0, f64::max);
+        let (words, line) = if is_told {
+            let note = found
+                .warnings
+                .iter()
+                .find(|note| note.starts_with("The mesh is too coarse for these modes"));
+            ("that of mode 2 by about ", note.cloned())
+        } else {
+            ("frequencies differ by at most ", found.agreement.clone())
+        };
+        let line = line.unwrap_or_else(|| panic!("{elements}: {:?}", found.warnings));
+        let number = line.split(words).nth(1).and_then(|rest| rest.split(' ').next());
+        let told = number.unwrap().parse::<f64>().unwrap() / if is_told { 100.0 } else { 1.0 };
+        assert!(
+            (1.0 / 3.0..3.0).contains(&(told / error)),
+            "{elements}: off by {error}: {line}"
+        );
+    }
+}
