@@ -273,6 +273,10 @@ impl TableForm {
         };
         in_order(&places, self.places.len() == 3).map_err(|disorder| match disorder {
             Disorder::TooFew => "it has fewer than two rows".to_string(),
+            Disorder::Order(row) if self.places.len() == 3 => format!(
+                "line {}: the point is where the one before it is, or at no finite distance from it: points follow each other along an axis",
+                rows.line(row)
+            ),
             Disorder::Order(row) => format!(
                 "line {}: places of rows ascend, and {} follows {}",
                 rows.line(row),

@@ -10,8 +10,6 @@ pub const STEP_AT_END: &str = "the first two or last two rows are at one place: 
 pub const DAMPING_ALONG: &str = "`damping` is the same along the whole body: leave out `x` and columns of tables";
 pub const LOAD_ALONG_CORNERS: &str = "a load along a body with corners is the same along each of its straight pieces: leave out `x` and columns of tables";
 pub const CURVE_TABLE: &str = "a curve goes through points: its table needs the columns `x`, `y` and `z` in m";
-pub const CURVE_OF_PARAM: &str =
-    "a curve is known when the model is built, and the file of this table when it runs: take the points from a `table`";
 pub const CURVE_RANGE: &str = "this curve has no length: its parameter starts and ends at one value";
 pub const CURVE_WITHOUT_TIME: &str = "the axis of a body is the same at all times: leave out motions";
 pub const VARYING_ENERGY: &str =
@@ -76,6 +74,12 @@ pub fn table_of_one_row(table: &str) -> String {
 
 pub fn rows_do_not_ascend(row: &str, place: f64, before: f64) -> String {
     format!("{row}: {place} does not come after {before}; rows ascend along the axis, two at one place are a step")
+}
+
+pub fn points_coincide(row: &str) -> String {
+    format!(
+        "{row}: the point is where the one before it is, or at no finite distance from it: points follow each other along an axis"
+    )
 }
 
 /// A column of a section's table that is no field, and that nothing reads.

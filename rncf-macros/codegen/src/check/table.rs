@@ -248,6 +248,7 @@ impl<'a> Check<'a> {
         if let Err(disorder) = in_order(&places, is_points) {
             let message = match disorder {
                 Disorder::TooFew => say::table_of_one_row(&item.name.text),
+                Disorder::Order(at) if is_points => say::points_coincide(&row(at)),
                 Disorder::Order(at) => say::rows_do_not_ascend(&row(at), places[at], places[at - 1]),
                 Disorder::StepAtEnd => say::STEP_AT_END.to_string(),
             };
