@@ -21,24 +21,12 @@ pub fn rows_differ(column: &str, count: usize, first: &str, rows: usize) -> Stri
 }
 
 pub fn unreadable_file(path: &str, error: &str) -> String {
-    format!("`{path}` cannot be read: {error}; a path begins at the folder of the crate's Cargo.toml")
+    format!("`{path}` cannot be read: {error}")
 }
 
-pub fn empty_file(path: &str) -> String {
-    format!("`{path}` has no header: its first line names the columns, e.g. `x[m], EI[N*m^2]`")
-}
-
-pub fn cells_of_line(path: &str, line: usize, cells: usize, columns: usize) -> String {
-    format!("line {line} of `{path}` has {cells} cells, and the header names {columns} columns")
-}
-
-pub fn cell_of_line(path: &str, line: usize, column: &str, cell: &str) -> String {
-    let cell = if cell.is_empty() {
-        "nothing".to_string()
-    } else {
-        format!("`{cell}`")
-    };
-    format!("line {line} of `{path}`, column `{column}`: {cell} is no number")
+/// A file that is no table, with the reader's reason.
+pub fn wrong_file(path: &str, why: &str) -> String {
+    format!("`{path}` is no table: {why}")
 }
 
 pub fn unit_of_column(path: &str, column: &str, unit: &str) -> String {
@@ -52,6 +40,13 @@ pub fn column_twice(column: &str) -> String {
 pub fn table_without_places(table: &str) -> String {
     format!(
         "table `{table}` does not say where its rows are: it needs a column `x` (m, along the axis) or `eta` (parts of its length), or the coordinates `x`, `y` and `z` (m) of points, or `at = column`"
+    )
+}
+
+/// Points of which a column says the places.
+pub fn places_of_points(table: &str, column: &str) -> String {
+    format!(
+        "the rows of `{table}` are points (`x`, `y`, `z`), and their places the sums of the chords between them: leave out `at = {column}`"
     )
 }
 
