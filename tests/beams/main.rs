@@ -12,5 +12,6 @@ mod roll_up;
 mod runs;
 mod scenes;
 mod statics;
+mod table_curves;
 mod table_files;
 mod timed_elements;

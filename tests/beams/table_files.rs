@@ -63,7 +63,7 @@ impl Drop for File {
     }
 }
 
-fn read(of: TableFile, name: &str, text: &str) -> Result<TableFile, ModelError> {
+pub(super) fn read(of: TableFile, name: &str, text: &str) -> Result<TableFile, ModelError> {
     of.read(&File::new(name, text).0)
 }
 

@@ -7,7 +7,7 @@ use std::path::Path;
 use rncf::app::{EquilibriumSettings, Judging, RunError, RunSettings, modes, run, static_equilibria, steady};
 use rncf::{AnyModel, Method, ParamKind, TableFile};
 
-use crate::limits::{Mast, Panel, PanelPinned, PanelTurned, Swung};
+use crate::limits::{Bow, Mast, Panel, PanelPinned, PanelTurned, Swung};
 use crate::redundant::{Door, DoorOnOne};
 use crate::senseless::models::{Hung, Shaken};
 use crate::values::{Masses, Pendulum, Struts};
@@ -97,6 +97,7 @@ use models::{Drawn, Nut, Spun, Stretched, Wheel};
 
 fn model(name: &str) -> Box<dyn AnyModel> {
     match name {
+        "Bow" => Box::new(Bow::default()),
         "Door" => Box::new(Door::default()),
         "DoorOnOne" => Box::new(DoorOnOne::default()),
         "Drawn" => Box::new(Drawn::default()),

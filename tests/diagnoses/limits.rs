@@ -63,3 +63,16 @@ rncf::model! {
         run { t_end = 0.01 s; every = 0.01 s; }
     }
 }
+rncf::model! {
+    /// A bow whose axis goes through the points of a file.
+    pub model Bow {
+        /// Points of the axis.
+        param way: table = file("guide/tables/points.csv");
+        material aluminium { density = 2700 kg/m^3; young = 70 GPa; poisson = 0.33; }
+        section round = circle(radius = 20 mm);
+        body bow { planar xy; curve through way; mesh 4 * cable(round, aluminium); }
+        joint foot = clamp(bow.start, inertial);
+        output mass = bow.mass;
+        run { t_end = 0.01 s; every = 0.01 s; }
+    }
+}

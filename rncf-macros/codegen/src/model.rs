@@ -375,10 +375,12 @@ pub enum Line {
     },
     /// The interfaces of a body from elsewhere.
     Imported(Imported),
-    /// A smooth curve through points.
+    /// A smooth curve through the points of a table.
     Curve {
-        /// Points, m, frame axes.
-        points: Vec<[Expr; 3]>,
+        /// The table.
+        table: TableId,
+        /// Its columns with the coordinates, m, frame axes.
+        columns: [usize; 3],
     },
     /// A smooth curve along a function.
     Path {

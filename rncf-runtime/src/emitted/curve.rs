@@ -89,8 +89,8 @@ impl Curve {
         )
     }
 
-    /// No curve: a straight line of one metre stands for it.
-    fn none(mistake: String) -> Self {
+    /// No curve, and why: a straight line of one metre stands for it.
+    pub(super) fn none(mistake: String) -> Self {
         let straight = |at: f64| [at * Vector::x(), Vector::x()];
         Self {
             mistake: Some(mistake),
@@ -110,6 +110,12 @@ impl Curve {
             curve.lengths.push(curve.lengths[piece] + length);
         }
         curve
+    }
+
+    /// The same with more said of why it is none.
+    pub(super) fn told(mut self, more: impl FnOnce(String) -> String) -> Self {
+        self.mistake = self.mistake.map(more);
+        self
     }
 
     /// Why there is no such curve, a sentence without its subject.
@@ -208,7 +214,7 @@ mod tests {
     #[test]
     fn points_at_one_place_are_refused_by_their_number() {
         let refused = Curve::through(&[[0.0; 3], [1.0, 0.0, 0.0], [1.0, 0.0, 0.0]]);
-        assert!(refused.mistake().is_some_and(|text| text.contains("points 1 and 2")));
+        assert!(refused.mistake().is_some_and(|text| text.contains("points 2 and 3")));
     }
 
     #[test]

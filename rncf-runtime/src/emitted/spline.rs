@@ -27,9 +27,10 @@ impl Spline {
         for (at, pair) in points.windows(2).enumerate() {
             let chord = (pair[1] - pair[0]).norm();
             if !(chord > 0.0 && chord.is_finite()) {
-                let (next, place) = (at + 1, pair[1].as_slice());
+                let (first, place) = (at + 1, pair[1].as_slice());
                 return Err(format!(
-                    "has its points {at} and {next} at one place, or not at finite ones: {place:?} m"
+                    "has its points {first} and {} at one place, or not at finite ones: {place:?} m",
+                    first + 1
                 ));
             }
             knots.push(knots[at] + chord);

@@ -1,5 +1,6 @@
 //! Tables of numbers along an axis.
 
+use super::curve::Curve;
 use crate::error::ModelError;
 
 /// Relative size of what counts as round-off of places along an axis.
@@ -99,6 +100,28 @@ impl Table {
             "table `{}` has rows from {first} to {last} {unit}, and the axis of body `{body}` goes from 0 to {end} {unit}: add rows at its ends",
             self.name
         )))
+    }
+
+    /// The curve through the points of three columns, m, of a body with these axes: one that moves in a plane has two, and its curve
+    /// lies in it. [`Curve::mistake`] tells what is wrong with a row.
+    pub fn curve(&self, columns: [usize; 3], axes: &[usize]) -> Curve {
+        const NAMES: [char; 3] = ['x', 'y', 'z'];
+        let coordinates = columns.map(|column| self.columns[column]);
+        for across in (0..NAMES.len()).filter(|axis| !axes.contains(axis)) {
+            if let Some(row) = coordinates[across].iter().position(|&off| off != 0.0) {
+                let plane: String = axes.iter().map(|&axis| NAMES[axis]).collect();
+                return Curve::none(format!(
+                    "has {} = {} m in row {} of table `{}`, and the body stays in the plane {plane}: make that zero, or the body `spatial`",
+                    NAMES[across],
+                    coordinates[across][row],
+                    row + 1,
+                    self.name
+                ));
+            }
+        }
+        let [x, y, z] = coordinates;
+        let points: Vec<[f64; 3]> = (0..x.len()).map(|row| [x[row], y[row], z[row]]).collect();
+        Curve::through(&points).told(|mistake| format!("{mistake}, in table `{}`", self.name))
     }
 
     /// Fractions of an axis (m) at the rows, steps once, each span in `each` parts. Rows beyond the end of the axis are left out.

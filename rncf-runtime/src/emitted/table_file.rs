@@ -8,7 +8,7 @@ use std::sync::{Mutex, PoisonError};
 use super::table::Table;
 use crate::error::ModelError;
 use crate::hash::hash_bytes;
-use crate::import::rows::{Disorder, Head, Mistake, Rows, chords, in_order};
+use crate::import::rows::{Disorder, Head, Rows, chords, in_order, text};
 use crate::nearest::nearest;
 use crate::units::{Number, Unit};
 
@@ -97,7 +97,7 @@ impl TableFile {
     pub fn read(self, path: impl AsRef<Path>) -> Result<Self, ModelError> {
         let path = path.as_ref();
         let shown = path.display().to_string();
-        let text = std::fs::read_to_string(path)
+        let text = text(path, "where the program is called")
             .map_err(|error| ModelError::new(format!("the file `{shown}` cannot be read: {error}")))?;
         let (places, columns) = self.form.parse(&text).map_err(|mistake| {
             let name = self.form.table.name;
@@ -208,14 +208,14 @@ type Columns = Vec<Vec<f64>>;
 impl TableForm {
     /// Places and columns that a text has.
     fn parse(&self, text: &str) -> Result<(Vec<f64>, Columns), String> {
-        let rows = Rows::read(text).map_err(told)?;
+        let rows = Rows::read(text).map_err(|mistake| mistake.to_string())?;
         let sources = self.sources(&rows.heads)?;
         let cells: Vec<usize> = sources.iter().map(|&(cell, _)| cell).collect();
         let number = |column: usize, cell: &str| {
             let (number, _) = Number::split(cell).filter(|(_, rest)| rest.is_empty())?;
             Some(sources[column].1.to_si(number))
         };
-        let columns = rows.columns(&cells, number).map_err(told)?;
+        let columns = rows.columns(&cells, number).map_err(|mistake| mistake.to_string())?;
         let places = self.placed(&columns, &rows)?;
         for &[one, other] in self.alike {
             let differ = (0..places.len()).find(|&row| columns[one][row] != columns[other][row]);
@@ -251,6 +251,12 @@ impl TableForm {
                 let unit = if column.unit == "1" { "-" } else { column.unit };
                 return Err(format!("the column `{} [{unit}]` is missing", column.name));
             };
+            if heads[cell].unit.is_empty() && column.dimension != [0; 6] {
+                return Err(format!(
+                    "the column `{0}` has no unit; write e.g. `{0} [{1}]`",
+                    column.name, column.unit
+                ));
+            }
             let unit = Unit::parse(&heads[cell].spelled());
             let unit = unit.map_err(|mistake| format!("column `{}`: {mistake}", column.name))?;
             if unit.dimension != column.dimension {
@@ -273,6 +279,10 @@ impl TableForm {
         };
         in_order(&places, self.places.len() == 3).map_err(|disorder| match disorder {
             Disorder::TooFew => "it has fewer than two rows".to_string(),
+            Disorder::Order(row) if self.places.len() == 3 => format!(
+                "line {}: the point is where the one before it is, or at no finite distance from it: points follow each other along an axis",
+                rows.line(row)
+            ),
             Disorder::Order(row) => format!(
                 "line {}: places of rows ascend, and {} follows {}",
                 rows.line(row),
@@ -284,17 +294,6 @@ impl TableForm {
             }
         })?;
         Ok(places)
-    }
-}
-
-/// Why a text is no table, in words.
-fn told(mistake: Mistake<'_>) -> String {
-    match mistake {
-        Mistake::Empty => "it is empty; its first line names the columns, `x [m], EI [N*m^2]`".into(),
-        Mistake::Cells { line, cells, heads } => {
-            format!("line {line} has {cells} numbers, and the header {heads} columns")
-        }
-        Mistake::Number { line, name, cell } => format!("line {line}: `{cell}` in column `{name}` is no finite number"),
     }
 }
 
@@ -393,7 +392,7 @@ mod tests {
                 "x [mtr], EI [N*m^2], EI_again [N*m^2]\n",
                 "column `x`: `mtr` is not a unit",
             ),
-            ("cells", &format!("{head}0, 1\n"), "line 2 has 2 numbers"),
+            ("cells", &format!("{head}0, 1\n"), "line 2 has 2 cells"),
             (
                 "nan",
                 &format!("{head}0, 1, 1\n1, NaN, 1\n"),
@@ -419,8 +418,62 @@ mod tests {
             let told = read(name, text).unwrap_err().to_string();
             assert!(told.contains(wanted) && told.contains("for `mast`"), "{name}: {told}");
         }
-        let told = TableFile::declared(&FORM).read("no/such.csv").unwrap_err().to_string();
-        assert!(told.contains("`no/such.csv` cannot be read"), "{told}");
+        let plain = read("plain", "x, EI [N*m^2], EI_again [N*m^2]\n0, 1, 1\n1, 1, 1\n")
+            .unwrap_err()
+            .to_string();
+        assert!(
+            plain.contains("the column `x` has no unit; write e.g. `x [m]`"),
+            "{plain}"
+        );
+        let told = |path: &str| TableFile::declared(&FORM).read(path).unwrap_err().to_string();
+        let missing = told("no/such.csv");
+        assert!(
+            missing.contains("`no/such.csv` cannot be read")
+                && missing.ends_with("a path begins where the program is called"),
+            "{missing}"
+        );
+        let folder = told(env!("CARGO_MANIFEST_DIR"));
+        assert!(
+            folder.contains("cannot be read") && folder.ends_with("give the path of a file in it"),
+            "{folder}"
+        );
+    }
+
+    #[test]
+    fn text_that_is_not_utf_8_is_told_with_its_line() {
+        let write = |name: &str, bytes: &[u8]| {
+            let path = std::env::temp_dir().join(format!("rncf-table-{}-{name}.csv", std::process::id()));
+            std::fs::write(&path, bytes).unwrap();
+            let told = TableFile::declared(&FORM).read(&path).unwrap_err().to_string();
+            std::fs::remove_file(&path).unwrap();
+            told
+        };
+        let latin = write(
+            "latin",
+            b"x [m], EI [N*m^2], EI_again [N*m^2], _turn\n0, 1, 1, 2\n1, 1, 1, 2\xb0\n",
+        );
+        assert!(
+            latin.ends_with("line 3 is no text in UTF-8; save the file as UTF-8"),
+            "{latin}"
+        );
+        let wide: Vec<u8> = "x [m], EI\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
+        let wide = write("wide", &[&[0xff, 0xfe], &wide[..]].concat());
+        assert!(wide.contains("line 1 is no text in UTF-8"), "{wide}");
+    }
+
+    /// A table of a million rows is read, looked up, and taken for the same when it is read again.
+    #[test]
+    fn a_million_rows_are_read() {
+        use std::fmt::Write;
+        let count = 1_000_000;
+        let mut text = "x [mm]; EI [N*m^2]; EI_again [N*m^2]\n".to_string();
+        for row in 0..count {
+            let _ = writeln!(text, "{row};{0};{0}", 2 * row + 1);
+        }
+        let file = read("million", &text).unwrap();
+        assert_eq!(file.places.len(), count);
+        assert!((file.at(1, 777.5, 1e3) - 1_555_001.0).abs() < 1e-6);
+        assert!(std::ptr::eq(read("million", &text).unwrap().table(), file.table()));
     }
 
     #[test]

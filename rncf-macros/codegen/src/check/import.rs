@@ -4,10 +4,11 @@ use std::collections::BTreeMap;
 
 use super::body::Known;
 use super::expr::Scope;
+use super::table::PATHS_BEGIN;
 use super::{Check, balance, fold, say};
 use crate::elements::BETWEEN_INTERFACES;
 use crate::errors::Area;
-use crate::import::{File, FiniteElements};
+use crate::import::{File, FiniteElements, bytes};
 use crate::model::{
     Body, BodyId, ElementId, Evaluation, Expr as Value, Fidelity, FrameTie, Imported, Initial, Line, Location,
     Quadrature, SectionShape,
@@ -247,10 +248,10 @@ impl<'a> Check<'a> {
         };
         let mut contents = Vec::new();
         for (path, area) in files {
-            match std::fs::read(self.tree.folder.join(path)) {
+            match bytes(&self.tree.folder.join(path), PATHS_BEGIN) {
                 Ok(bytes) => contents.push(bytes),
                 Err(error) => {
-                    self.errors.at(*area, say::unreadable_file(path, &error.to_string()));
+                    self.errors.at(*area, say::unreadable_file(path, &error));
                     return None;
                 }
             }

@@ -9,7 +9,7 @@ use super::{Check, fold, say};
 use crate::elements::Element;
 use crate::errors::Area;
 use crate::joints::algebra;
-use crate::model::{Expr as Value, Line, Piece, Space};
+use crate::model::{Column, Expr as Value, Line, Piece, Space};
 use crate::parse::tree::{Expr, Item, Name, Statement};
 
 const FROM: Wanted = Wanted {
@@ -147,15 +147,11 @@ impl<'a> Check<'a> {
     fn curve(&mut self, name: &Name, known: &Known) -> Option<Line> {
         let id = self.table(name)?;
         let table = &self.model.tables[id.0];
-        if table.is_param {
-            self.errors.at(name.span, say::CURVE_OF_PARAM);
-            return None;
-        }
         let coordinate = |word: &str| {
-            let column = table.columns.iter().find(|column| column.name == word)?;
-            (column.dimension == FROM.dimension).then(|| column.values.clone())
+            let is_it = |column: &Column| column.name == word && column.dimension == POSITION.dimension;
+            table.columns.iter().position(is_it)
         };
-        let Some([x, y, z]) = coordinate("x")
+        let Some(columns) = coordinate("x")
             .zip(coordinate("y"))
             .zip(coordinate("z"))
             .map(|((x, y), z)| [x, y, z])
@@ -163,17 +159,15 @@ impl<'a> Check<'a> {
             self.errors.at(name.span, say::CURVE_TABLE);
             return None;
         };
+        // Of a file that a run names, the program checks the same of its rows.
         if let Some(normal) = known.space.and_then(normal)
-            && let Some(&off) = [&x, &y, &z][normal].iter().find(|value| **value != 0.0)
+            && let Some(&off) = table.columns[columns[normal]].values.iter().find(|off| **off != 0.0)
         {
             let message = say::curve_off_plane(plane(normal), AXES[normal], off);
             self.errors.at(name.span, message);
             return None;
         }
-        let point = |row: usize| [x[row], y[row], z[row]].map(Value::Number);
-        Some(Line::Curve {
-            points: (0..x.len()).map(point).collect(),
-        })
+        Some(Line::Curve { table: id, columns })
     }
 
     /// `curve [..] for s from a to b;`
@@ -378,9 +372,12 @@ impl<'a> Check<'a> {
             })),
             Line::Arc { direction, .. } => Some(direction.clone()),
             Line::Imported(_) => Some([1.0, 0.0, 0.0].map(Value::Number)),
-            Line::Curve { points } => Some(std::array::from_fn(|axis| {
-                algebra::subtract(points[1][axis].clone(), points[0][axis].clone())
-            })),
+            Line::Curve { table, columns } => {
+                let points = self.model.tables[table.0].points(*columns);
+                Some(std::array::from_fn(|axis| {
+                    Value::Number(points[1][axis] - points[0][axis])
+                }))
+            }
             // Its sections are checked where they are, when the model is built.
             Line::Path { .. } => None,
         });

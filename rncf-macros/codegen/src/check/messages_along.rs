@@ -10,8 +10,6 @@ pub const STEP_AT_END: &str = "the first two or last two rows are at one place: 
 pub const DAMPING_ALONG: &str = "`damping` is the same along the whole body: leave out `x` and columns of tables";
 pub const LOAD_ALONG_CORNERS: &str = "a load along a body with corners is the same along each of its straight pieces: leave out `x` and columns of tables";
 pub const CURVE_TABLE: &str = "a curve goes through points: its table needs the columns `x`, `y` and `z` in m";
-pub const CURVE_OF_PARAM: &str =
-    "a curve is known when the model is built, and the file of this table when it runs: take the points from a `table`";
 pub const CURVE_RANGE: &str = "this curve has no length: its parameter starts and ends at one value";
 pub const CURVE_WITHOUT_TIME: &str = "the axis of a body is the same at all times: leave out motions";
 pub const VARYING_ENERGY: &str =
@@ -23,24 +21,12 @@ pub fn rows_differ(column: &str, count: usize, first: &str, rows: usize) -> Stri
 }
 
 pub fn unreadable_file(path: &str, error: &str) -> String {
-    format!("`{path}` cannot be read: {error}; a path begins at the folder of the crate's Cargo.toml")
+    format!("`{path}` cannot be read: {error}")
 }
 
-pub fn empty_file(path: &str) -> String {
-    format!("`{path}` has no header: its first line names the columns, e.g. `x[m], EI[N*m^2]`")
-}
-
-pub fn cells_of_line(path: &str, line: usize, cells: usize, columns: usize) -> String {
-    format!("line {line} of `{path}` has {cells} cells, and the header names {columns} columns")
-}
-
-pub fn cell_of_line(path: &str, line: usize, column: &str, cell: &str) -> String {
-    let cell = if cell.is_empty() {
-        "nothing".to_string()
-    } else {
-        format!("`{cell}`")
-    };
-    format!("line {line} of `{path}`, column `{column}`: {cell} is no number")
+/// A file that is no table, with the reader's reason.
+pub fn wrong_file(path: &str, why: &str) -> String {
+    format!("`{path}` is no table: {why}")
 }
 
 pub fn unit_of_column(path: &str, column: &str, unit: &str) -> String {
@@ -54,6 +40,13 @@ pub fn column_twice(column: &str) -> String {
 pub fn table_without_places(table: &str) -> String {
     format!(
         "table `{table}` does not say where its rows are: it needs a column `x` (m, along the axis) or `eta` (parts of its length), or the coordinates `x`, `y` and `z` (m) of points, or `at = column`"
+    )
+}
+
+/// Points of which a column says the places.
+pub fn places_of_points(table: &str, column: &str) -> String {
+    format!(
+        "the rows of `{table}` are points (`x`, `y`, `z`), and their places the sums of the chords between them: leave out `at = {column}`"
     )
 }
 
@@ -76,6 +69,12 @@ pub fn table_of_one_row(table: &str) -> String {
 
 pub fn rows_do_not_ascend(row: &str, place: f64, before: f64) -> String {
     format!("{row}: {place} does not come after {before}; rows ascend along the axis, two at one place are a step")
+}
+
+pub fn points_coincide(row: &str) -> String {
+    format!(
+        "{row}: the point is where the one before it is, or at no finite distance from it: points follow each other along an axis"
+    )
 }
 
 /// A column of a section's table that is no field, and that nothing reads.

@@ -7,7 +7,7 @@ use super::expr::Scope;
 use super::quantity::Typed;
 use super::{Check, fold, say};
 use crate::errors::Area;
-use crate::import::rows::{Disorder, Head, Mistake, Rows, chords, in_order};
+use crate::import::rows::{Disorder, Head, Rows, chords, in_order, text};
 use crate::model::{Column, Expr as Value, Table, TableId};
 use crate::parse::cursor::Cursor;
 use crate::parse::tree::{Argument, Expr, ExprKind, Field, Fields, Item, ItemKind, Keyword, Name};
@@ -19,6 +19,9 @@ use crate::units::{self, Compound, Dimension};
 const PLACES: [(&str, [i8; 6]); 2] = [("x", [1, 0, 0, 0, 0, 0]), ("eta", [0; 6])];
 /// Columns that are the coordinates of points, m.
 const COORDINATES: [&str; 3] = ["x", "y", "z"];
+
+/// Where paths of files in a declaration begin.
+pub(super) const PATHS_BEGIN: &str = "at the folder of the crate's Cargo.toml";
 
 impl<'a> Check<'a> {
     /// Checks all tables, also those that nothing reads.
@@ -148,17 +151,17 @@ impl<'a> Check<'a> {
                 }
             }
         }
-        let text = match std::fs::read_to_string(self.tree.folder.join(path)) {
+        let text = match text(&self.tree.folder.join(path), PATHS_BEGIN) {
             Ok(text) => text,
             Err(error) => {
-                self.errors.at(area, say::unreadable_file(path, &error.to_string()));
+                self.errors.at(area, say::unreadable_file(path, &error));
                 return None;
             }
         };
         let rows = match Rows::read(&text) {
             Ok(rows) => rows,
             Err(mistake) => {
-                self.errors.at(area, told(path, mistake));
+                self.errors.at(area, say::wrong_file(path, &mistake.to_string()));
                 return None;
             }
         };
@@ -167,7 +170,7 @@ impl<'a> Check<'a> {
             let values = match unit_of(head) {
                 Some(unit) => (rows.columns(&[place], |_, cell| number(cell, unit)))
                     .map(|mut values| (unit, values.remove(0)))
-                    .map_err(|mistake| told(path, mistake)),
+                    .map_err(|mistake| say::wrong_file(path, &mistake.to_string())),
                 None => Err(say::unit_of_column(path, head.name, head.unit)),
             };
             match values {
@@ -207,7 +210,18 @@ impl<'a> Check<'a> {
                 self.errors.at(area, suggest::unknown("column", name, known));
                 return None;
             };
-            match PLACES.iter().find(|(_, own)| column.dimension == *own) {
+            let is_along = PLACES.iter().find(|(_, own)| column.dimension == *own);
+            let is_coordinate = |column: &Column| column.dimension == PLACES[0].1;
+            let has = |word: &str| {
+                columns
+                    .iter()
+                    .any(|column| column.name == word && is_coordinate(column))
+            };
+            if is_along.is_some() && COORDINATES.into_iter().all(has) {
+                self.errors.at(area, say::places_of_points(&item.name.text, name));
+                return None;
+            }
+            match is_along {
                 // Under its own name, and as the places.
                 Some(&(word, _)) => {
                     let column = Column {
@@ -248,6 +262,7 @@ impl<'a> Check<'a> {
         if let Err(disorder) = in_order(&places, is_points) {
             let message = match disorder {
                 Disorder::TooFew => say::table_of_one_row(&item.name.text),
+                Disorder::Order(at) if is_points => say::points_coincide(&row(at)),
                 Disorder::Order(at) => say::rows_do_not_ascend(&row(at), places[at], places[at - 1]),
                 Disorder::StepAtEnd => say::STEP_AT_END.to_string(),
             };
@@ -443,13 +458,4 @@ fn number(cell: &str, unit: Compound) -> Option<f64> {
     };
     let value = units::scale(&digits.to_lowercase().replace("e+", "e"), unit).ok()?;
     Some(sign * value)
-}
-
-/// Why a text is no table, in words.
-fn told(path: &str, mistake: Mistake<'_>) -> String {
-    match mistake {
-        Mistake::Empty => say::empty_file(path),
-        Mistake::Cells { line, cells, heads } => say::cells_of_line(path, line, cells, heads),
-        Mistake::Number { line, name, cell } => say::cell_of_line(path, line, name, cell),
-    }
 }

@@ -32,11 +32,11 @@ impl Parts<'_> {
                 )
             }
             Line::Imported(imported) => self.imported(body, imported),
-            Line::Curve { points } => {
-                let points: Vec<String> = points.iter().map(|point| self.vector(point)).collect();
+            Line::Curve { table, columns } => {
                 format!(
-                    "::rncf::emitted::Line::Curve(::rncf::emitted::Curve::through(&[{}]))",
-                    points.join(", ")
+                    "::rncf::emitted::Line::Curve({}.curve({columns:?}, &{:?}))",
+                    self.model.tables[table.0].reference(),
+                    body.space.axes()
                 )
             }
             Line::Path { range: [from, to], .. } => {

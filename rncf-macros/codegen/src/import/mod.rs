@@ -12,12 +12,31 @@ mod sparse;
 pub use archive::checksum;
 pub use sparse::Sparse;
 
+use std::io::ErrorKind;
+use std::path::Path;
+
 /// Degrees of freedom of a node with translations alone, and with rotations.
 pub const TRANSLATIONS: usize = 3;
 /// See [`TRANSLATIONS`].
 pub const FULL_NODE: usize = 6;
 /// Relative difference of two entries that count as equal in a symmetric matrix.
 const SYMMETRIC: f64 = 1e-8;
+
+/// All bytes of a file; `start` says where paths begin.
+///
+/// # Errors
+/// Why it cannot be read and what to do, as the end of a sentence.
+pub fn bytes(path: &Path, start: &str) -> Result<Vec<u8>, String> {
+    std::fs::read(path).map_err(|error| {
+        let cure = match error.kind() {
+            ErrorKind::NotFound => format!("a path begins {start}"),
+            ErrorKind::IsADirectory => "give the path of a file in it".into(),
+            ErrorKind::PermissionDenied => "give the user of this program the right to read it".into(),
+            _ => return error.to_string(),
+        };
+        format!("{error}; {cure}")
+    })
+}
 
 /// A file and what is in it.
 #[derive(Clone, Copy, Debug)]

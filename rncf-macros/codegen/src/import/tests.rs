@@ -169,12 +169,142 @@ fn rows_have_heads_lines_and_numbers() {
     let (line, name, cell) = (6, "k", "soft");
     assert_eq!(rows.columns(&[0, 3], number), Err(Mistake::Number { line, name, cell }));
     assert_eq!((rows.line(0), rows.line(1)), (4, 6));
-    let (line, cells, heads) = (2, 1, 2);
-    assert_eq!(Rows::read("x, y\n1\n"), Err(Mistake::Cells { line, cells, heads }));
+    let mistake = Mistake::Cells {
+        line: 2,
+        cells: 1,
+        heads: 2,
+        separator: ',',
+    };
+    assert_eq!(Rows::read("x, y\n1\n"), Err(mistake));
     assert_eq!(Rows::read("# nothing\n"), Err(Mistake::Empty));
     assert_eq!(in_order(&[0.0, 1.0, 1.0, 2.0], false), Ok(()));
     assert_eq!(in_order(&[0.0, 1.0, 1.0, 2.0], true), Err(Disorder::Order(2)));
     assert_eq!(in_order(&[0.0, 1.0, 1.0, 1.0, 2.0], false), Err(Disorder::Order(3)));
     assert_eq!(in_order(&[0.0, 1.0, 1.0], false), Err(Disorder::StepAtEnd));
     assert_eq!(in_order(&[0.0], false), Err(Disorder::TooFew));
+}
+
+/// What programs write that is a table all the same.
+#[test]
+fn odd_texts_are_the_same_table() {
+    use super::rows::Rows;
+    let texts = [
+        "x [m], EI\n0, 1.5\n2, -3e5\n",
+        // A byte order mark, and no end of the last line.
+        "\u{feff}x [m], EI\n0, 1.5\n2, -3e5",
+        "x [m], EI\r\n0, 1.5\r\n2, -3e5\r\n",
+        "x [m], EI\r0, 1.5\r2, -3e5\r",
+        "x [m]; EI\n0; 1.5\n2; -3e5\n",
+        "x [m]\tEI\n0\t1.5\n2\t-3E5\n",
+        "\"x [m]\",\"EI\"\n\"0\",\"1.5\"\n\"2\", \"-3e5\"\n",
+        "# by hand\n\n  \nx[m],EI[-]\n# the root\n0,+1.50\n\n2,-3.e+5\n\n",
+        // A spreadsheet with empty cells.
+        "x [m],EI,,\n0,1.5,,\n,,,\n2,-3e5,\n",
+        "x [m]\tEI\t\n0\t1.5\t\n2\t-3e5\t\n",
+        // Text with the separator and with quotation marks, in a column that nothing reads.
+        "x [m], _by, EI\n0, \"hand, \"\"once\"\", twice\", 1.5\n2, 5\" pipe, -3e5\n",
+    ];
+    for text in texts {
+        let rows = Rows::read(text).unwrap_or_else(|mistake| panic!("{text:?}: {mistake}"));
+        let place = rows.heads.iter().position(|head| head.name == "EI").unwrap();
+        let values = rows.columns(&[0, place], |_, cell| cell.parse().ok());
+        assert_eq!(values.unwrap(), [[0.0, 2.0], [1.5, -3e5]], "{text:?}");
+        assert_eq!((rows.heads[0].name, rows.heads[0].unit), ("x", "m"), "{text:?}");
+    }
+}
+
+#[test]
+fn texts_that_are_no_table_are_told_with_line_and_cure() {
+    use super::rows::Rows;
+    let cases = [
+        ("", "it is empty; its first line names the columns"),
+        ("\u{feff}\r\n# x, EI\r\n", "it is empty"),
+        (
+            "0, 1\n1, 2\n",
+            "line 1: `0` is no name of a column; the first line that is no comment",
+        ),
+        ("# x [m], EI\n0, 1\n", "line 2: `0` is no name of a column"),
+        (",x, EI\n0,0,1\n", "line 1: column 1 has no name; take it out"),
+        (",,\n0,0\n", "line 1: column 1 has no name"),
+        ("x (m), EI\n", "line 1: `x (m)` is no name with a unit"),
+        (
+            "x [m] EI [N]\n0 1\n",
+            "line 1: `x [m] EI [N]` is no name with a unit, `EI [N*m^2]`; between columns stand",
+        ),
+        ("x EI\n0 1\n", "line 1: `x EI` is no name with a unit"),
+        ("x [m, EI\n", "line 1: `x [m` is no name with a unit"),
+        ("[m], EI\n", "line 1: `[m]` is no name with a unit"),
+        ("x, EI\n0, \"1\n", "line 2: a quotation mark is not closed"),
+        ("x, EI\n0\n", "line 2 has 1 cells, and the header 2 columns"),
+        (
+            "x, EI\n0, 1, 2\n",
+            "line 2 has 3 cells, and the header 2 columns; give each column its cell, with commas",
+        ),
+        (
+            "x, EI\n\n0,5, 1,5\n",
+            "line 3 has 4 cells, and the header 2 columns; give each column its cell, with commas between them and points in decimals",
+        ),
+        (
+            "x; EI\n0, 1\n",
+            "line 2 has 1 cells, and the header 2 columns; give each column its cell, with semicolons",
+        ),
+        (
+            "x; EI\n0; 1,5\n",
+            "line 2: `1,5` in column `EI` is no finite number; decimals have a point",
+        ),
+        (
+            "x\tEI\n0\t1,5e3\n",
+            "`1,5e3` in column `EI` is no finite number; decimals have a point",
+        ),
+        (
+            "x, EI\n0, 1.5D+05\n",
+            "`1.5D+05` in column `EI` is no finite number; an exponent is written with `e`",
+        ),
+        ("x, EI\n0, \u{2212}1.5\n", "is no finite number; its sign is no `-`"),
+        (
+            "x, EI\n0, 1 # root\n",
+            "`1 # root` in column `EI` is no finite number; a comment has a line of its own",
+        ),
+        (
+            "x, EI\n0, 1 kN\n",
+            "`1 kN` in column `EI` is no finite number; units stand in the header",
+        ),
+        ("x, EI\n0, NaN\n", "line 2: `NaN` in column `EI` is no finite number"),
+        (
+            "x, EI\n0, 1\n1, -inf\n",
+            "line 3: `-inf` in column `EI` is no finite number",
+        ),
+        (
+            "x, EI\n0, \n",
+            "line 2: there is nothing in column `EI`; give every row its number",
+        ),
+        (
+            "x, EI\n0, 1e400\n",
+            "`1e400` in column `EI` is no finite number; it is too large or too small",
+        ),
+        (
+            "x, EI\n0, 1e-400\n",
+            "`1e-400` in column `EI` is no finite number; it is too large or too small",
+        ),
+        ("x, EI\n0, 1_000\n", "`1_000` in column `EI` is no finite number"),
+        ("x, EI\n0, .\n", "`.` in column `EI` is no finite number"),
+        ("x, EI\n0, 0x10\n", "`0x10` in column `EI` is no finite number"),
+    ];
+    for (text, wanted) in cases {
+        let numbers = |rows: &Rows| {
+            rows.columns(&[0, 1], |_, cell| cell.parse().ok())
+                .map(drop)
+                .map_err(|mistake| mistake.to_string())
+        };
+        let found = match Rows::read(text) {
+            Ok(rows) => numbers(&rows),
+            Err(mistake) => Err(mistake.to_string()),
+        };
+        let told = found.expect_err(text);
+        assert!(told.contains(wanted), "{text:?}: {told}");
+    }
+    // Zero is a number, however it is written.
+    let rows = Rows::read("x, EI\n0e5, -0.00e-7\n").unwrap();
+    let zeros = rows.columns(&[0, 1], |_, cell| cell.parse().ok()).unwrap();
+    assert_eq!(zeros, [[0.0], [0.0]]);
 }

@@ -80,6 +80,12 @@ impl Table {
         format!("{}.at({column}, x, length)", self.reference())
     }
 
+    /// The points of three columns with coordinates.
+    pub fn points(&self, columns: [usize; 3]) -> Vec<[f64; 3]> {
+        let [x, y, z] = columns.map(|column| &self.columns[column].values);
+        (0..x.len()).map(|row| [x[row], y[row], z[row]]).collect()
+    }
+
     /// Whether its rows stand along an axis; else it is looked up.
     pub fn is_along(&self) -> bool {
         [[1, 0, 0, 0, 0, 0], [0; 6]].contains(&self.dimension)

@@ -72,6 +72,16 @@ impl BodySpec {
                 "body `{name}`: `section_y` {wanted:?} has no part across the axis at its start: give a direction that is not along it"
             )));
         }
+        // On a curve every section has this direction by itself.
+        if let (Some(wanted), Line::Curve(_)) = (self.section_y, &self.line) {
+            let mut places = (0..=self.count).map(|node| self.fraction(node, 0));
+            if let Some(u) = places.find(|&u| self.across(self.line.at(u).1).is_none()) {
+                return Err(ModelError::new(format!(
+                    "body `{name}`: `section_y` {wanted:?} has no part across the axis at x = {:.6} m: give a direction that is nowhere along it",
+                    u * self.line.length()
+                )));
+            }
+        }
         let twists = (0..=self.count).map(|node| self.twist.at(self.fraction(node, 0)));
         if let Some(twist) = twists.into_iter().find(|twist| !twist.is_finite()) {
             return Err(ModelError::new(format!(
