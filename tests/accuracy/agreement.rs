@@ -1,7 +1,9 @@
 //! What judged runs say of their own errors, against closed forms: the warnings where they are large, and the line that tells how small they are.
 
 use rncf::AnyModel;
-use rncf::app::{Equilibria, EquilibriumSettings, Judging, Range, RunResult, RunSettings, run, static_equilibria};
+use rncf::app::{
+    Equilibria, EquilibriumSettings, Judging, Range, RunResult, RunSettings, modes, run, static_equilibria,
+};
 use rncf::prelude::*;
 
 rncf::model! {
