@@ -2,6 +2,7 @@ mod along;
 mod density;
 mod distributed;
 mod elements;
+mod first;
 mod free;
 mod influence;
 mod joints;
