@@ -9,9 +9,9 @@
 //! matrix converges fast. Where a change is far below the tolerance of a step, as with few constraints
 //! on a large system, its direction may be that of an earlier mass: neither mass nor solution is needed.
 
-use super::Statistics;
 use super::anderson::Acceleration;
-use super::newton::norm as weighted_norm;
+use super::norms::norm as weighted_norm;
+use super::statistics::Statistics;
 use crate::linalg::{Dense, Pattern, Saddle, Singular};
 use crate::system::{ConstraintLevel, State, System};
 

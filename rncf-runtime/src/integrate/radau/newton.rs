@@ -4,12 +4,12 @@ use super::coefficients::Coefficients;
 use super::matrices::Matrices;
 use super::stages::Stages;
 use crate::archive::{Archive, Keep};
-use crate::integrate::Statistics;
 use crate::integrate::anderson::Acceleration;
 use crate::integrate::bordered::add;
 use crate::integrate::lasting::Lasting;
-use crate::integrate::newton::norm;
 use crate::integrate::noise::{self, BEARABLE};
+use crate::integrate::norms::norm;
+use crate::integrate::statistics::Statistics;
 use crate::system::{ConstraintLevel, State, System};
 
 /// Most iterations of a step whose size is free.
