@@ -6,12 +6,13 @@ use std::ops::ControlFlow;
 use super::cautions;
 use super::clock::{Clock, Seconds};
 use super::coarse;
-use super::continuation::{EquilibriumProgress, EquilibriumSettings, Line};
+use super::continuation::{EquilibriumProgress, Line};
 use super::csv::{cell, push_number};
 use super::history::Column;
 use super::modes::{Inertial, SeenMode};
 use super::run_error::{Incomplete, RunError};
 use super::tracker::Tracker;
+use super::way::EquilibriumSettings;
 use crate::AnyModel;
 use crate::equilibrium::{self, Kind};
 use crate::model::{DescribedBody, MassProperties};
@@ -215,8 +216,8 @@ pub fn campbell_watched(
 mod tests {
     use super::*;
     use crate::app::command::Frequency;
-    use crate::app::continuation::Range;
     use crate::app::testing::Rotor;
+    use crate::app::way::Range;
     use crate::modes::Whirl;
 
     #[test]

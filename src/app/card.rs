@@ -5,7 +5,6 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 
-use super::continuation::{EquilibriumSettings, at_the_end};
 use super::mass_table;
 use super::modes::{first, growth};
 use super::parameters::digits;
@@ -13,6 +12,7 @@ use super::report::escape;
 use super::run::{RunResult, times};
 use super::steady::Equilibria;
 use super::summary::Summary;
+use super::way::{EquilibriumSettings, at_the_end};
 use crate::AnyModel;
 use crate::equilibrium::Kind;
 use crate::model::{DescribedBody, Fidelity};
@@ -263,7 +263,7 @@ mod tests {
     #[test]
     fn the_card_of_equilibria_is_about_the_last_of_them() {
         let settings = EquilibriumSettings {
-            range: Some(crate::app::continuation::Range {
+            range: Some(crate::app::way::Range {
                 param: 0,
                 from: 1.0,
                 to: 5.0,

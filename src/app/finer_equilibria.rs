@@ -5,12 +5,13 @@
 
 use super::agreement;
 use super::buckling::buckling;
-use super::continuation::{EquilibriumSettings, Line};
+use super::continuation::Line;
 use super::finer::{FINER, Judging, on_meshes};
 use super::finer_model::FinerModel;
 use super::history::{Column, History};
 use super::marks::{Marks, TOLD, percent, told};
 use super::parameters::digits;
+use super::way::EquilibriumSettings;
 use crate::AnyModel;
 use crate::equilibrium::Kind;
 use crate::modes::Critical;

@@ -4,12 +4,12 @@
 use super::cautions;
 use super::clock::{Clock, Seconds};
 use super::coarse;
-use super::continuation::{self, EquilibriumSettings};
 use super::finer::FINER;
 use super::finer_model::FinerModel;
 use super::finer_modes;
 use super::pictures::Shapes;
 use super::run_error::RunError;
+use super::way::{self, EquilibriumSettings};
 use crate::equilibrium::{Kind, Uniform, follow};
 use crate::model::{DescribedBody, MassProperties};
 use crate::modes::{self, Composition, Mode, Wanted, Whirl};
@@ -190,7 +190,7 @@ pub(super) fn growth(modes: &[SeenMode]) -> Option<f64> {
 /// not found.
 pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Modes, RunError> {
     let clock = Clock::start();
-    let model = continuation::at_the_end(model, settings);
+    let model = way::at_the_end(model, settings);
     let About {
         mut scene,
         at,
@@ -216,7 +216,7 @@ pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Mod
     Ok(Modes {
         settings: *settings,
         t,
-        spin: continuation::spin(scene, &at),
+        spin: way::spin(scene, &at),
         is_round: is_round(&modes),
         margin: modes::stability_margin(&shapes),
         modes,
@@ -267,9 +267,9 @@ pub(super) fn first(
     model: &dyn AnyModel,
     settings: &EquilibriumSettings,
 ) -> Result<(f64, f64, Vec<SeenMode>), RunError> {
-    let model = continuation::at_the_end(model, settings);
+    let model = way::at_the_end(model, settings);
     let mut about = about(model.as_ref(), settings)?;
-    let spin = continuation::spin(about.scene.as_mut(), &about.at);
+    let spin = way::spin(about.scene.as_mut(), &about.at);
     Ok((about.at.t, spin, about.modes))
 }
 
@@ -285,7 +285,7 @@ struct About {
 
 /// The modes of a model about its relative equilibrium.
 fn about(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<About, RunError> {
-    let t = continuation::time(model, settings).map_err(RunError::Settings)?;
+    let t = way::time(model, settings).map_err(RunError::Settings)?;
     let mut scene = model
         .build(Formulation::Rncf, Joints::Eliminated)
         .map_err(RunError::Model)?;

@@ -433,8 +433,8 @@ pub(super) fn times(settings: &RunSettings) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::continuation::EquilibriumSettings;
     use crate::app::testing::Rotor;
+    use crate::app::way::EquilibriumSettings;
 
     const METHODS: [Method; 3] = [
         Method::Hht { alpha: -0.05 },

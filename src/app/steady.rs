@@ -7,7 +7,7 @@ use super::buckling::buckling;
 use super::cautions;
 use super::clock::{Clock, Seconds};
 use super::coarse;
-use super::continuation::{EquilibriumProgress, EquilibriumSettings, Line, Station};
+use super::continuation::{EquilibriumProgress, Line, Station};
 use super::envelopes::Envelopes;
 use super::finer::Judging;
 use super::finer_equilibria;
@@ -16,6 +16,7 @@ use super::marks::round_off;
 use super::modes::{SeenMode, growth};
 use super::parameters::digits;
 use super::run_error::{Incomplete, RunError};
+use super::way::{EquilibriumSettings, at_the_end};
 use crate::equilibrium::{self, Kind};
 use crate::model::{DescribedBody, FrameState, MassProperties};
 use crate::modes::{self, Critical};
@@ -157,7 +158,7 @@ pub fn equilibria(
     if kind == Kind::Static && incomplete.is_none() && unstable.is_none() {
         unstable = flutter(&mut station, settings.count);
     }
-    let cautions = super::continuation::at_the_end(model, settings).cautions(0.0);
+    let cautions = at_the_end(model, settings).cautions(0.0);
     let mut warnings = cautions::sentences(model, &cautions);
     warnings.extend(cautions::texts(station.scene.warnings(station.state)));
     warnings.extend(equilibrium::untied(station.scene, &station.at, station.state));
@@ -259,9 +260,9 @@ fn frame_state_of(mut scene: Box<dyn Scene>, t: f64) -> Result<FrameState, RunEr
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::continuation::Range;
     use crate::app::run::{RunSettings, run};
     use crate::app::testing::Rotor;
+    use crate::app::way::Range;
     use crate::{Options, Start};
 
     #[test]

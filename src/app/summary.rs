@@ -4,13 +4,13 @@ use serde_json::{Map, Value, json};
 
 use super::campbell::Campbell;
 use super::clock::Seconds;
-use super::continuation::EquilibriumSettings;
 use super::date;
 use super::history::{Column, History};
 use super::modes::{Modes, SeenMode, growth};
 use super::parameters::in_unit;
 use super::run::{RunResult, RunSettings, times};
 use super::steady::Equilibria;
+use super::way::EquilibriumSettings;
 use super::{mass_table, section_table};
 use crate::equilibrium::Kind;
 use crate::hash::hash;

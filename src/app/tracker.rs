@@ -2,8 +2,9 @@
 //! with multiples of the spin.
 
 use super::campbell::{Campbell, Crossing};
-use super::continuation::{self, Found, Line, Measured};
+use super::continuation::{Found, Line, Measured};
 use super::modes::{Inertial, SeenMode, is_round};
+use super::way;
 use crate::equilibrium::{Continued, Uniform};
 use crate::modes::{self, Composition, Mode, Wanted, Whirl};
 use crate::{Scene, SolveError, State};
@@ -408,7 +409,7 @@ fn refined(
         let looked = Looked::at(scene.as_mut(), &at, &state, diagram.settings.count).ok()?;
         let followed = modes::followed(std::slice::from_ref(mode), &looked.modes, &looked.weights, 0.0);
         let (_, best) = followed.into_iter().next().flatten()?;
-        let spin = continuation::spin(scene.as_ref(), &at);
+        let spin = way::spin(scene.as_ref(), &at);
         let (im, whirl) = compared(SeenMode::of(scene.as_mut(), &at, &state, &best), spin);
         if whirl != crossing.whirl {
             return None;
@@ -443,7 +444,7 @@ fn measured(scene: &mut dyn Scene, at: &Uniform, state: &State, with_values: boo
     let is_large = state.x.len() > LARGEST;
     let mut values = Vec::new();
     if is_large || with_values {
-        let spin = continuation::spin(scene, at);
+        let spin = way::spin(scene, at);
         values = modes::stiffness_values(scene, at, state, NEXT_TO_ZERO, spin)?;
     }
     let negative = if is_large {

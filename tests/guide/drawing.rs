@@ -7,14 +7,16 @@ use rncf::model::{Configuration, Curve, Sign, SignKind, SignPlace};
 use rncf::nalgebra::Vector3;
 use rncf::{Scene, State};
 
+use crate::labels::{ABOVE_RIGHT, BELOW_LEFT, Point, RIGHT, Sheet, TEXT};
+
 type Vector = Vector3<f64>;
 
 /// Width of a picture; it is shown as a quarter of it. Whole units keep its text the same where a last digit is not.
 const WIDTH: f64 = 3840.0;
 /// Space around a drawing.
 const MARGIN: f64 = 330.0;
-/// Size of letters.
-const TEXT: u32 = 64;
+/// Where along a body its name may stand, as parts of it, the first one that has room.
+const ALONG: [f64; 7] = [0.5, 0.375, 0.625, 0.25, 0.75, 0.125, 0.875];
 /// Colours of bodies as they are, and as they begin; of joints and of loads.
 const LINE: &str = "#1F5FA8";
 const GREY: &str = "#9A9A9A";
@@ -233,9 +235,15 @@ impl<'p> Drawing<'p> {
             );
         };
         text(&mut svg, 320.0, 106.0, "start", "#333333", &self.heading);
-        let draw = |svg: &mut String, line: &[[f64; 2]], color: &str, dashes: &str, opacity: f64| {
+        let mut sheet = Sheet::new([WIDTH, height]);
+        sheet.text([320.0, 106.0], &self.heading);
+        // Names are written when all is drawn that they keep off.
+        let mut names: Vec<(&str, Vec<Point>, &[Point], &str)> = Vec::new();
+        let draw = |svg: &mut String, sheet: &mut Sheet, line: &[Point], color: &str, dashes: &str, opacity: f64| {
+            let line: Vec<Point> = line.iter().map(|&point| to_paper(point)).collect();
+            sheet.line(&line);
             let points: Vec<String> = (line.iter())
-                .map(|&point| to_paper(point).map(|value| value.to_string()).join(","))
+                .map(|point| point.map(|value| value.to_string()).join(","))
                 .collect();
             let _ = writeln!(
                 svg,
@@ -244,20 +252,20 @@ impl<'p> Drawing<'p> {
             );
         };
         for line in lines(first) {
-            draw(&mut svg, &line, GREY, " stroke-dasharray=\"30 24\"", 1.0);
+            draw(&mut svg, &mut sheet, &line, GREY, " stroke-dasharray=\"30 24\"", 1.0);
         }
         for (number, shot) in shots.iter().enumerate() {
             let opacity = 0.25 + 0.75 * (number + 1) as f64 / shots.len() as f64;
             for line in lines(shot) {
-                draw(&mut svg, &line, LINE, "", opacity);
+                draw(&mut svg, &mut sheet, &line, LINE, "", opacity);
             }
         }
         for (curve, line) in self.pictures.curves.iter().zip(lines(last)) {
             if curve.name.is_empty() || self.silent.contains(&curve.name) {
                 continue;
             }
-            let [x, y] = to_paper(line[line.len() / 2]);
-            text(&mut svg, x + 40.0, y - 36.0, "start", LINE, &curve.name);
+            let places = ALONG.map(|part| to_paper(along(&line, part)));
+            names.push((&curve.name, places.to_vec(), &ABOVE_RIGHT, LINE));
         }
         let mut written: Vec<(&str, [f64; 2])> = Vec::new();
         for sign in self.pictures.signs.iter().filter(|sign| sign.kind == SignKind::Joint) {
@@ -267,20 +275,11 @@ impl<'p> Drawing<'p> {
                 svg,
                 "<circle cx=\"{x}\" cy=\"{y}\" r=\"24\" fill=\"#FFFFFF\" stroke=\"{JOINT}\" stroke-width=\"9\"/>"
             );
-            // Names of joints at one place stand below each other, each of them once.
-            let near: Vec<&str> = (written.iter())
-                .filter(|(_, at)| (at[0] - x).hypot(at[1] - y) < 120.0)
-                .map(|(name, _)| *name)
-                .collect();
-            if !self.silent.contains(&sign.name) && !near.contains(&sign.name.as_str()) {
-                text(
-                    &mut svg,
-                    x - 40.0,
-                    y + 90.0 + 76.0 * near.len() as f64,
-                    "end",
-                    JOINT,
-                    &sign.name,
-                );
+            sheet.spot([x, y], 28.0);
+            // The name of several joints at one place is written once.
+            let near = (written.iter()).any(|(name, at)| *name == sign.name && (at[0] - x).hypot(at[1] - y) < 120.0);
+            if !self.silent.contains(&sign.name) && !near {
+                names.push((&sign.name, vec![[x, y]], &BELOW_LEFT, JOINT));
                 written.push((&sign.name, [x, y]));
             }
         }
@@ -303,18 +302,45 @@ impl<'p> Drawing<'p> {
                 corner(-30.0, 34.0),
                 corner(-30.0, -34.0)
             );
+            sheet.line(&[[x, y], [tip_x, tip_y]]);
+            sheet.spot([tip_x, tip_y], 50.0);
             if !self.silent.iter().any(|silent| silent == name) {
-                text(&mut svg, tip_x + 60.0, tip_y, "start", LOAD, name);
+                names.push((name, vec![[tip_x + 50.0 * cos, tip_y + 50.0 * sin]], &RIGHT, LOAD));
             }
+        }
+        for (name, places, sides, color) in names {
+            let placed = sheet.place(name, &places, sides);
+            assert!(
+                placed.covers == 0.0,
+                "{}: no room for `{name}`, make it silent",
+                self.heading
+            );
+            text(&mut svg, placed.at[0], placed.at[1], placed.anchor, color, name);
         }
         (svg, height.round())
     }
 }
 
+/// The point at a part of the way along a line, counted by its length.
+fn along(line: &[Point], part: f64) -> Point {
+    let lengths: Vec<f64> = line
+        .windows(2)
+        .map(|ends| (ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1]))
+        .collect();
+    let mut left = part * lengths.iter().sum::<f64>();
+    for (ends, length) in line.windows(2).zip(lengths) {
+        if left <= length && length > 0.0 {
+            return [0, 1].map(|axis| ends[0][axis] + left / length * (ends[1][axis] - ends[0][axis]));
+        }
+        left -= length;
+    }
+    line.last().copied().unwrap_or_default()
+}
+
 /// A drawing above its charts, as an SVG document; `title` is what it shows, for those who do not see it.
 ///
 /// # Panics
-/// A chart that cannot be drawn.
+/// A chart that cannot be drawn, or a name that would stand on a line or on another name.
 pub fn picture(drawing: Option<&Drawing<'_>>, figure: &Figure, title: &str) -> String {
     let charts = figure.to_svg(title).unwrap_or_else(|error| panic!("{title}: {error}"));
     let Some(drawing) = drawing else { return charts };

@@ -3,11 +3,27 @@
 use std::fs;
 use std::path::Path;
 
+use proc_macro2::TokenStream;
+
 use crate::elements::Library;
+use crate::errors::Mistake;
 use crate::expand;
 
 /// The command that refreshes `generated/`.
 pub const COMMAND: &str = "cargo run -p rncf-codegen --bin rncf-generate";
+
+/// What stands between the parentheses or braces of every `model!` in a text of Rust.
+///
+/// # Errors
+/// The text is no Rust.
+pub fn declarations(text: &str) -> syn::Result<Vec<TokenStream>> {
+    let is_model = |path: &syn::Path| path.segments.last().is_some_and(|segment| segment.ident == "model");
+    let declared = |item| match item {
+        syn::Item::Macro(item) if is_model(&item.mac.path) => Some(item.mac.tokens),
+        _ => None,
+    };
+    Ok(syn::parse_file(text)?.items.into_iter().filter_map(declared).collect())
+}
 
 /// Expands every model below `models`: file names and contents, in the order of the names.
 ///
@@ -25,25 +41,13 @@ pub fn generate(models: &Path) -> Result<Vec<(String, String)>, String> {
     for path in files {
         let text = fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
         let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        let file = syn::parse_file(&text).map_err(|error| format!("{}: {error}", path.display()))?;
         let mut expansion = String::new();
-        for item in file.items {
-            let syn::Item::Macro(item) = item else { continue };
-            if item
-                .mac
-                .path
-                .segments
-                .last()
-                .is_some_and(|segment| segment.ident == "model")
-            {
-                let text = expand::text_beside(item.mac.tokens, &Library::standard(), models.parent()).map_err(
-                    |mistakes| {
-                        let messages: Vec<String> = mistakes.iter().map(|mistake| mistake.message.clone()).collect();
-                        format!("{}: {}", path.display(), messages.join("; "))
-                    },
-                )?;
-                expansion += &text;
-            }
+        for tokens in declarations(&text).map_err(|error| format!("{}: {error}", path.display()))? {
+            let told = |mistakes: Vec<Mistake>| {
+                let messages: Vec<String> = mistakes.iter().map(|mistake| mistake.message.clone()).collect();
+                format!("{}: {}", path.display(), messages.join("; "))
+            };
+            expansion += &expand::text_beside(tokens, &Library::standard(), models.parent()).map_err(told)?;
         }
         if expansion.is_empty() {
             continue;

@@ -1,5 +1,7 @@
 //! 'Did you mean': the nearest valid word, or the list of all of them.
 
+mod elsewhere;
+
 /// Most valid words that are listed.
 const MOST_LISTED: usize = 40;
 
@@ -11,13 +13,22 @@ pub fn unknown<'a>(kind: &str, word: &str, valid: impl IntoIterator<Item = &'a s
     } else {
         format!("unknown {kind} `{word}`")
     };
-    let begun = begun(word, &valid);
-    match nearest(word, &valid) {
-        Some(near) => format!("{head}: did you mean `{near}`?"),
-        None if !begun.is_empty() => format!("{head}: did you mean {}?", list(&begun)),
-        None if valid.is_empty() => format!("{head}: the model declares none"),
-        None if valid.len() > MOST_LISTED => format!("{head}: use {}, ..", list(&valid[..MOST_LISTED])),
-        None => format!("{head}: use {}", list(&valid)),
+    let alike = alike(word, &valid);
+    match () {
+        () if !alike.is_empty() => format!("{head}: did you mean {}?", list(&alike)),
+        () if valid.is_empty() => format!("{head}: the model declares none"),
+        () if valid.len() > MOST_LISTED => format!("{head}: use {}, ..", list(&valid[..MOST_LISTED])),
+        () => format!("{head}: use {}", list(&valid)),
+    }
+}
+
+/// The valid words that may be meant: those that mean the same elsewhere, or the nearest one.
+pub fn alike<'a>(word: &str, valid: &[&'a str]) -> Vec<&'a str> {
+    let synonyms = elsewhere::synonyms(word, valid);
+    match nearest(word, valid) {
+        _ if !synonyms.is_empty() => synonyms,
+        Some(near) => vec![near],
+        None => begun(word, valid),
     }
 }
 
@@ -47,7 +58,9 @@ pub fn nearest<'a>(word: &str, valid: &[&'a str]) -> Option<&'a str> {
         .iter()
         .filter(|candidate| is_alike(candidate))
         .map(|candidate| (edits(word, candidate), *candidate))
-        .filter(|(edits, candidate)| *edits <= most && *edits < candidate.chars().count())
+        .filter(|(edits, candidate)| {
+            *edits <= most && (*edits < candidate.chars().count() || candidate.eq_ignore_ascii_case(word))
+        })
         .min_by_key(|(edits, _)| *edits)
         .map(|(_, candidate)| candidate)
 }
@@ -104,9 +117,14 @@ mod tests {
             unknown("field", "EI", ["EA", "EIy", "EIz"]),
             "unknown field `EI`: did you mean `EIy` or `EIz`?"
         );
+        assert_eq!(nearest("S", &["N", "s"]), Some("s"));
         for (word, valid) in [("phi", ["pi", "t"]), ("in", ["min", "m"]), ("i", ["pi", "t"])] {
             assert_eq!(nearest(word, &valid), None, "{word}");
         }
+        assert_eq!(
+            unknown("joint", "hinge", ["clamp", "pin", "revolute"]),
+            "unknown joint `hinge`: did you mean `revolute` or `pin`?"
+        );
         assert_eq!(nearest("xz", &["xy", "yz", "zx"]), Some("zx"));
     }
 }

@@ -17,17 +17,19 @@
 //! restart and step change are thereby one and the same. The stabilised index 2 (THEORY 7.4) has both
 //! positions and velocities on the constraints and no velocity bias.
 
-use super::Statistics;
 use super::bordered::{Bordered, Measure};
 use super::charts::Charts;
+use super::coefficients::Coefficients;
 use super::compensated::{self, Low};
 use super::control::{Controller, RETRY};
 use super::history::History;
 use super::lasting::Lasting;
 use super::levers::Levers;
-use super::newton::{self, Factors, Failure, Iterate, Newton, norm};
+use super::newton::{Failure, Iterate, Newton};
+use super::norms::{largest, norm, row};
 use super::options::{Options, StepSize};
 use super::scheme::{Cause, Outcome, Scheme};
+use super::statistics::Statistics;
 use crate::archive::{Archive, Keep};
 use crate::error::SolveErrorKind;
 use crate::linalg::Singular;
@@ -38,56 +40,6 @@ use crate::system::{State, System};
 const FIXED_STEP_RTOL: f64 = 1e-10;
 /// Difference step of the first jerk relative to the first step.
 const DIFFERENCE: f64 = 1e-3;
-
-/// Coefficients of a method of the family.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Coefficients {
-    pub(super) alpha_m: f64,
-    pub(super) alpha_f: f64,
-    pub(super) beta: f64,
-    pub(super) gamma: f64,
-}
-
-impl Coefficients {
-    /// HHT with dissipation `alpha` in [-1/3, 0].
-    pub(super) fn hht(alpha: f64) -> Self {
-        Self::averaging(0.0, -alpha)
-    }
-
-    /// Generalized-alpha with spectral radius `rho` at infinite frequency in [0, 1].
-    pub(super) fn generalized_alpha(rho: f64) -> Self {
-        Self::averaging((2.0 * rho - 1.0) / (rho + 1.0), rho / (rho + 1.0))
-    }
-
-    fn averaging(alpha_m: f64, alpha_f: f64) -> Self {
-        let gamma = 0.5 + alpha_f - alpha_m;
-        let beta = (gamma + 0.5) * (gamma + 0.5) / 4.0;
-        Self {
-            alpha_m,
-            alpha_f,
-            beta,
-            gamma,
-        }
-    }
-
-    /// `a_n` approximates the acceleration at `t_n + shift h`.
-    pub(super) fn shift(&self) -> f64 {
-        self.alpha_m - self.alpha_f
-    }
-
-    /// Constant of the local position error, and of the velocity bias.
-    fn kappa(&self) -> f64 {
-        self.beta + self.shift() / 2.0 - 1.0 / 6.0
-    }
-
-    fn factors(&self) -> Factors {
-        Factors {
-            gamma: self.gamma,
-            beta: self.beta,
-            mass: (1.0 - self.alpha_m) / (1.0 - self.alpha_f),
-        }
-    }
-}
 
 /// A method of the alpha family.
 pub(super) struct Alpha {
@@ -286,7 +238,7 @@ impl Alpha {
         loop {
             self.prepare(system, h, statistics)
                 .map_err(|singular| Cause::Singular {
-                    worst: newton::row(singular, self.a0.len()),
+                    worst: row(singular, self.a0.len()),
                 })?;
             self.predict(h);
             let (newton, trial) = (&mut self.newton, &mut self.trial);
@@ -464,7 +416,7 @@ impl Scheme for Alpha {
             };
         }
         if let Err(singular) = self.accept(system, h, statistics) {
-            let worst = newton::row(singular, self.a0.len());
+            let worst = row(singular, self.a0.len());
             return failed(&mut self.controller, Cause::Singular { worst });
         }
         let next = if self.fixed {
@@ -493,6 +445,6 @@ impl Scheme for Alpha {
 
     fn worst_error(&self) -> Option<usize> {
         // `work` holds the local error since the attempt failed its test.
-        newton::largest(&self.work, &self.inverse_weights)
+        largest(&self.work, &self.inverse_weights)
     }
 }

@@ -24,6 +24,8 @@ pub(super) struct Acceleration {
     differences: Vec<Difference>,
     /// Memory of differences that were dropped.
     spare: Vec<Difference>,
+    /// Weights of what is measured of an increment.
+    weights: Vec<f64>,
     /// The increment by weights.
     weighed: Vec<f64>,
 }
@@ -39,8 +41,9 @@ struct Difference {
 }
 
 impl Acceleration {
-    /// For increments of `size` numbers, of which the first `measured` have weights.
-    pub(super) fn new(size: usize, measured: usize) -> Self {
+    /// For increments of `size` numbers, of which the first ones have weights.
+    pub(super) fn new(size: usize, weights: Vec<f64>) -> Self {
+        let measured = weights.len();
         let difference = || Difference {
             moved: vec![0.0; size],
             weighed: vec![0.0; measured],
@@ -53,6 +56,7 @@ impl Acceleration {
             differences: Vec::with_capacity(DEPTH),
             spare: (0..DEPTH).map(|_| difference()).collect(),
             weighed: vec![0.0; measured],
+            weights,
         }
     }
 
@@ -63,14 +67,14 @@ impl Acceleration {
     }
 
     /// Takes the increment that the matrix gives, and replaces it, where that is wanted, by the accelerated one,
-    /// `f - sum gamma_j (dy_j + df_j)` with the least `f - sum gamma_j df_j`. What has no entry in `weights` follows without
+    /// `f - sum gamma_j (dy_j + df_j)` with the least `f - sum gamma_j df_j`. What has no weight follows without
     /// being measured.
-    pub(super) fn follow(&mut self, weights: &[f64], increment: &mut [f64], is_wanted: bool) {
-        dispatch(Arch::new(), Followed(self, weights, increment, is_wanted));
+    pub(super) fn follow(&mut self, increment: &mut [f64], is_wanted: bool) {
+        dispatch(Arch::new(), Followed(self, increment, is_wanted));
     }
 
     #[inline(always)]
-    fn note(&mut self, weights: &[f64], increment: &[f64]) {
+    fn note(&mut self, increment: &[f64]) {
         if self.differences.len() == DEPTH {
             self.spare.push(self.differences.remove(0));
             for difference in &mut self.differences {
@@ -83,7 +87,7 @@ impl Acceleration {
         for i in 0..n {
             moved[i] = increment[i] - given[i];
         }
-        for ((weighed, moved), weight) in new.weighed.iter_mut().zip(&*moved).zip(weights) {
+        for ((weighed, moved), weight) in new.weighed.iter_mut().zip(&*moved).zip(&self.weights) {
             *weighed = moved * weight;
         }
         for i in 0..n {
@@ -132,14 +136,14 @@ impl Acceleration {
     }
 
     #[inline(always)]
-    fn advance(&mut self, weights: &[f64], increment: &mut [f64], is_wanted: bool) {
+    fn advance(&mut self, increment: &mut [f64], is_wanted: bool) {
         if self.known {
-            self.note(weights, increment);
+            self.note(increment);
         }
         self.given.copy_from_slice(increment);
         self.known = true;
         if is_wanted {
-            let weighed = self.weighed.iter_mut().zip(weights).zip(&*increment);
+            let weighed = self.weighed.iter_mut().zip(&self.weights).zip(&*increment);
             weighed.for_each(|((weighed, weight), y)| *weighed = weight * y);
             let factors = self.factors();
             for (difference, factor) in self.differences.iter().zip(factors) {
@@ -151,14 +155,14 @@ impl Acceleration {
     }
 }
 
-struct Followed<'a>(&'a mut Acceleration, &'a [f64], &'a mut [f64], bool);
+struct Followed<'a>(&'a mut Acceleration, &'a mut [f64], bool);
 
 impl Vectorised for Followed<'_> {
     type Output = ();
 
     #[inline(always)]
     fn run<const F: bool>(self) {
-        self.0.advance(self.1, self.2, self.3);
+        self.0.advance(self.1, self.2);
     }
 }
 
@@ -176,17 +180,16 @@ mod tests {
             _ => 1e-3,
         };
         let size = 20;
-        let weights = vec![1.0; size - 1];
-        let (mut y, mut acceleration) = (vec![0.0; size], Acceleration::new(size, size - 1));
+        let (mut y, mut acceleration) = (vec![0.0; size], Acceleration::new(size, vec![1.0; size - 1]));
         for _ in 0..6 {
             let mut f: Vec<f64> = (0..size).map(|i| (factor(i) - 1.0) * (y[i] - 1.0)).collect();
-            acceleration.follow(&weights, &mut f, true);
+            acceleration.follow(&mut f, true);
             y.iter_mut().zip(&f).for_each(|(y, f)| *y += f);
         }
         assert!(y[..size - 1].iter().all(|y| (y - 1.0).abs() < 1e-9), "{y:?}");
         acceleration.restart();
         let mut f = vec![0.5; size];
-        acceleration.follow(&weights, &mut f, true);
+        acceleration.follow(&mut f, true);
         assert!(f.iter().all(|f| *f == 0.5), "nothing is known after a restart");
     }
 }

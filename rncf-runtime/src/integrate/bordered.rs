@@ -9,9 +9,9 @@
 //! matrix converges fast. Where a change is far below the tolerance of a step, as with few constraints
 //! on a large system, its direction may be that of an earlier mass: neither mass nor solution is needed.
 
-use super::Statistics;
 use super::anderson::Acceleration;
-use super::newton::norm as weighted_norm;
+use super::norms::norm as weighted_norm;
+use super::statistics::Statistics;
 use crate::linalg::{Dense, Pattern, Saddle, Singular};
 use crate::system::{ConstraintLevel, State, System};
 
@@ -51,7 +51,6 @@ pub(super) struct Bordered {
     rest: (Vec<f64>, Vec<f64>),
     work: Vec<f64>,
     acceleration: Acceleration,
-    inverse_sizes: Vec<f64>,
 }
 
 /// What weighs a change of the unknowns.
@@ -119,8 +118,7 @@ impl Bordered {
             given: (vec![0.0; n], vec![0.0; m]),
             rest: (vec![0.0; n], vec![0.0; m]),
             work: vec![0.0; m],
-            acceleration: Acceleration::new(n + m, n),
-            inverse_sizes: system.sizes().iter().map(|size| 1.0 / size).collect(),
+            acceleration: Acceleration::new(n + m, system.sizes().iter().map(|size| 1.0 / size).collect()),
             pattern,
             constraint_pattern,
         }
@@ -343,7 +341,7 @@ impl Bordered {
             statistics.solves += 1;
             self.saddle.solve(&mut self.rest.0, &mut self.rest.1);
             let mut change = [&self.rest.0[..], &self.rest.1].concat();
-            self.acceleration.follow(&self.inverse_sizes, &mut change, true);
+            self.acceleration.follow(&mut change, true);
             let correction = self.norm(&self.rest.0);
             add(dynamics, &change[..n]);
             add(constraints, &change[n..]);

@@ -4,9 +4,9 @@
 //! The correction is the smallest one relative to the sizes of the unknowns (Gauss-Newton with
 //! `[[1/size^2, C_x^T], [C_x, 0]]`); inertia has no say in where a body was meant to be.
 
-use super::Statistics;
 use super::bordered::{Bordered, add};
 use super::charts::Charts;
+use super::statistics::Statistics;
 use crate::linalg::Singular;
 use crate::system::{ConstraintLevel, State, System};
 

@@ -2,17 +2,25 @@
 //!
 //! It sees the system as `dyn`, so that it is compiled once, here, and not again for every model.
 
-use super::alpha::{Alpha, Coefficients};
+mod taken_up;
+
+use super::alpha::Alpha;
 use super::bordered::{Bordered, add};
+use super::coefficients::Coefficients;
+use super::diagnose;
 use super::energy::EnergyMomentum;
+use super::method::Method;
+use super::noise;
+use super::norms::row as row_of;
+use super::options::{Options, StepSize};
 use super::radau::Radau;
 use super::renewal::Renewal;
 use super::scheme::{Cause, Outcome, Scheme};
 use super::segments::Segments;
 use super::start::{self, describe};
+use super::statistics::Statistics;
 use super::switches::{Switches, first_that};
 use super::watch::{Trouble, Watch};
-use super::{Method, Options, Statistics, StepSize, Stop, diagnose, newton, noise};
 use crate::error::{SolveError, SolveErrorKind};
 use crate::linalg::Singular;
 use crate::system::{Branch, ConstraintLevel, State, System};
@@ -26,6 +34,17 @@ const AT_CEILING: f64 = 0.99;
 const LIGHT: u64 = 16;
 /// Where to look when a motion grows without end.
 const CAUSES: &str = "look for a damper or load with the wrong sign, or a load that is far too large";
+
+/// Why [`Integrator::step`](super::Integrator::step) came back.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stop {
+    /// One step was accepted.
+    Step,
+    /// A step was accepted that ends at a kink of a motion or load.
+    Kink,
+    /// The end time is reached.
+    End,
+}
 
 /// All that an integration knows besides the system.
 pub(super) struct Driver {
@@ -424,7 +443,7 @@ impl Driver {
 
 /// A singular matrix, with the row in the user's words.
 fn singular(system: &dyn System, t: f64, singular: Singular) -> SolveError {
-    let row = newton::row(singular, system.unknowns());
+    let row = row_of(singular, system.unknowns());
     error(system, SolveErrorKind::Singular, t, 0.0, row)
 }
 

@@ -17,14 +17,14 @@
 
 mod newton;
 
-use super::Statistics;
 use super::bordered::Bordered;
 use super::charts::Charts;
 use super::compensated::{self, Low};
 use super::control::{Controller, RETRY};
-use super::newton::{largest, norm, row};
+use super::norms::{largest, norm, row};
 use super::options::{Options, StepSize};
 use super::scheme::{Cause, Outcome, Scheme};
+use super::statistics::Statistics;
 use crate::archive::{Archive, Keep};
 use crate::error::SolveErrorKind;
 use crate::linalg::Singular;

@@ -18,7 +18,7 @@
 //! centre, the formulas are applied to the angular momentum H = R J w instead of w; `w_1 = J^-1 R_1^T H_1`. (With what deformations have of it
 //! to first order, the angular momentum of a bent rod on its chord was no better.)
 
-use super::alpha::Coefficients;
+use super::coefficients::Coefficients;
 use super::compensated::{self, Low};
 use crate::archive::{Archive, Keep};
 use crate::space::{Matrix, Vector, exp, from_rows, matrix, three, turned};

@@ -7,6 +7,7 @@ mod alpha;
 mod anderson;
 mod bordered;
 mod charts;
+mod coefficients;
 mod compensated;
 mod consistent;
 mod control;
@@ -14,12 +15,14 @@ mod dense;
 mod diagnose;
 mod driver;
 mod energy;
+mod experience;
 mod history;
 mod lasting;
 mod levers;
 mod method;
 mod newton;
 mod noise;
+mod norms;
 mod options;
 mod radau;
 mod renewal;
@@ -34,6 +37,7 @@ mod watch;
 #[cfg(test)]
 mod tests;
 
+pub use driver::Stop;
 pub use method::{Method, Parameter};
 pub use options::{Options, StepSize};
 pub use statistics::Statistics;
@@ -41,17 +45,6 @@ pub use statistics::Statistics;
 use crate::error::SolveError;
 use crate::system::{AsSystem, State};
 use driver::Driver;
-
-/// Why [`Integrator::step`] came back.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stop {
-    /// One step was accepted.
-    Step,
-    /// A step was accepted that ends at a kink of a motion or load.
-    Kink,
-    /// The end time is reached.
-    End,
-}
 
 /// Advances a system from a consistent initial state to an end time.
 pub struct Integrator<'s, S: AsSystem + ?Sized> {

@@ -10,16 +10,19 @@
 //! The stabilised index 2 (THEORY 7.4) completes every solution by its multipliers mu, see
 //! `stabiliser`.
 
-use super::Statistics;
 use super::charts::Charts;
+use super::coefficients::Factors;
 use super::compensated::{self, Low};
+use super::experience::Experience;
 use super::lasting::Lasting;
 use super::levers::Levers;
 use super::noise::{self, BEARABLE};
+use super::norms::{largest, norm, row};
 use super::scheme::Cause;
 use super::stabiliser::{Scales, Stabiliser};
+use super::statistics::Statistics;
 use crate::archive::{Archive, Keep};
-use crate::linalg::{Pattern, Saddle, Singular};
+use crate::linalg::{Pattern, Saddle};
 use crate::system::{ConstraintLevel, State, System, Tangent};
 
 /// Largest estimated error of a converged iterate, as a part of the error tolerance. What is left is a jump of the
@@ -40,10 +43,6 @@ const PATIENCE: f64 = 4.0;
 const DIVERGING: f64 = 0.9;
 /// Contraction above which the next step starts with a new matrix.
 const AGED: f64 = 0.3;
-/// Most steps in a row that may take one iteration and thus show no contraction.
-const BLIND: u32 = 4;
-/// Smallest contraction that is expected of a step before it is seen.
-const LEAST: f64 = 1e-3;
 /// Most iterations of one attempt.
 const ITERATIONS: u32 = 10;
 /// The factorization is kept while the step is within this ratio of the one it was made for.
@@ -52,17 +51,6 @@ const SAME_STEP: f64 = 1.2;
 const PATIENT_ITERATIONS: u32 = 40;
 /// Increments below this, relative to the sizes of the unknowns, are noise.
 const ROUND_OFF: f64 = 4.0 * f64::EPSILON;
-
-/// How the increments of velocity and accelerations follow from those of the position.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Factors {
-    /// dv = gamma / (beta h) dx.
-    pub(super) gamma: f64,
-    /// d(algorithmic acceleration) = dx / (beta h^2).
-    pub(super) beta: f64,
-    /// d(true acceleration) = mass * d(algorithmic acceleration); the factor of M in the matrix.
-    pub(super) mass: f64,
-}
 
 /// The end of a step: a predictor at first, converged in the end.
 pub(super) struct Iterate {
@@ -103,49 +91,6 @@ pub(super) struct Newton {
     experience: Experience,
     /// What is left of motions that last.
     lasting: Lasting,
-}
-
-/// Contraction seen with one factorization. As the solution moves away from where the matrix was
-/// made the contraction gets worse: what is expected grows by twice what was seen to come.
-struct Experience {
-    /// Seen last; 1 before anything is seen.
-    last: f64,
-    /// Change per step between the last two sightings.
-    drift: f64,
-    /// Steps since then.
-    unseen: u32,
-}
-
-impl Default for Experience {
-    fn default() -> Self {
-        Self {
-            last: 1.0,
-            drift: 1.0,
-            unseen: 0,
-        }
-    }
-}
-
-impl Experience {
-    /// Contraction to expect in the next step; 1 or more: none.
-    fn expected(&self) -> f64 {
-        if self.unseen >= BLIND {
-            return 1.0;
-        }
-        (self.last + 2.0 * self.drift * f64::from(self.unseen + 1)).max(LEAST)
-    }
-
-    /// Notes the contraction that a step has shown, if it took more than one iteration.
-    fn note(&mut self, seen: Option<f64>) {
-        match seen {
-            Some(contraction) => {
-                self.drift = (contraction - self.last).abs() / f64::from(self.unseen + 1);
-                self.last = contraction;
-                self.unseen = 0;
-            }
-            None => self.unseen += 1,
-        }
-    }
 }
 
 /// What became of an iteration.
@@ -572,34 +517,4 @@ fn scales(factors: Factors, h: f64) -> Scales {
         dynamics: factors.beta * h * h,
         velocity: factors.beta * h / factors.gamma,
     }
-}
-
-/// Row of a singularity: unknowns first, then constraints.
-pub(super) fn row(singular: Singular, unknowns: usize) -> Option<usize> {
-    match singular {
-        Singular::Unknown(index) => Some(index),
-        Singular::Constraint(index) => Some(unknowns + index),
-        Singular::Somewhere => None,
-    }
-}
-
-/// Index of the largest `|y_i * factor_i|`, the last of equal ones; `None` without unknowns.
-pub(super) fn largest(y: &[f64], factors: &[f64]) -> Option<usize> {
-    let size = |i: usize| (y[i] * factors[i]).abs();
-    (0..y.len()).max_by(|&i, &j| size(i).total_cmp(&size(j)))
-}
-
-/// Root of the mean square of `y_i * factor_i`; 0 without unknowns.
-pub(super) fn norm(y: &[f64], factors: &[f64]) -> f64 {
-    // In four lanes: one sum waits for the other.
-    let ((whole, rest), (factors, of_rest)) = (y.as_chunks::<4>(), factors.as_chunks::<4>());
-    let mut lanes = [0.0; 4];
-    for (y, factors) in whole.iter().zip(factors) {
-        for lane in 0..4 {
-            lanes[lane] += (y[lane] * factors[lane]).powi(2);
-        }
-    }
-    let rest: f64 = rest.iter().zip(of_rest).map(|(y, factor)| (y * factor).powi(2)).sum();
-    let sum = (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]) + rest;
-    (sum / y.len().max(1) as f64).sqrt()
 }

@@ -15,12 +15,12 @@ mod newton;
 mod stabilised;
 mod stages;
 
-use super::Statistics;
 use super::compensated::{self, Low};
 use super::control::Controller;
 use super::lasting::Lasting;
 use super::options::{Options, StepSize};
 use super::scheme::{Cause, Outcome, Scheme};
+use super::statistics::Statistics;
 use crate::archive::{Archive, Keep};
 use crate::error::SolveErrorKind;
 use crate::system::{State, System};
@@ -143,7 +143,7 @@ impl Radau {
                 }
                 // A shorter step has another middle, which may be where forces have values.
                 self.tangent = Age::Stale;
-                let worst = super::newton::row(singular, self.now.x.len());
+                let worst = super::norms::row(singular, self.now.x.len());
                 return Err(match self.matrices.is_finite() {
                     true => (0.5, Cause::Singular { worst }),
                     false => (0.25, Cause::NotFinite),

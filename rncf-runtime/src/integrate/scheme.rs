@@ -2,7 +2,7 @@
 //! The driver owns limits, kinks and the counts of accepted and rejected steps; a scheme owns its
 //! matrices, its error estimate and its proposal for the next step.
 
-use super::Statistics;
+use super::statistics::Statistics;
 use crate::archive::Keep;
 use crate::error::SolveErrorKind;
 use crate::system::{State, System};

@@ -14,8 +14,8 @@
 //! the number of constraints. W are the squared sizes of the unknowns, in place of 1, so that nothing
 //! depends on units: mu vanishes with the step in either case.
 
-use super::Statistics;
 use super::charts::Charts;
+use super::statistics::Statistics;
 use crate::linalg::{Dense, Pattern, Saddle, Singular};
 use crate::system::{ConstraintLevel, State, System};
 

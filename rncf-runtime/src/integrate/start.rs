@@ -2,10 +2,12 @@
 
 use super::bordered::Bordered;
 use super::consistent::{self, Inconsistent};
-use super::newton::norm;
+use super::diagnose;
+use super::method::Method;
+use super::norms::{norm, row as row_of};
+use super::options::{Options, StepSize};
 use super::segments::Segments;
-use super::{Method, Options, Statistics, StepSize};
-use super::{diagnose, newton};
+use super::statistics::Statistics;
 use crate::error::{SolveError, SolveErrorKind};
 use crate::linalg::Singular;
 use crate::system::{ConstraintLevel, State, System};
@@ -189,7 +191,7 @@ pub(super) fn prepare(
             (SolveErrorKind::Inconsistent(size), Some(worst))
         }
         Inconsistent::Singular(singular) => {
-            let row = newton::row(singular, system.unknowns());
+            let row = row_of(singular, system.unknowns());
             (SolveErrorKind::Singular, row.map(|row| describe(system, row)))
         }
     })?;

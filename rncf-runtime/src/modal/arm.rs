@@ -1,6 +1,6 @@
 //! A model for tests of modal scenes.
 
-use super::tests::{Cable, element_mass};
+use super::tests::cable::{Cable, element_mass};
 use crate::ModelError;
 use crate::emitted::*;
 use crate::model::{Formulation, Joints};

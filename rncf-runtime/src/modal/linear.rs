@@ -98,7 +98,7 @@ impl ModalBody {
 mod tests {
     use super::*;
     use crate::emitted::Fidelity;
-    use crate::modal::tests::cantilever;
+    use crate::modal::tests::cable::cantilever;
 
     /// A force F across the end of a cantilever: `w / L` of the elastica is 0.30174, 0.49346, 0.81061 at `F L^2 / EI = 1`, 2 and 10
     /// (Bisshopp and Drucker 1945), a third of this number where all is linear.

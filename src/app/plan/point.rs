@@ -8,7 +8,6 @@ use serde_json::{Map, Value, json};
 use super::Plan;
 use crate::AnyModel;
 use crate::app::command::Command;
-use crate::app::continuation::EquilibriumSettings;
 use crate::app::files;
 use crate::app::history::History;
 use crate::app::modes::modes;
@@ -18,6 +17,7 @@ use crate::app::run::{RunSettings, run_recorded};
 use crate::app::run_error::RunError;
 use crate::app::steady::equilibria;
 use crate::app::summary::{self, Summary};
+use crate::app::way::EquilibriumSettings;
 use crate::equilibrium::Kind;
 
 /// What a point computes, apart from the values of its parameters.

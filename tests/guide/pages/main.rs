@@ -8,6 +8,7 @@ mod first_rope;
 mod frames;
 mod imported;
 mod joints;
+mod labels;
 mod own_element;
 mod pages;
 mod python;

@@ -78,6 +78,14 @@ const OTHER_NAMES: [(&str, &str); 8] = [
     ("pow", "x^n"),
 ];
 
+/// What is said of a name, and where it is written like a unit how that is told from it.
+fn or_unit(message: String, name: &str) -> String {
+    match units::find(name) {
+        Some(_) => say::or_unit(&message, name),
+        None => message,
+    }
+}
+
 impl<'a> Check<'a> {
     /// Resolves an expression; `None` where something in it has been reported.
     pub(super) fn expr(&mut self, expr: &'a Expr, scope: Scope) -> Option<Typed> {
@@ -201,22 +209,23 @@ impl<'a> Check<'a> {
             Keyword::Const => self.constant(item, name),
             Keyword::Let => self.derived(item, name, scope),
             Keyword::Param if scope == Scope::Constant => {
-                self.errors.at(name.span, say::param_in_constant(text));
+                self.errors.at(name.span, or_unit(say::param_in_constant(text), text));
                 None
             }
             Keyword::Param => self.values.get(text).cloned().flatten(),
             Keyword::Motion => {
-                self.errors.at(name.span, say::motion_without_time(text));
+                self.errors.at(name.span, or_unit(say::motion_without_time(text), text));
                 None
             }
             _ if Self::is_broken(item) => None,
             keyword if scope >= Scope::Constraint && example(keyword).is_some() => {
                 let message = say::whole_thing(text, keyword.noun(), example(keyword).unwrap_or_default());
-                self.errors.at(name.span, message);
+                self.errors.at(name.span, or_unit(message, text));
                 None
             }
             keyword => {
-                self.errors.at(name.span, say::not_a_value(text, keyword.word()));
+                let message = say::not_a_value(text, keyword.word());
+                self.errors.at(name.span, or_unit(message, text));
                 None
             }
         }
@@ -372,11 +381,15 @@ impl<'a> Check<'a> {
             Function::Sqrt => (self.raised(first.dimension, half, call.area)?, Nature::default()),
             _ => {
                 let argument = &call.arguments[0].value;
+                let is_trigonometric = matches!(function, Function::Sin | Function::Cos | Function::Tan);
                 if !first.dimension.is_none() {
-                    self.errors.at(argument.area, say::function_of(name, &first.describe()));
+                    let message = match is_trigonometric && first.is_time() {
+                        true => say::function_of_time(name),
+                        false => say::function_of(name, &first.describe()),
+                    };
+                    self.errors.at(argument.area, message);
                     return None;
                 }
-                let is_trigonometric = matches!(function, Function::Sin | Function::Cos | Function::Tan);
                 if is_trigonometric && first.nature.counts_cycles() {
                     self.errors.at(argument.area, say::HERTZ);
                     return None;

@@ -50,6 +50,7 @@ mod section;
 mod share;
 mod sound_law;
 mod spinning;
+mod split_unit;
 mod spring;
 mod start;
 mod table;
@@ -354,10 +355,20 @@ impl<'a> Check<'a> {
             positional: Vec::new(),
             named: HashMap::new(),
         };
+        let mut is_surplus = false;
         for Argument { name, value } in &call.arguments {
             match name {
                 None if found.positional.len() < shape.positional => found.positional.push(value),
-                None => self.errors.at(value.area, say::surplus(&call.name.text, shape.usage)),
+                // The usage shows all of them at once.
+                None if is_surplus => {}
+                None => {
+                    is_surplus = true;
+                    let message = match shape.required.is_empty() {
+                        true => say::surplus(&call.name.text, shape.usage),
+                        false => say::without_name(&call.name.text, shape.usage),
+                    };
+                    self.errors.at(value.area, message);
+                }
                 Some(name) => {
                     let text = name.text.as_str();
                     if !shape.named.contains(&text) {

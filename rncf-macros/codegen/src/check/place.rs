@@ -2,9 +2,10 @@
 
 use super::balance::words as balance_words;
 use super::expr::Scope;
-use super::plane::normal;
+use super::plane::{AXES, normal};
 use super::quantity::Wanted;
 use super::repeat::place_of;
+use super::resultant::is_carried;
 use super::{Check, body, fold, say};
 use crate::errors::Area;
 use crate::joints::{Party, algebra};
@@ -270,14 +271,14 @@ impl<'a> Check<'a> {
                 return None;
             }
             (other, _) => {
-                self.errors.at(
-                    field.span,
-                    suggest::unknown(
-                        "place on a body",
-                        other,
-                        ["start", "end", "at"].into_iter().chain(balance_words()),
-                    ),
-                );
+                let message = match &base.kind {
+                    ExprKind::Name(body) if is_of_place(other) => say::of_place(other, &body.text),
+                    _ => {
+                        let known = ["start", "end", "at"].into_iter().chain(balance_words());
+                        suggest::unknown("place on a body", other, known)
+                    }
+                };
+                self.errors.at(field.span, message);
                 return None;
             }
         };
@@ -316,4 +317,9 @@ impl<'a> Check<'a> {
             self.errors.at(expr.area, say::beyond(&length));
         }
     }
+}
+
+/// Whether a word asks something of a place.
+fn is_of_place(word: &str) -> bool {
+    is_carried(word) || ["velocity", "position", "acceleration", "slope"].contains(&word) || AXES.contains(&word)
 }

@@ -4,7 +4,7 @@ use super::expr::Scope;
 use super::{Check, fold, say};
 use crate::errors::Area;
 use crate::model;
-use crate::parse::tree::{Expr, ExprKind};
+use crate::parse::tree::{Expr, ExprKind, ItemKind};
 use crate::units::Dimension;
 
 /// A resolved expression and what it is.
@@ -104,6 +104,11 @@ impl Typed {
     pub fn describe(&self) -> String {
         self.dimension.describe(self.nature.angle)
     }
+
+    /// Whether it is a time.
+    pub fn is_time(&self) -> bool {
+        self.dimension == Dimension::of([0, 0, 1, 0, 0, 0])
+    }
 }
 
 /// What a field asks for.
@@ -188,12 +193,28 @@ impl<'a> Check<'a> {
             return true;
         }
         let kind = dimension.describe(wanted.dimension[5] != 0);
-        let message = match bare_literal(expr) {
-            Some(text) => say::no_unit(wanted.what, &kind, &text, wanted.unit),
-            None => say::wrong_dimension(wanted.what, &kind, &typed.describe()),
+        let is_angle = dimension.is_none() && wanted.dimension[5] != 0;
+        let message = match (bare_literal(expr), self.bare_declaration(expr)) {
+            (Some(text), _) => say::no_unit(wanted.what, &kind, &text, wanted.unit),
+            (None, Some((name, text))) => say::bare_declaration(wanted.what, &kind, name, &text, wanted.unit),
+            _ if is_angle && typed.is_time() => say::angle_of_time(wanted.what, &kind),
+            _ => say::wrong_dimension(wanted.what, &kind, &typed.describe()),
         };
         self.errors.at(expr.area, message);
         false
+    }
+
+    /// The name of a param or constant that is declared as a number without unit, and this number.
+    fn bare_declaration<'b>(&self, expr: &'b Expr) -> Option<(&'b str, String)> {
+        let ExprKind::Name(name) = &expr.kind else {
+            return None;
+        };
+        let value = match &self.names.get(name.text.as_str())?.kind {
+            ItemKind::Param { count: false, value } => value.as_ref()?,
+            ItemKind::Const(value) => value,
+            _ => return None,
+        };
+        Some((&name.text, bare_literal(value)?))
     }
 
     /// An angle: a plain number that is written as an angle.

@@ -91,6 +91,11 @@ impl<'a> Check<'a> {
         indices.any(|index| index == text).then(|| say::index_outside(text))
     }
 
+    /// Whether a name is the index of the loop, or may be where that could not be read.
+    pub(super) fn is_perhaps_index(&self, text: &str) -> bool {
+        self.turn.is_some_and(|turn| turn.name.is_none_or(|name| name == text))
+    }
+
     /// Whether the index of the loop could not be read, so that unknown names are no news.
     pub(super) fn has_lost_index(&self) -> bool {
         self.turn.is_some_and(|turn| turn.name.is_none())

@@ -53,9 +53,11 @@ impl<'a> Check<'a> {
             return None;
         }
         let id = parent.as_ref().map_or(Some(INERTIAL), |parent| self.frame(parent));
+        let before = self.errors.len();
         let given = self.fields(fields, "`rigid`", FIELDS);
+        let is_whole = fields.complete && self.errors.len() == before;
         let part = self.own_part(item, fields, &given);
-        let motions = self.rigid_motions(name, &given);
+        let motions = self.rigid_motions(name, &given, is_whole);
         let moves = motions.and_then(|motions| self.free_moves(motions, &given));
         self.leave();
         let id = self
@@ -95,13 +97,17 @@ impl<'a> Check<'a> {
     }
 
     /// What a rigid body can do: without inertia and centre it is a point mass.
-    fn rigid_motions(&mut self, name: &str, given: &Given<'a>) -> Option<Motions> {
+    fn rigid_motions(&mut self, name: &str, given: &Given<'a>, is_whole: bool) -> Option<Motions> {
         let plane = match given.get("plane") {
             Some((_, plane)) => Some(self.plane_word(plane)?),
             None => None,
         };
         if given.contains_key("inertia") || given.contains_key("center") {
             return Some(plane.map_or(Motions::Spatial, |normal| Motions::Planar { normal }));
+        }
+        // What could not be read may be the inertia.
+        if !is_whole {
+            return None;
         }
         for word in ["axis", "angle", "angular_velocity", "speed"] {
             if let Some((area, _)) = given.get(word) {

@@ -131,6 +131,10 @@ impl<'a> Check<'a> {
         right: &'a Expr,
         scope: Scope,
     ) -> Option<Quantity> {
+        if let Some((area, message)) = self.split_unit(operator, left, right) {
+            self.errors.at(area, message);
+            return None;
+        }
         let (a, b) = (self.value(left, scope), self.value(right, scope));
         let is_sum = matches!(operator, Binary::Add | Binary::Subtract);
         match (a?, b?) {

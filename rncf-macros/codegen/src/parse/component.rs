@@ -39,6 +39,7 @@ pub fn component(cursor: &mut Cursor, doc: String, tree: &mut Tree, is_in_loop: 
     } else if tree.is_component {
         errors.at(keyword, say::COMPONENT_INSIDE);
     }
+    let word = cursor.word().map(ToString::to_string);
     let name = cursor.expect_name("the name of a component").and_then(|name| {
         item::check_name(&name)?;
         Ok(name)
@@ -47,6 +48,7 @@ pub fn component(cursor: &mut Cursor, doc: String, tree: &mut Tree, is_in_loop: 
         Ok(name) => name,
         Err(mistake) => {
             errors.push(mistake);
+            tree.lost.extend(word);
             return recover(cursor);
         }
     };
@@ -84,10 +86,12 @@ fn parameters(cursor: &mut Cursor, component: &mut Tree, errors: &mut Errors) {
     };
     let mut inner = Cursor::of(&group);
     while !inner.is_empty() {
+        let word = inner.word().map(ToString::to_string);
         match parameter(&mut inner) {
             Ok(parameter) => add(parameter, component, errors),
             Err(mistake) => {
                 errors.push(mistake);
+                component.lost.extend(word);
                 while !inner.is_empty() && !inner.is_punct(',') {
                     inner.next();
                 }

@@ -1,6 +1,6 @@
 //! A position in a list of tokens.
 
-use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
 
 use super::messages as say;
 use super::tree::Name;
@@ -109,6 +109,33 @@ impl Cursor {
         matches!(self.peek_second(), Some(TokenTree::Punct(punct)) if punct.as_char() == c)
     }
 
+    /// Whether the token after the next is in these brackets.
+    pub fn is_second_group(&self, delimiter: Delimiter) -> bool {
+        matches!(self.peek_second(), Some(TokenTree::Group(group)) if group.delimiter() == delimiter)
+    }
+
+    /// The word that stands after the next token.
+    pub fn second_word(&self) -> Option<String> {
+        match self.peek_second() {
+            Some(TokenTree::Ident(word)) => Some(word.to_string()),
+            _ => None,
+        }
+    }
+
+    /// Whether a word and a colon stand here, and no path of Rust.
+    pub fn is_named_by_colon(&self) -> bool {
+        let is_single = |punct: &Punct| punct.as_char() == ':' && punct.spacing() == Spacing::Alone;
+        self.word().is_some() && matches!(self.peek_second(), Some(TokenTree::Punct(punct)) if is_single(punct))
+    }
+
+    /// The number that stands after the next token.
+    pub fn second_literal(&self) -> Option<String> {
+        match self.peek_second() {
+            Some(TokenTree::Literal(literal)) => Some(literal.to_string()),
+            _ => None,
+        }
+    }
+
     /// Whether the token after the next is this word.
     pub fn is_second_word(&self, word: &str) -> bool {
         matches!(self.peek_second(), Some(TokenTree::Ident(ident)) if ident == word)
@@ -141,6 +168,14 @@ impl Cursor {
         let group = self.group(delimiter).cloned();
         self.at += usize::from(group.is_some());
         group
+    }
+
+    /// Past everything in the line in which `start` stands.
+    pub fn skip_line(&mut self, start: Span) {
+        let line = start.start().line;
+        while self.peek().is_some_and(|token| token.span().start().line == line) {
+            self.next();
+        }
     }
 
     /// What stands here, for messages.
@@ -204,7 +239,20 @@ impl Cursor {
         if is_new {
             return Err(Mistake::new(self.before(), say::missing_semicolon(&self.found())));
         }
+        self.no_decimal_comma()?;
         Err(self.expected("`;`"))
+    }
+
+    /// Refuses `1,5`, of which the first number has been read.
+    fn no_decimal_comma(&self) -> Parsed<()> {
+        let before = self.at.checked_sub(1).and_then(|at| self.tokens.get(at));
+        match (before, self.peek_second()) {
+            (Some(TokenTree::Literal(left)), Some(TokenTree::Literal(right))) if self.is_punct(',') => {
+                let message = say::decimal_comma(&left.to_string(), &right.to_string());
+                Err(Mistake::new(self.here(), message))
+            }
+            _ => Ok(()),
+        }
     }
 
     /// Any word; what it names is said in the message.

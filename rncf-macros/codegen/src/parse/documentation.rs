@@ -12,6 +12,11 @@ pub fn documentation(cursor: &mut Cursor, errors: &mut Errors) -> String {
     while cursor.is_punct('#') {
         let start = cursor.here();
         cursor.next();
+        if !cursor.is_punct('!') && cursor.group(Delimiter::Bracket).is_none() {
+            cursor.skip_line(start);
+            errors.at(start, say::COMMENT);
+            continue;
+        }
         let inner = cursor.eat_punct('!');
         let text = cursor
             .eat_group(Delimiter::Bracket)

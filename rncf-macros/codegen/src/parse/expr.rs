@@ -1,6 +1,6 @@
 //! Expressions by precedence: sum < product < sign < power (right-associative) < member < primary.
 
-use proc_macro2::{Delimiter, Literal, TokenTree};
+use proc_macro2::{Delimiter, Group, Literal, TokenTree};
 
 use super::cursor::{Cursor, Parsed};
 use super::messages as say;
@@ -211,6 +211,9 @@ fn member(cursor: &mut Cursor, depth: usize) -> Parsed<Expr> {
         if !cursor.eat_punct('.') {
             break;
         }
+        if cursor.is_punct('.') {
+            return Err(Mistake::new(cursor.here(), say::RANGE_AS_VALUE));
+        }
         let field = cursor.expect_name("a word such as `end` or `x` after the dot")?;
         let arguments = match cursor.eat_group(Delimiter::Parenthesis) {
             Some(group) => Some(arguments(&mut Cursor::of(&group), depth + 1, &[3])?),
@@ -248,7 +251,16 @@ fn primary(cursor: &mut Cursor, depth: usize) -> Parsed<Expr> {
         cursor.next();
         return literal_with_unit(cursor, &literal);
     }
-    if let Some(group) = cursor.eat_group(Delimiter::Parenthesis) {
+    if cursor.is_punct('.')
+        && let Some(digits) = cursor.second_literal()
+    {
+        return Err(Mistake::new(start, say::bare_point(&digits)));
+    }
+    let group = cursor.eat_group(Delimiter::Parenthesis);
+    if group.as_ref().or(cursor.group(Delimiter::Brace)).is_some_and(is_list) {
+        return Err(Mistake::new(start, say::VECTOR_BRACKETS));
+    }
+    if let Some(group) = group {
         let mut inner = whole(&mut Cursor::of(&group), depth, "an expression in the parentheses")?;
         inner.area = group.span().into();
         return Ok(inner);
@@ -281,6 +293,12 @@ fn primary(cursor: &mut Cursor, depth: usize) -> Parsed<Expr> {
         return node(ExprKind::Call(call), cursor.since(start), height);
     }
     node(ExprKind::Name(name), start.into(), 1)
+}
+
+/// Whether there are commas in it.
+fn is_list(group: &Group) -> bool {
+    let is_comma = |token: TokenTree| matches!(token, TokenTree::Punct(punct) if punct.as_char() == ',');
+    group.stream().into_iter().any(is_comma)
 }
 
 /// What stands behind the `=` of an argument, up to the comma.
@@ -318,7 +336,14 @@ fn literal_with_unit(cursor: &mut Cursor, literal: &Literal) -> Parsed<Expr> {
         if cursor.is_punct('^') {
             return Err(Mistake::new(cursor.since(start), say::unit_power(&text, &unit.text)));
         }
+        if cursor.is_punct('.')
+            && let Some(next) = cursor.second_word()
+        {
+            return Err(Mistake::new(cursor.since(start), say::unit_point(&unit.text, &next)));
+        }
         Some(unit)
+    } else if cursor.is_word("in") {
+        return Err(Mistake::new(cursor.here(), say::INCH));
     } else {
         None
     };
@@ -328,6 +353,9 @@ fn literal_with_unit(cursor: &mut Cursor, literal: &Literal) -> Parsed<Expr> {
 /// Text of a decimal literal.
 fn number(literal: &Literal) -> Parsed<String> {
     let text = literal.to_string();
+    if text.starts_with(['"', '\'']) {
+        return Err(Mistake::new(literal.span(), say::QUOTES));
+    }
     let at = text.find(|c: char| !(c.is_ascii_digit() || c == '_' || c == '.'));
     let (digits, rest) = text.split_at(at.unwrap_or(text.len()));
     let exponent = rest
@@ -362,7 +390,7 @@ pub fn inertia(cursor: &mut Cursor) -> Parsed<Expr> {
     }
 }
 
-fn vector(cursor: &mut Cursor, group: &proc_macro2::Group, depth: usize) -> Parsed<Expr> {
+fn vector(cursor: &mut Cursor, group: &Group, depth: usize) -> Parsed<Expr> {
     components(cursor, group, depth, &[3])
 }
 
@@ -387,7 +415,7 @@ pub fn one(cursor: &Cursor) -> Expr {
 }
 
 /// Components of one of these numbers, of any where there are none, and their unit.
-fn components(cursor: &mut Cursor, group: &proc_macro2::Group, depth: usize, counts: &[usize]) -> Parsed<Expr> {
+fn components(cursor: &mut Cursor, group: &Group, depth: usize, counts: &[usize]) -> Parsed<Expr> {
     let mut inner = Cursor::of(group);
     let mut components = Vec::new();
     while !inner.is_empty() {
@@ -441,6 +469,10 @@ pub(super) fn arguments(cursor: &mut Cursor, depth: usize, counts: &[usize]) -> 
     let mut arguments = Vec::new();
     while !cursor.is_empty() {
         let is_named = cursor.word().is_some() && cursor.is_second_punct('=');
+        if cursor.is_named_by_colon() {
+            let name = cursor.expect_name("a name")?;
+            return Err(Mistake::new(cursor.here(), say::named_by_colon(&name.text)));
+        }
         let name = if is_named {
             Some(cursor.expect_name("a name")?)
         } else {
@@ -479,6 +511,9 @@ fn conditional(cursor: &mut Cursor, depth: usize) -> Parsed<Expr> {
         return Err(Mistake::new(start, say::TOO_DEEP));
     }
     cursor.expect_word("if")?;
+    if cursor.group(Delimiter::Parenthesis).is_some() && cursor.is_second_group(Delimiter::Brace) {
+        return Err(Mistake::new(cursor.here(), say::IF_PARENTHESES));
+    }
     let left = nested(cursor, depth + 1)?;
     let comparison = comparison(cursor)?;
     let right = nested(cursor, depth + 1)?;

@@ -10,6 +10,7 @@ use super::statement::statements;
 use super::tree::{Caution, Field, Fields, Item, ItemKind, Keyword, Name, Tree};
 use super::{ascii, element, expr, table, unit};
 use crate::errors::{Area, Errors, Mistake};
+use crate::{suggest, units};
 
 /// All items of a model, or of a loop.
 pub fn items(cursor: &mut Cursor, tree: &mut Tree, repeat: Option<usize>, errors: &mut Errors) {
@@ -90,8 +91,21 @@ fn item_name(cursor: &mut Cursor, keyword: Keyword) -> Parsed<Name> {
         return Err(Mistake::new(cursor.before(), say::missing_name(keyword.word())));
     }
     let name = cursor.expect_name(&format!("a name after `{}`", keyword.word()))?;
+    let is_value = cursor.group(Delimiter::Parenthesis).is_some() || cursor.is_punct('.');
+    if is_value && is_assigned(keyword) {
+        return Err(Mistake::new(name.span, say::unnamed(keyword.word(), &name.text)));
+    }
     check_name(&name)?;
     Ok(name)
+}
+
+/// Whether the item is a name, `=` and what it is.
+fn is_assigned(keyword: Keyword) -> bool {
+    use Keyword::{Const, Constraint, Frame, Joint, Let, Load, Output, Param, Part, Section, Spring, Start};
+    matches!(
+        keyword,
+        Const | Constraint | Frame | Joint | Let | Load | Output | Param | Part | Section | Spring | Start
+    )
 }
 
 /// Refuses names that cannot be Rust identifiers or have a meaning of their own.
@@ -117,7 +131,7 @@ fn item(cursor: &mut Cursor, doc: String, keyword: Keyword, name: Name, errors: 
             recover(cursor);
             ItemKind::Broken
         }),
-        Keyword::Param => param(cursor, errors),
+        Keyword::Param => param(cursor, &name, errors),
         _ => content(cursor, keyword, errors).unwrap_or_else(|mistake| {
             errors.push(mistake);
             recover(cursor);
@@ -137,9 +151,9 @@ fn item(cursor: &mut Cursor, doc: String, keyword: Keyword, name: Name, errors: 
 }
 
 /// A parameter keeps its kind even where its value is unreadable: the struct keeps its field.
-fn param(cursor: &mut Cursor, errors: &mut Errors) -> ItemKind {
+fn param(cursor: &mut Cursor, name: &Name, errors: &mut Errors) -> ItemKind {
     let mut count = false;
-    let value = param_value(cursor, &mut count).unwrap_or_else(|mistake| {
+    let value = param_value(cursor, name, &mut count).unwrap_or_else(|mistake| {
         errors.push(mistake);
         recover(cursor);
         None
@@ -147,15 +161,19 @@ fn param(cursor: &mut Cursor, errors: &mut Errors) -> ItemKind {
     ItemKind::Param { count, value }
 }
 
-fn param_value(cursor: &mut Cursor, count: &mut bool) -> Parsed<Option<super::tree::Expr>> {
+fn param_value(cursor: &mut Cursor, name: &Name, count: &mut bool) -> Parsed<Option<super::tree::Expr>> {
     if cursor.eat_punct(':') {
-        let kind = cursor.expect_name("`count` or `table`")?;
-        if kind.text != "count" {
-            return Err(Mistake::new(
-                kind.span,
-                say::unknown("kind of parameter", &kind.text, ["count", "table"]),
-            ));
+        let Some(kind) = cursor.word().map(ToString::to_string) else {
+            return Err(Mistake::new(cursor.here(), say::quantity_kind(&name.text)));
+        };
+        if kind != "count" {
+            let message = match suggest::alike(&kind, &["count", "table"]).is_empty() {
+                true => say::quantity_kind(&name.text),
+                false => say::unknown("kind of parameter", &kind, ["count", "table"]),
+            };
+            return Err(Mistake::new(cursor.here(), message));
         }
+        cursor.next();
         *count = true;
     }
     assignment(cursor).map(Some)
@@ -177,8 +195,10 @@ fn content(cursor: &mut Cursor, keyword: Keyword, errors: &mut Errors) -> Parsed
         Keyword::Let => ItemKind::Let(assignment(cursor)?),
         Keyword::Output => {
             let unit = cursor.eat_punct(':').then(|| unit::compound(cursor)).transpose()?;
-            let value = assignment(cursor)?;
-            ItemKind::Output { unit, value }
+            ItemKind::Output {
+                unit,
+                value: output(cursor)?,
+            }
         }
         Keyword::Element => element::element(cursor, errors)?,
         Keyword::Motion => {
@@ -188,10 +208,10 @@ fn content(cursor: &mut Cursor, keyword: Keyword, errors: &mut Errors) -> Parsed
         Keyword::Table if cursor.is_punct('=') => table::file_table(cursor, false)?,
         Keyword::Table => ItemKind::Table(table::columns(cursor, area, errors)?),
         Keyword::Material => ItemKind::Material(fields(cursor, area, errors)?),
-        Keyword::Section if cursor.is_punct('=') => {
+        Keyword::Section if cursor.is_punct('=') && !cursor.is_second_group(Delimiter::Brace) => {
             ItemKind::NamedSection(assigned_call(cursor, "`circle(..)`, `tube(..)` or `rectangle(..)`")?)
         }
-        Keyword::Section if cursor.group(Delimiter::Brace).is_none() => {
+        Keyword::Section if cursor.group(Delimiter::Brace).is_none() && !cursor.is_punct('=') => {
             return Err(cursor.expected("`{` and fields, or `=` and a shape such as `circle(radius = 5 mm)`"));
         }
         Keyword::Section => ItemKind::Section(fields(cursor, area, errors)?),
@@ -214,7 +234,9 @@ fn content(cursor: &mut Cursor, keyword: Keyword, errors: &mut Errors) -> Parsed
             fields: fields(cursor, area, errors)?,
         },
         Keyword::Fixture => {
-            cursor.expect_word("on")?;
+            if !cursor.eat_word("on") {
+                return Err(cursor.expected("`on` and a place, `fixture tip on beam.end { mass = 1 kg; }`"));
+            }
             let place = expr::expression(cursor)?;
             let fields = fields(cursor, area, errors)?;
             ItemKind::Fixture { place, fields }
@@ -222,7 +244,7 @@ fn content(cursor: &mut Cursor, keyword: Keyword, errors: &mut Errors) -> Parsed
         Keyword::Body => {
             let frame = in_frame(cursor)?;
             let Some(group) = cursor.eat_group(Delimiter::Brace) else {
-                return Err(cursor.expected("`{` and the statements of the body"));
+                return Err(cursor.expected("`{` and the statements of the body, or `in` and the name of its frame"));
             };
             let before = errors.len();
             let statements = statements(&mut Cursor::of(&group), errors);
@@ -233,6 +255,25 @@ fn content(cursor: &mut Cursor, keyword: Keyword, errors: &mut Errors) -> Parsed
             }
         }
     })
+}
+
+/// `= right ;` of an output, behind which no unit stands.
+fn output(cursor: &mut Cursor) -> Parsed<super::tree::Expr> {
+    cursor.expect_punct('=')?;
+    let value = expr::right_side(cursor)?;
+    let mark = cursor.mark();
+    let is_in = cursor.eat_word("in");
+    let unit = cursor.word().map(ToString::to_string);
+    match unit {
+        Some(unit) if units::find(&unit).is_some() => {
+            return Err(Mistake::new(cursor.here(), say::unit_of_output(&unit)));
+        }
+        Some(frame) if is_in => return Err(Mistake::new(cursor.here(), say::seen_in(&frame))),
+        _ => {}
+    }
+    cursor.reset(mark);
+    cursor.expect_end()?;
+    Ok(value)
 }
 
 /// `= "text" [on outputs] if left < right;`
@@ -287,7 +328,9 @@ fn in_frame(cursor: &mut Cursor) -> Parsed<Option<Name>> {
 }
 
 fn assigned_call(cursor: &mut Cursor, what: &str) -> Parsed<super::tree::Call> {
-    cursor.expect_punct('=')?;
+    if !cursor.eat_punct('=') {
+        return Err(cursor.expected(&format!("`=` and {what}")));
+    }
     let name = cursor.expect_name(what)?;
     let call = expr::call(cursor, name, 0)?;
     cursor.expect_end()?;
@@ -307,6 +350,9 @@ pub(super) fn fields_of(
     expected: &str,
     field: fn(&mut Cursor) -> Parsed<Field>,
 ) -> Parsed<Fields> {
+    if cursor.is_punct('=') && cursor.is_second_group(Delimiter::Brace) {
+        return Err(Mistake::new(cursor.here(), say::FIELDS_WITHOUT_EQUALS));
+    }
     let Some(group) = cursor.eat_group(Delimiter::Brace) else {
         return Err(cursor.expected(expected));
     };

@@ -9,6 +9,15 @@ pub const MISSING_ELSE: &str = "an `if` is a value and needs both cases: `if t <
 pub const NO_EQUALITY: &str =
     "values are compared with `<`, `<=`, `>` or `>=`: two real numbers are never safely equal";
 pub const TERNARY: &str = "a choice is written `if a < b { x } else { y }`";
+pub const COMMENT: &str = "a comment begins with `//`";
+pub const QUOTES: &str = "quotes have no meaning here: leave them out";
+pub const VECTOR_BRACKETS: &str = "a vector stands in square brackets: `[x, y, z]`";
+pub const IF_PARENTHESES: &str = "a condition stands without parentheses: `if a < b { x } else { y }`";
+pub const RANGE_AS_VALUE: &str = "a range is no value: it stands behind `in` of a loop, and on the command line";
+pub const FIELDS_WITHOUT_EQUALS: &str = "fields stand right behind the name: leave out `=`";
+pub const COUNT_BEHIND: &str =
+    "the number of elements stands in front of the element: `mesh 6 * cable(section, material);`";
+pub const INCH: &str = "an inch is written `inch`: `in` stands before frames and ranges";
 pub const NO_LOGIC: &str =
     "conditions are not combined: put one `if` into the other, `if a < b { if c < d { x } else { y } } else { y }`";
 pub const LONE_COMPARISON: &str = "a comparison stands behind `if`: write `if a < b { x } else { y }`";
@@ -49,6 +58,14 @@ messages! {
     expected(what, found) = "expected {what}, found {found}";
     missing_semicolon(found) = "missing `;` after this (next comes {found})";
     missing_name(keyword) = "`{keyword}` needs a name: `{keyword} name ..`";
+    unnamed(keyword, word) = "`{keyword}` needs a name in front of `{word}`: `{keyword} name = {word} ..;`";
+    quantity_kind(name) = "a quantity is written `param {name} = 2 m;`: only a whole number, `{name}: count`, and a table, `{name}: table`, have their kind in front";
+    named_by_colon(name) = "what an argument is stands behind `=`: `{name} = ..`";
+    decimal_comma(left, right) = "a decimal number is written with a point: `{left}.{right}`";
+    bare_point(digits) = "a number begins with a digit: `0.{digits}`";
+    unit_point(left, right) = "factors of a unit are joined by `*`: write `[{left}*{right}]`";
+    unit_of_output(unit) = "the unit that an output is told in stands behind its name: `output name: {unit} = ..;`";
+    seen_in(frame) = "the frame that an output is seen in stands behind the place: `.in({frame})`";
     after_model(found) = "one `model!` declares one model: nothing may follow its braces, found {found}";
     missing_space(number, unit) = "a space is missing between number and unit: `{number} {unit}`";
     no_equals(word) = "a statement of a body has no `=`: write the value right behind `{word}`";

@@ -1,10 +1,12 @@
 //! Statements of bodies.
 
+use proc_macro2::Delimiter;
+
 use super::cursor::{Cursor, Parsed};
 use super::documentation::documentation;
 use super::messages as say;
 use super::recover::recover_before;
-use super::tree::Statement;
+use super::tree::{ExprKind, Statement};
 use super::{expr, import};
 use crate::errors::{Area, Errors, Mistake};
 
@@ -52,6 +54,9 @@ pub(super) fn statements(cursor: &mut Cursor, errors: &mut Errors) -> Vec<Statem
 fn statement(cursor: &mut Cursor) -> Parsed<Statement> {
     let word = cursor.expect_name("a statement such as `line` or `mesh`")?;
     let area = Area::from(word.span);
+    if STATEMENTS.contains(&word.text.as_str()) && cursor.is_punct('=') {
+        return Err(Mistake::new(cursor.here(), say::no_equals(&word.text)));
+    }
     let statement = match word.text.as_str() {
         "planar" => {
             let plane = cursor.expect_name("a plane: `xy`, `yz` or `zx`")?;
@@ -73,7 +78,9 @@ fn statement(cursor: &mut Cursor) -> Parsed<Statement> {
             Statement::Fidelity { word, count }
         }
         "line" => {
-            cursor.expect_word("from")?;
+            if !cursor.eat_word("from") {
+                return Err(cursor.expected("`from`, `line from [0, 0, 0] m to [1, 0, 0] m;`"));
+            }
             let from = expr::expression(cursor)?;
             cursor.expect_word("to")?;
             let (mut corners, mut to) = (Vec::new(), expr::expression(cursor)?);
@@ -126,15 +133,9 @@ fn statement(cursor: &mut Cursor) -> Parsed<Statement> {
                 range: Box::new([from, expr::expression(cursor)?]),
             }
         }
-        "section_y" | "twist" if cursor.is_punct('=') => {
-            return Err(Mistake::new(cursor.here(), say::no_equals(&word.text)));
-        }
         "import" => import::files(cursor, area)?,
         "interface" => import::interface(cursor)?,
         "interface_modes" => Statement::InterfaceModes { word },
-        "damping" if cursor.is_punct('=') => {
-            return Err(Mistake::new(cursor.here(), say::no_equals(&word.text)));
-        }
         "damping" => Statement::Damping {
             area,
             value: expr::expression(cursor)?,
@@ -170,7 +171,14 @@ fn statement(cursor: &mut Cursor) -> Parsed<Statement> {
                 true => Some(expr::reference(cursor, "the name of a table")?),
                 false => None,
             };
+            let is_element_first = matches!(count.kind, ExprKind::Call(_));
+            if is_element_first && !cursor.is_punct('*') {
+                return Err(Mistake::new(count.area, say::COUNT_BEHIND));
+            }
             cursor.expect_punct('*')?;
+            if is_element_first && !cursor.is_second_group(Delimiter::Parenthesis) {
+                return Err(Mistake::new(count.area, say::COUNT_BEHIND));
+            }
             let name = cursor.expect_name("an element, `mesh 6 * element(section, material);`")?;
             Statement::Mesh {
                 area,

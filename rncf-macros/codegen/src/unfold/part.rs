@@ -74,6 +74,9 @@ impl<'t> Unfold<'t, '_> {
                 .parameters
                 .iter()
                 .find(|parameter| parameter.name.text == name.text);
+            if parameter.is_none() && component.lost.contains(&name.text) {
+                continue;
+            }
             let Some(parameter) = parameter else {
                 let kind = format!("argument of `{}`", component.name.text);
                 let known = component

@@ -2,6 +2,7 @@
 //! The build of `tests/guide` reads the guide with it, too.
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use rncf_codegen::generate::declarations;
 
 /// Items that end with their braces; all others, and sections with a `=`, end with a semicolon.
 const BRACED: &[&str] = &[
@@ -40,19 +41,7 @@ pub fn blocks(text: &str, tag: &str) -> Vec<String> {
 pub fn models(text: &str) -> Vec<TokenStream> {
     let mut models = Vec::new();
     for block in blocks(text, "rust").iter().filter(|block| block.contains("model!")) {
-        let file = syn::parse_file(block).unwrap_or_else(|error| panic!("{error} in\n{block}"));
-        for item in file.items {
-            let syn::Item::Macro(item) = item else { continue };
-            if item
-                .mac
-                .path
-                .segments
-                .last()
-                .is_some_and(|segment| segment.ident == "model")
-            {
-                models.push(item.mac.tokens);
-            }
-        }
+        models.extend(declarations(block).unwrap_or_else(|error| panic!("{error} in\n{block}")));
     }
     models
 }

@@ -4,11 +4,11 @@
 //! With `dx = h^2 da / 2` the matrix is `[[M + h^2/4 dF/dq_m, C_x^T], [C_x, 0]]`, where `dF/dq_m` is by the mean of both
 //! ends. It is not symmetric.
 
-use super::super::Statistics;
 use super::super::charts::Charts;
 use super::super::compensated::{self, Low};
-use super::super::newton::{largest, norm, row};
+use super::super::norms::{largest, norm, row};
 use super::super::scheme::Cause;
+use super::super::statistics::Statistics;
 use crate::linalg::{Pattern, Saddle};
 use crate::system::{Conserving, ConstraintLevel, State, System};
 

@@ -21,8 +21,8 @@ use super::coefficients::Coefficients;
 use super::matrices::Matrices;
 use super::stages::Stages;
 use crate::archive::{Archive, Keep};
-use crate::integrate::Statistics;
-use crate::integrate::newton::largest;
+use crate::integrate::norms::largest;
+use crate::integrate::statistics::Statistics;
 use crate::system::{State, System};
 
 /// Steps that vary by less than this do so in smooth motions.

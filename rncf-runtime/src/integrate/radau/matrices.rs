@@ -6,7 +6,7 @@ use pulp::Arch;
 use super::chart::Chart;
 use super::coefficients::Coefficients;
 use super::stabilised::{Slopes, Stabilised};
-use crate::integrate::Statistics;
+use crate::integrate::statistics::Statistics;
 use crate::linalg::{Pattern, Saddle, Singular, Vectorised, c64, dispatch};
 use crate::system::{State, System, Tangent};
 

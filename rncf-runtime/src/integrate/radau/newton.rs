@@ -4,12 +4,12 @@ use super::coefficients::Coefficients;
 use super::matrices::Matrices;
 use super::stages::Stages;
 use crate::archive::{Archive, Keep};
-use crate::integrate::Statistics;
 use crate::integrate::anderson::Acceleration;
 use crate::integrate::bordered::add;
 use crate::integrate::lasting::Lasting;
-use crate::integrate::newton::norm;
 use crate::integrate::noise::{self, BEARABLE};
+use crate::integrate::norms::norm;
+use crate::integrate::statistics::Statistics;
 use crate::system::{ConstraintLevel, State, System};
 
 /// Most iterations of a step whose size is free.
@@ -81,9 +81,8 @@ pub(super) struct Newton {
     drift: Vec<f64>,
     stage: State,
     acceleration: Acceleration,
-    /// Changes of an iteration in one piece: of increments of position, of multipliers; weights of the former.
+    /// Changes of an iteration in one piece: of increments of position, of multipliers.
     increment: Vec<f64>,
-    weights: Vec<f64>,
 }
 
 /// What is known beyond one iteration.
@@ -107,7 +106,6 @@ impl Keep for Newton {
             stage: _,
             acceleration: _,
             increment: _,
-            weights: _,
         } = self;
         lasting.keep(archive);
         amplification.keep(archive);
@@ -142,9 +140,11 @@ impl Newton {
             jacobian: vec![0.0; matrices.chart.constraints.entries()],
             drift: vec![0.0; if stabilised { n } else { 0 }],
             stage: State::of(system, 0.0),
-            acceleration: Acceleration::new(3 * (n + m + rates), 3 * n),
+            acceleration: Acceleration::new(
+                3 * (n + m + rates),
+                system.sizes().repeat(3).iter().map(|size| 1.0 / size).collect(),
+            ),
             increment: Vec::with_capacity(3 * (n + m + rates)),
-            weights: system.sizes().repeat(3).iter().map(|size| 1.0 / size).collect(),
         }
     }
 
@@ -356,8 +356,7 @@ impl Newton {
                 self.increment.extend_from_slice(changes);
             }
         }
-        self.acceleration
-            .follow(&self.weights, &mut self.increment, accelerated);
+        self.acceleration.follow(&mut self.increment, accelerated);
         let mut changes = self.increment.as_slice();
         for values in [&mut stages.w, &mut stages.lambda, &mut stages.mu] {
             for values in values {

@@ -2,7 +2,8 @@
 
 use super::heavy_top::{OFFSET, REFERENCE, Top, angular, attitude, errors};
 use super::swarm::{Swarm, TURN};
-use crate::integrate::alpha::{Alpha, Coefficients};
+use crate::integrate::alpha::Alpha;
+use crate::integrate::coefficients::Coefficients;
 use crate::integrate::scheme::{Outcome, Scheme};
 use crate::integrate::{Integrator, Method, Options, Statistics, StepSize, Stop};
 use crate::space::{Matrix, Vector, product, three};

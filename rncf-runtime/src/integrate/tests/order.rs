@@ -1,7 +1,8 @@
 //! Orders of convergence with fixed and with changing steps (THEORY 10, T1, T2).
 
 use super::systems::{Oscillator, Pendulum};
-use crate::integrate::alpha::{Alpha, Coefficients};
+use crate::integrate::alpha::Alpha;
+use crate::integrate::coefficients::Coefficients;
 use crate::integrate::scheme::{Outcome, Scheme};
 use crate::integrate::{Options, Statistics, StepSize};
 use crate::system::{State, System};

@@ -1,6 +1,7 @@
 //! Scenes with free frames against differences and balances, with kernels written by hand.
 
 mod acceleration;
+mod acting;
 mod density;
 mod differences;
 mod inertia;

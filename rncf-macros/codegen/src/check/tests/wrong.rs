@@ -1,9 +1,10 @@
-//! Wrong models, listed in wrong.txt, free.txt, joints.txt, sections.txt, along.txt, elements.txt, repeat.txt, parts.txt, meaning.txt and space.txt: what is underlined, and what is said.
+//! Wrong models, listed in wrong.txt, first.txt, free.txt, joints.txt, sections.txt, along.txt, elements.txt, repeat.txt, parts.txt, meaning.txt and space.txt: what is underlined, and what is said.
 //!
 //! `BLESS=1 cargo test -p rncf-codegen wrong` rewrites the expectations; read the difference.
 
 use super::along::ALONG;
 use super::elements::ELEMENTS;
+use super::first::FIRST;
 use super::free::FREE;
 use super::joints::JOINTS;
 use super::meaning::{MEANING, SPACE};
@@ -50,6 +51,11 @@ fn found(block: &str, model: &str) -> String {
 #[test]
 fn wrong_models_say_what_would_be_right() {
     check(include_str!("wrong.txt"), "wrong.txt", SPIN_UP);
+}
+
+#[test]
+fn first_attempts_say_what_would_be_right() {
+    check(include_str!("first.txt"), "first.txt", FIRST);
 }
 
 #[test]

@@ -1,0 +1,45 @@
+//! Keywords of Rust as names of each kind: each is told once, and nothing follows from it.
+
+rncf::model! {
+    /// A rod on a turning hub.
+    pub model Rod {
+        param type = 4 rad/s;
+        param ref = 2 m;
+        material mut { density = 7850 kg/m^3; young = 210 GPa; poisson = 0.3; }
+        section wire { area = 1 mm^2; second_moment = 0.08 mm^4; }
+        motion move(t) = type * t;
+        frame fn = rotating(axis = z, angle = move(t));
+        body loop in fn {
+            planar xy;
+            line from [0, 0, 0] m to [ref, 0, 0];
+            mesh 4 * cable(wire, mut);
+        }
+        joint use = clamp(loop.start, fn);
+        output match = loop.end;
+    }
+}
+
+rncf::model! {
+    /// Rods that a component has.
+    pub model Rods {
+        material steel { density = 7850 kg/m^3; young = 210 GPa; poisson = 0.3; }
+        section wire { area = 1 mm^2; second_moment = 0.08 mm^4; }
+        component struct(reach: m) {
+            body rod { planar xy; line from [0, 0, 0] m to [reach, 0, 0]; mesh 2 * cable(wire, steel); }
+            joint root = clamp(rod.start, inertial);
+        }
+        component Rod(where: m) {
+            body rod { planar xy; line from [0, 0, 0] m to [where, 0, 0]; mesh 2 * cable(wire, steel); }
+            joint root = clamp(rod.start, inertial);
+        }
+        part first = struct(reach = 1 m);
+        part second = Rod(where = 1 m);
+        for in in 0..3 {
+            body rod[in] { planar xy; line from [0, 0, 0] m to [1, 0, 0] m; mesh 2 * cable(wire, steel); }
+            joint root[in] = clamp(rod[in].start, inertial);
+        }
+        output tip = second.rod.end;
+    }
+}
+
+fn main() {}
