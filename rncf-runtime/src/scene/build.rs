@@ -1,6 +1,6 @@
 //! Building a scene: checks, numbering, patterns, constant matrices.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use super::mesh_scene::MeshScene;
 use super::sound::{check_absolute, check_body, check_instances, check_joint};
@@ -139,6 +139,7 @@ impl MeshScene {
             mass: Vec::new(),
             whole_mass: NodalMass::default(),
             fixed_mass: NodalMass::default(),
+            section: OnceLock::new(),
             modes: None,
             spec: spec.clone(),
         });

@@ -1,9 +1,10 @@
 //! A body with its numbering.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use super::described::Described;
 use super::nodal_mass::NodalMass;
+use super::section::Section;
 use crate::emitted::BodySpec;
 use crate::scene::numbering::assembly::{Connectivity, Scatter};
 use crate::space::Vector;
@@ -25,6 +26,8 @@ pub(crate) struct MeshBody {
     pub whole_mass: NodalMass,
     /// The same of what is fixed to it alone.
     pub fixed_mass: NodalMass,
+    /// What stresses follow from, where that is the same along the body; found where they are read.
+    pub section: OnceLock<Section>,
     /// Its modes, where modal coordinates describe it.
     pub modes: Option<Arc<dyn Described>>,
 }

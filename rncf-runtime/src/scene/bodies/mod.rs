@@ -5,4 +5,5 @@ pub(crate) mod fidelity;
 pub(crate) mod mesh_body;
 pub(crate) mod nodal_mass;
 pub(crate) mod place;
+pub(crate) mod section;
 pub(crate) mod undeformed;

@@ -8,6 +8,7 @@ use crate::model::SectionState;
 use crate::scene::bodies::described::Kernels;
 use crate::scene::bodies::nodal_mass::{Total, Transport, padded, vector as vector_of};
 use crate::scene::bodies::place::MeshPoint;
+use crate::scene::bodies::section::Section;
 use crate::scene::mesh_scene::MeshScene;
 use crate::scene::pieces::point_force::PointForce;
 use crate::scene::pieces::reach::{Body, Reach, Reaches};
@@ -50,7 +51,7 @@ pub(crate) struct Reader<'a> {
     /// Accelerations in the body's frame.
     pub(super) total: Total,
     /// What stresses follow from, where that is the same along the body.
-    section: Option<SectionSpec>,
+    section: Option<&'a Section>,
     pub(super) is_line: bool,
     pub(super) normal: Option<Vector>,
     /// Of the axis, m.
@@ -71,7 +72,7 @@ impl<'a> Reader<'a> {
             scene,
             body,
             total: Total::new(&transport),
-            section: (!scene.parts.varies(body)).then(|| scene.section_spec(body, 0.0)),
+            section: (!scene.parts.varies(body)).then(|| scene.section_of(body)),
             is_line: !spec.has_section(),
             normal: spec.plane_normal(),
             length: spec.line.length(),
@@ -153,10 +154,10 @@ impl<'a> Reader<'a> {
         let spec = &self.scene.bodies[self.body].spec;
         let x = spec.arclength_of(self.length, element, xi);
         let varied;
-        let section = match &self.section {
+        let section = match self.section {
             Some(section) => section,
             None => {
-                varied = self.scene.section_spec(self.body, x);
+                varied = Section::new(self.scene.section_spec(self.body, x));
                 &varied
             }
         };
@@ -352,10 +353,17 @@ impl MeshScene {
         self.parts.section(body, x, self.bodies[body].spec.line.length())
     }
 
+    /// The same at the start of a body, kept.
+    fn section_of(&self, body: usize) -> &Section {
+        self.bodies[body]
+            .section
+            .get_or_init(|| Section::new(self.section_spec(body, 0.0)))
+    }
+
     /// Whether the largest stress of a body's sections is known.
     pub(crate) fn knows_stress(&self, body: usize) -> bool {
-        let (spec, section) = (&self.bodies[body].spec, self.section_spec(body, 0.0));
-        largest_stress(&section, spec.dimension() == 2, [0.0; 3], [0.0; 3]).is_some()
+        let (spec, section) = (&self.bodies[body].spec, self.section_of(body));
+        largest_stress(section, spec.dimension() == 2, [0.0; 3], [0.0; 3]).is_some()
     }
 
     /// Refuses the stress of a section that does not know its extents.
