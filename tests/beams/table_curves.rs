@@ -185,6 +185,19 @@ fn the_axis_follows_the_points_of_the_file() {
     // In absolute coordinates, too.
     let scene = pipe.build(Formulation::Ancf, Joints::Eliminated).unwrap();
     assert_eq!(scene.bodies()[0].elements, 144);
+    // Too few of them are told by the name that the statement takes.
+    pipe.elements = 16;
+    let mut scene = pipe.build(Formulation::Rncf, Joints::Eliminated).unwrap();
+    let start = scene.rest(0.0);
+    let found = scene
+        .warnings(&start)
+        .into_iter()
+        .map(|warning| warning.text)
+        .collect::<String>();
+    assert!(
+        found.contains("helix.csv` for `rows` has 241 rows") && found.contains("`mesh at rows * ..`"),
+        "{found}"
+    );
 }
 
 /// Read by the program or when it is built, the rows are the same, and so are all bits.

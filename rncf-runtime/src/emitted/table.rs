@@ -102,6 +102,11 @@ impl Table {
         )))
     }
 
+    /// Name in the declaration, of a file that a run names, too, whose own name says both.
+    pub(crate) fn declared_name(&self) -> &'static str {
+        self.name.rsplit("` for `").next().unwrap_or(self.name)
+    }
+
     /// The curve through the points of three columns, m, of a body with these axes: one that moves in a plane has two, and its curve
     /// lies in it. [`Curve::mistake`] tells what is wrong with a row.
     pub fn curve(&self, columns: [usize; 3], axes: &[usize]) -> Curve {

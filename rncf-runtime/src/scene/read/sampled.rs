@@ -30,8 +30,9 @@ impl MeshScene {
                 };
                 warnings.push(Warning {
                     text: format!(
-                        "body `{}`: {told}: let nodes stand at the rows, `mesh at {name} * ..`, or take more elements",
-                        spec.label()
+                        "body `{}`: {told}: let nodes stand at the rows, `mesh at {} * ..`, or take more elements",
+                        spec.label(),
+                        table.declared_name()
                     ),
                     weight: rows as f64 / spec.count as f64,
                 });
