@@ -353,7 +353,7 @@ fn a_sweep_takes_a_list_of_files() {
 /// The page of messages: every file gets its message, every cured one is read.
 #[test]
 fn every_file_of_the_page_gets_its_message_and_its_cure_is_read() {
-    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/errors/command_line.md");
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/errors/table_files.md");
     let page = fs::read_to_string(page).unwrap();
     let blocks = |tag: &str| -> Vec<String> {
         let fence = format!("```{tag}\n");
