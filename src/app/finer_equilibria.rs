@@ -69,7 +69,7 @@ pub(super) fn compare(model: &dyn AnyModel, own: &Own<'_>, goes_on: &mut dyn FnM
         Judging::Affordable => AFFORDED.max(SHARE * own.iterations as f64 * own.unknowns as f64),
         Judging::Whole => f64::INFINITY,
     };
-    let mut rows: Vec<(f64, Vec<f64>)> = Vec::new();
+    let mut rows: Vec<Row> = Vec::new();
     let mut critical = Vec::new();
     let mut is_whole = true;
     loop {
@@ -124,8 +124,11 @@ pub(super) fn compare(model: &dyn AnyModel, own: &Own<'_>, goes_on: &mut dyn FnM
     })
 }
 
+/// A key and the outputs there.
+type Row = (f64, Vec<f64>);
+
 /// Rows of both at the same keys, in the order of the way.
-fn common(own: &History, rows: &[(f64, Vec<f64>)]) -> (Vec<(f64, Vec<f64>)>, Vec<Vec<f64>>) {
+fn common(own: &History, rows: &[Row]) -> (Vec<Row>, Vec<Vec<f64>>) {
     let width = own.columns.len();
     let mut there = rows.iter().peekable();
     let mut both = (Vec::new(), Vec::new());
