@@ -109,6 +109,9 @@ fn header(model: &dyn AnyModel, page: &mut String, title: &str, summary: &Summar
             .collect();
         let _ = writeln!(page, "<ul>\n{items}</ul>");
     }
+    if let Some(agreement) = summary.get("agreement").and_then(Value::as_str) {
+        let _ = writeln!(page, "<p>{}</p>", escape(agreement));
+    }
     page.push_str("</div>\n");
     page.push_str("<dl class=\"facts\">\n");
     let facts = [
@@ -366,10 +369,12 @@ mod tests {
         let page_of = |summary: &Summary| page(&Rotor::default(), "run", summary, "");
         assert!(page_of(&summary).contains("<b>Complete</b></p>"));
         summary.insert("notes".into(), json!(["`u` is off by 3 %, < all."]));
+        summary.insert("agreement".into(), json!("Compared, <"));
         let noted = page_of(&summary);
         let note = noted.find("<li>`u` is off by 3 %, &lt; all.</li>").unwrap();
         assert!(noted.find("<b>Complete</b>, with notes:").unwrap() < note);
-        assert!(note < noted.find("class=\"facts\"").unwrap());
+        let agreement = noted.find("<p>Compared, &lt;</p>").unwrap();
+        assert!(note < agreement && agreement < noted.find("class=\"facts\"").unwrap());
         summary.insert("reason".into(), json!("Newton"));
         assert!(page_of(&summary).contains("<b>Stopped before the end</b>: Newton"));
     }

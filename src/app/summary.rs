@@ -72,7 +72,6 @@ pub(super) const STATISTICS: &[&str] = &[
     "wall_seconds",
     "energy_error",
     "judged_until",
-    "agreement",
     "max_constraint_residual",
     "position_correction",
     "velocity_correction",
