@@ -11,6 +11,8 @@ use crate::space::Vector;
 const PIECES: usize = 16;
 /// Pieces of a function's parameter in that table: the fewest and the most.
 const OF_FUNCTION: [usize; 2] = [256, 1 << 16];
+/// Slope of a spline by the sum of its chords, about one everywhere, below which it has no direction.
+const CUSP: f64 = 1e-6;
 /// Relative difference of the lengths by one number of pieces and by half of it, below which the length is known.
 const KNOWN: f64 = 1e-13;
 
@@ -35,6 +37,12 @@ impl Curve {
             Ok(spline) => spline,
             Err(mistake) => return Self::none(mistake),
         };
+        if let Some(cusp) = spline.knots().iter().position(|&at| spline.at(at)[1].norm() < CUSP) {
+            return Self::none(format!(
+                "turns back at point {}, where it has no direction: leave out what goes back, or end the body there",
+                cusp + 1
+            ));
+        }
         let pieces = spline.knots().windows(2).flat_map(|ends| {
             let width = (ends[1] - ends[0]) / PIECES as f64;
             let start = ends[0];
@@ -213,6 +221,8 @@ mod tests {
 
     #[test]
     fn points_at_one_place_are_refused_by_their_number() {
+        let back = Curve::through(&[[0.0; 3], [1.0, 0.0, 0.0], [0.0; 3]]);
+        assert!(back.mistake().unwrap().starts_with("turns back at point 2"));
         let refused = Curve::through(&[[0.0; 3], [1.0, 0.0, 0.0], [1.0, 0.0, 0.0]]);
         assert!(refused.mistake().is_some_and(|text| text.contains("points 2 and 3")));
     }
