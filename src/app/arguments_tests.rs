@@ -121,7 +121,7 @@ fn all_flags_are_read() {
 
 #[test]
 fn flags_that_make_no_sense_together_are_refused() {
-    let cases: [(&[&str], &str); 13] = [
+    let cases: [(&[&str], &str); 14] = [
         (
             &["--step", "1 ms", "--proportional"],
             "`--proportional` rescales the tolerance of the adaptive step; `--step` fixes the step: give one of them",
@@ -153,6 +153,10 @@ fn flags_that_make_no_sense_together_are_refused() {
         (
             &["modes", "--stabilised"],
             "`--stabilised` belongs to `run`, `chart`, `advise`, not to `modes`: it does not advance in time",
+        ),
+        (
+            &["campbell", "--unjudged"],
+            "`--unjudged` belongs to `run`, `steady`, `modes`, `static`, not to `campbell`: it is not compared with finer meshes",
         ),
         (
             &["modes", "--axis", "x"],

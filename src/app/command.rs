@@ -207,6 +207,7 @@ impl Command {
             (_, "fidelity") => "equilibria take the bodies as they are declared",
             (_, "modes" | "frequency") => "it looks for no modes",
             (_, "steps") => "it takes one equilibrium",
+            (_, "unjudged" | "thorough") => "it is not compared with finer meshes",
             _ => "it does not advance in time",
         };
         let why = why.to_owned();
