@@ -13,6 +13,12 @@ const AFFORDED: usize = 120;
 /// Most modes in the sentence.
 const MOST: usize = 4;
 
+/// What is found, in a sentence: that frequencies are off by much, or by how little.
+pub(super) enum Found {
+    Much(String),
+    Little(String),
+}
+
 /// Whether the modes of a system with so many unknowns are compared.
 pub(super) fn is_asked(judged: Judging, unknowns: usize) -> bool {
     match judged {
@@ -22,19 +28,17 @@ pub(super) fn is_asked(judged: Judging, unknowns: usize) -> bool {
     }
 }
 
-/// One sentence on frequencies that are off by much, or one where none is: ascending ones of vibrations, with the numbers of their modes, beside those of
-/// the finer scene. Stiffness that a mesh adds raises every one of them, so that they are compared by their places.
-pub(super) fn compare(finer: &dyn Scene, own: &[(usize, f64)], there: &[(usize, f64)]) -> [Option<String>; 2] {
+/// How far frequencies are off: ascending ones of vibrations, with the numbers of their modes, beside those of the finer scene. Stiffness that a mesh adds
+/// raises every one of them, so that they are compared by their places. `None` without any.
+pub(super) fn compare(finer: &dyn Scene, own: &[(usize, f64)], there: &[(usize, f64)]) -> Option<Found> {
     let mut off: Vec<(usize, f64)> = own
         .iter()
         .zip(there)
         .map(|(&(mode, own), &(_, there))| (mode + 1, (own - there).abs() / there))
         .collect();
-    let Some(&(worst, most)) = off.iter().max_by(|a, b| a.1.total_cmp(&b.1)) else {
-        return [None, None];
-    };
+    let &(worst, most) = off.iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
     if most <= 0.5 * TOLD {
-        return [None, Some(agreement::of_modes(most, worst))];
+        return Some(Found::Little(agreement::of_modes(most, worst)));
     }
     off.retain(|of| of.1 > 0.5 * TOLD);
     let named: Vec<String> = off
@@ -42,10 +46,9 @@ pub(super) fn compare(finer: &dyn Scene, own: &[(usize, f64)], there: &[(usize, 
         .map(|&(mode, part)| format!("of mode {mode} by {}", percent(part)))
         .collect();
     let Meshes { how, more, names, .. } = Meshes::of(finer, FINER);
-    let sentence = listed(&named, MOST).map(|named| {
-        format!(
+    listed(&named, MOST).map(|named| {
+        Found::Much(format!(
             "The mesh is too coarse for these modes: with twice as many elements{how} in {names} frequencies differ by parts of them, that {named}. Take more elements in `mesh` (twice as many make it some ten times less){more}."
-        )
-    });
-    [sentence, None]
+        ))
+    })
 }

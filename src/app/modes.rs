@@ -6,7 +6,7 @@ use super::clock::{Clock, Seconds};
 use super::coarse;
 use super::finer::FINER;
 use super::finer_model::FinerModel;
-use super::finer_modes;
+use super::finer_modes::{self, Found};
 use super::pictures::Shapes;
 use super::run_error::RunError;
 use super::way::{self, EquilibriumSettings};
@@ -204,15 +204,20 @@ pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Mod
         .iter()
         .map(|mode| scene.composition(&at, &state, &mode.shape))
         .collect();
-    let errors = modes::mesh_errors(scene, &at, &state, &shapes);
     let mut warnings = cautions::cautioned(model.as_ref(), scene.warnings(&state));
     warnings.extend(crate::equilibrium::untied(scene, &at, &state));
     warnings.extend(coarse::of_equilibrium(scene, &at, &state));
     let seconds = clock.seconds();
-    let [told, agreement] = on_finer_meshes(model.as_ref(), settings, scene.unknowns(), &modes);
-    // The frequencies themselves say more than the energy of their modes.
-    let is_known = told.is_some() || agreement.is_some();
-    warnings.extend(told.or_else(|| coarse::of_modes(scene, &errors).filter(|_| !is_known)));
+    let mut agreement = None;
+    match on_finer_meshes(model.as_ref(), settings, scene.unknowns(), &modes) {
+        Some(Found::Much(told)) => warnings.push(told),
+        Some(Found::Little(told)) => agreement = Some(told),
+        // Less than the frequencies themselves say the energies of the modes.
+        None => {
+            let errors = modes::mesh_errors(scene, &at, &state, &shapes);
+            warnings.extend(coarse::of_modes(scene, &errors));
+        }
+    }
     Ok(Modes {
         settings: *settings,
         t,
@@ -240,20 +245,17 @@ fn on_finer_meshes(
     settings: &EquilibriumSettings,
     unknowns: usize,
     modes: &[SeenMode],
-) -> [Option<String>; 2] {
+) -> Option<Found> {
     if !finer_modes::is_asked(settings.judged, unknowns) {
-        return [None, None];
+        return None;
     }
     let finer = FinerModel {
         model: model.boxed(),
         times: FINER,
     };
-    let Ok(there) = about(&finer, settings) else {
-        return [None, None];
-    };
-    if there.scene.unknowns() == unknowns {
-        return [None, None];
-    }
+    let there = about(&finer, settings)
+        .ok()
+        .filter(|there| there.scene.unknowns() != unknowns)?;
     // Those of a motion that creeps have no frequency.
     let vibrating = |modes: &[SeenMode]| -> Vec<(usize, f64)> {
         let all = modes.iter().enumerate().filter(|(_, mode)| mode.im > mode.re.abs());

@@ -91,11 +91,7 @@ pub(super) fn of_run(model: &dyn AnyModel, result: &RunResult) -> Summary {
     put(&mut summary, "energy_error", json!(result.energy_error));
     put(&mut summary, "judged_until", json!(result.judged_until));
     put(&mut summary, "agreement", json!(result.agreement));
-    let off_by = result
-        .off_by
-        .iter()
-        .map(|&(output, part)| (model.outputs()[output].name.to_owned(), json!(part)));
-    put(&mut summary, "off_by", Value::Object(off_by.collect()));
+    put_off_by(model, &mut summary, &result.off_by);
     let violation = (result.constraints > 0).then_some(result.statistics.max_constraint_residual);
     put(&mut summary, "max_constraint_residual", json!(violation));
     put(
