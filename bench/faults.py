@@ -142,19 +142,19 @@ FAULTS = {
         [RUNTIME],
     ),
     "files that are not renamed when whole": (
-        "src/app/files.rs",
+        "src/app/machine/files.rs",
         "fs::write(&partial, bytes).and_then(|()| fs::rename(&partial, &path))",
         "fs::write(&path, bytes)",
         [APP],
     ),
     "a lost unit in the head of a column": (
-        "src/app/history.rs",
+        "src/app/results/history.rs",
         'format!("{} [{}]", self.name, self.unit)',
         "self.name.to_string()",
         [APP],
     ),
     "a note that is not told": (
-        "src/app/run.rs",
+        "src/app/runs/run.rs",
         "    result.warnings.extend(told);\n}",
         "    let _ = told;\n}",
         [APP, ACCURACY + " coarse_meshes"],

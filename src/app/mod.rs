@@ -41,92 +41,43 @@
 //! # }
 //! ```
 
-mod accumulated;
-mod advise;
-mod agreement;
-mod arguments;
-#[cfg(test)]
-mod arguments_tests;
-mod balanced;
-mod buckling;
-mod campbell;
-mod card;
-mod cautions;
-mod chart;
-pub mod charts;
-mod checkpoint;
-mod clock;
-mod coarse;
-mod command;
-mod compare;
-mod continuation;
-mod course;
-mod csv;
-mod date;
-mod diagrams;
-mod doubts;
-mod envelopes;
-mod execute;
-mod explain;
-mod export;
-mod figure;
-mod files;
-mod finer;
-mod finer_equilibria;
-mod finer_model;
-mod finer_modes;
-mod flags;
-mod help;
-mod history;
-mod journal;
+mod commands;
+mod entry;
+mod equilibria;
+mod judged;
 mod line;
-mod located;
-mod map;
-mod marks;
-mod mass_table;
-mod modes;
-#[cfg(test)]
-mod page_tests;
-mod parallel;
-mod parameters;
+mod machine;
+mod modal;
+mod page;
 mod pictures;
-mod plan;
-mod progress;
 #[cfg(feature = "python")]
 pub mod python;
-mod recorder;
-mod report;
-#[cfg(test)]
-mod resume_tests;
-mod run;
-mod run_error;
-mod scenario;
-mod section_table;
-mod sketch;
-mod steady;
-mod summary;
-#[cfg(test)]
-mod table_file_tests;
+mod results;
+mod runs;
+mod writing;
+
 #[cfg(test)]
 mod testing;
-mod tracker;
-mod unfollowed;
-mod way;
 
-pub use advise::{Advised, AdvisedRung, Wanted, advise};
-pub use campbell::{Campbell, Crossing, campbell, campbell_watched};
-pub use clock::Seconds;
-pub use command::Command;
-pub use continuation::EquilibriumProgress;
-pub use envelopes::{BodyEnvelope, Envelopes, Peak};
-pub use figure::Figure;
-pub use finer::Judging;
-pub use history::{Column, Extreme, History};
-pub use line::{Entry, Line, enter, main, main_among, main_as};
-pub use map::{Axis, Cells, Map};
-pub use modes::{Inertial, Modes, SeenMode, modes};
+pub use commands::advise::{Advised, AdvisedRung, Wanted, advise};
+pub use entry::{Entry, Line, enter, main, main_among, main_as};
+pub use equilibria::continuation::EquilibriumProgress;
+pub use equilibria::steady::{equilibria, static_equilibria, steady};
+pub use judged::finer::Judging;
+pub use line::command::Command;
+pub use machine::clock::Seconds;
+pub use modal::campbell::{campbell, campbell_watched};
+pub use modal::modes::modes;
+pub use page::charts;
+pub use page::figure::Figure;
+pub use page::map::{Axis, Cells, Map};
 pub use pictures::{Pictures, Scale, Shapes};
-pub use run::{Progress, RunResult, RunSettings, StepTaken, run, run_watched};
-pub use run_error::{Incomplete, RunError};
-pub use steady::{Equilibria, equilibria, static_equilibria, steady};
-pub use way::{EquilibriumSettings, Range};
+pub use results::campbell::{Campbell, Crossing};
+pub use results::envelopes::{BodyEnvelope, Envelopes, Peak};
+pub use results::equilibria::{Equilibria, EquilibriumSettings, Range};
+pub use results::error::RunError;
+pub use results::history::{Column, Extreme, History};
+pub use results::incomplete::Incomplete;
+pub use results::modes::{Inertial, Modes, SeenMode};
+pub use results::run::{Progress, RunResult, RunSettings, StepTaken};
+pub use runs::run::{run, run_watched};

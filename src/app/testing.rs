@@ -5,8 +5,7 @@ use std::path::PathBuf;
 
 use crate::equilibrium::Uniform;
 use crate::linalg::Pattern;
-use crate::model::{ConstantArray, Fidelity, KernelCount};
-use crate::model::{FrameState, Output, Param, ParamKind, RunDefaults};
+use crate::model::{ConstantArray, Fidelity, FrameState, KernelCount, Output, Param, ParamKind, RunDefaults};
 use crate::system::{ConstraintLevel, Tangent};
 use crate::{Caution, Formulation, Joints, Model, ModelError, Scene, State, System, Warning};
 

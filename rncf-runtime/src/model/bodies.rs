@@ -56,6 +56,16 @@ pub struct SectionBody {
     pub yield_stress: Option<f64>,
 }
 
+impl SectionBody {
+    /// Stress that counts at a section, Pa: von Mises, or that of the axial force alone; `None` where neither is known.
+    pub fn stress_of(&self, state: &SectionState) -> Option<f64> {
+        if self.knows_stress {
+            return state.stress;
+        }
+        (self.area > 0.0).then(|| state.forces[0].abs() / self.area)
+    }
+}
+
 /// How far the mesh of a body is from it at a state: energies of what its sections carry, J.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MeshError {

@@ -1,8 +1,7 @@
 //! The animation: one page that needs nothing but itself.
 
-use super::Pictures;
-use super::view;
-use crate::app::report::escape;
+use super::{Pictures, view};
+use crate::app::writing::html::escape;
 
 /// Name of the file.
 pub const NAME: &str = "animation.html";

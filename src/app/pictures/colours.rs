@@ -1,8 +1,7 @@
 //! What colours the bodies of an animation: what their sections carry, from place to place and over all rows.
 
 use crate::Scene;
-use crate::app::envelopes::{stress_of, with_prefix};
-use crate::app::parameters::digits;
+use crate::app::writing::numbers::{digits, with_prefix};
 use crate::archive::{Archive, Keep};
 use crate::model::{Curve, SectionBody, SectionState};
 
@@ -68,7 +67,7 @@ impl Quantity {
                 let carried = state.forces.iter().chain(&state.moments);
                 Some(carried.zip(compliance).map(|(force, by)| force * by).sum())
             }
-            Self::Stress => stress_of(body, state),
+            Self::Stress => body.stress_of(state),
         }
     }
 }

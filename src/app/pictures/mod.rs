@@ -3,17 +3,19 @@
 mod animation;
 mod base64;
 mod colours;
+mod limits;
 mod paraview;
 mod shapes;
-pub(super) mod view;
-
-use colours::Colours;
-pub use colours::Scale;
-pub use shapes::Shapes;
+pub(in crate::app) mod view;
 
 use std::path::Path;
 
-use super::files;
+use colours::Colours;
+pub use colours::Scale;
+use limits::{FAR, MOST_BYTES};
+pub use shapes::Shapes;
+
+use crate::app::machine::files;
 use crate::archive::{Archive, Keep};
 use crate::model::{Configuration, Curve, SectionState, Sign};
 use crate::space::Vector;
@@ -21,13 +23,8 @@ use crate::{Scene, State};
 
 /// Most pictures of a run: what an eye follows.
 const MOST: u64 = 400;
-/// Most bytes of all pictures in a page, before they become text that is longer by a third.
-const MOST_BYTES: u64 = 6_000_000;
 /// Pictures of a scene however large it is.
 const LEAST: u64 = 2;
-
-/// A frame that goes farther than so many sizes of the scene is followed.
-const FAR: f64 = 3.0;
 
 /// Where the bodies are in some rows of a run.
 #[derive(Clone, Debug, PartialEq)]
@@ -86,7 +83,7 @@ impl Keep for Pictures {
 
 impl Pictures {
     /// No pictures yet of a run with so many rows; nothing where the scene does not draw itself.
-    pub(super) fn new(scene: &mut dyn Scene, rows: u64) -> Option<Self> {
+    pub(in crate::app) fn new(scene: &mut dyn Scene, rows: u64) -> Option<Self> {
         let curves = scene.curves();
         if curves.is_empty() {
             return None;
@@ -114,7 +111,14 @@ impl Pictures {
     }
 
     /// Takes in a row with what its sections carry, and the picture of one that is kept.
-    pub(super) fn take(&mut self, row: u64, scene: &mut dyn Scene, t: f64, state: &State, sections: &[SectionState]) {
+    pub(in crate::app) fn take(
+        &mut self,
+        row: u64,
+        scene: &mut dyn Scene,
+        t: f64,
+        state: &State,
+        sections: &[SectionState],
+    ) {
         self.colours.meet(t, sections);
         if row.is_multiple_of(self.stride) {
             let mut shot = Configuration::default();
@@ -151,7 +155,7 @@ impl Pictures {
     ///
     /// # Errors
     /// A file that cannot be written.
-    pub(super) fn write(&self, out: &Path, title: &str, [animate, vtu]: [bool; 2]) -> Result<String, String> {
+    pub(in crate::app) fn write(&self, out: &Path, title: &str, [animate, vtu]: [bool; 2]) -> Result<String, String> {
         let mut lines = String::new();
         let mut named = |name: &str| lines += &format!("\n  {}", out.join(name).display());
         if animate {
@@ -171,7 +175,7 @@ impl Pictures {
     }
 
     /// The frame whose origin a picture follows: the inertial one, or the first that flies far away.
-    pub(super) fn followed(&self) -> usize {
+    pub(in crate::app) fn followed(&self) -> usize {
         let extent = self.shots.iter().flat_map(|shot| &shot.points);
         let size = extent.map(|&point| point.norm()).fold(0.0, f64::max);
         let (Some(first), Some(last)) = (self.shots.first(), self.shots.last()) else {
@@ -185,7 +189,11 @@ impl Pictures {
     }
 
     /// Points of a picture relative to the origin of a frame, inertial axes, curve after curve.
-    pub(super) fn places<'p>(&'p self, shot: &'p Configuration, followed: usize) -> impl Iterator<Item = Vector> + 'p {
+    pub(in crate::app) fn places<'p>(
+        &'p self,
+        shot: &'p Configuration,
+        followed: usize,
+    ) -> impl Iterator<Item = Vector> + 'p {
         let origin = shot.poses[followed].0;
         let frames = self
             .curves

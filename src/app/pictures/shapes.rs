@@ -1,6 +1,6 @@
 //! Modes as they move: displacements of all that is drawn, about an equilibrium.
 
-use super::{FAR, MOST_BYTES};
+use super::limits::{FAR, MOST_BYTES};
 use crate::model::{Configuration, Curve, Sign, SignPlace};
 use crate::modes::Mode;
 use crate::space::Vector;

@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::base64::encode;
 use super::{Pictures, Shapes};
-use crate::app::report::escape;
+use crate::app::writing::html::escape;
 use crate::model::{Configuration, Curve, Sign, SignKind, SignPlace};
 use crate::space::{Vector, matrix, rows};
 

@@ -17,18 +17,22 @@ use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use serde_json::{Value, json};
 
-use super::arguments::{Arguments, Program, Refusal, parse};
-use super::command::Command;
-use super::execute::{MISTAKE, execute};
-use super::flags::command_line;
-use super::history::History;
-use super::modes::modes;
-use super::parameters::in_unit;
-use super::run::run_watched;
-use super::run_error::RunError;
-use super::scenario;
-use super::steady::equilibria;
-use super::summary::{self, Summary};
+use crate::app::commands::execute::execute;
+use crate::app::equilibria::steady::equilibria;
+use crate::app::line::arguments::{Arguments, Refusal, parse};
+use crate::app::line::command::Command;
+use crate::app::line::flags::command_line;
+use crate::app::line::program::Program;
+use crate::app::line::scenario;
+use crate::app::modal::modes::modes;
+use crate::app::page::summary;
+use crate::app::results::error::RunError;
+use crate::app::results::failure::MISTAKE;
+use crate::app::results::history::History;
+use crate::app::runs::run::run_watched;
+use crate::app::writing::entries::Summary;
+use crate::app::writing::entries::to_text;
+use crate::app::writing::numbers::in_unit;
 use crate::equilibrium::Kind;
 use crate::{AnyModel, Model, ParamKind};
 
@@ -144,7 +148,7 @@ fn found<'py>(py: Python<'py>, summary: Summary, history: &History) -> Found<'py
         PyBytes::new(py, &bytes)
     };
     (
-        summary::to_text(&summary),
+        to_text(&summary),
         columns().map(|column| column.name.clone()).collect(),
         columns().map(|column| column.unit.to_owned()).collect(),
         bytes(&history.keys),
@@ -285,7 +289,7 @@ impl Core {
         let result = py
             .detach(|| modes(arguments.model(), &arguments.equilibrium))
             .map_err(|error| failed(&error))?;
-        Ok(summary::to_text(&summary::of_modes(arguments.model(), &result)))
+        Ok(to_text(&summary::of_modes(arguments.model(), &result)))
     }
 
     /// Does what a command line says, files and all; the text that it would print.

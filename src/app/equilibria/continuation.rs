@@ -1,0 +1,469 @@
+//! Equilibria one after the other along a parameter, along the spin or along the load: the way that
+//! `steady`, `static` and `campbell` share; nothing is printed or written here.
+
+use super::balanced::is_balanced;
+use super::way::{Unplaced, between, check, placed, spin};
+use crate::app::results::equilibria::EquilibriumSettings;
+use crate::app::results::error::RunError;
+use crate::app::results::history::Column;
+use crate::app::writing::numbers::{digits, in_unit};
+use crate::equilibrium::{CUTS, Continued, Kind, Uniform, continue_from, follow, goes_back, settle};
+use crate::error::SolveErrorKind;
+use crate::{AnyModel, Scene, SolveError, State};
+
+/// How far a continuation is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EquilibriumProgress {
+    /// Part of the way, 0 to 1.
+    pub share: f64,
+    /// Value of the first column.
+    pub key: f64,
+}
+
+/// A step may be halved until there are this many in one.
+const PARTS: u64 = 2048;
+/// Part of a step at which a gap is tried to be leapt over.
+const SHORT: u64 = 128;
+/// Why a step is shortened.
+const LEAPT: &str = "no equilibrium next to those before is found: the bodies may buckle or snap through there";
+
+/// The way and where on it the last equilibrium is.
+pub(in crate::app) struct Line<'m> {
+    model: &'m dyn AnyModel,
+    kind: Kind,
+    settings: EquilibriumSettings,
+    /// Spin at the end of the way, rad/s, where it grows.
+    full_spin: f64,
+    place: u64,
+    increment: u64,
+    scene: Box<dyn Scene>,
+    at: Uniform,
+    /// The last equilibrium, in the scene.
+    state: State,
+    /// The last equilibria, at most two.
+    last: Found,
+    before: Option<Found>,
+    /// Parts of the way before and behind gaps that were leapt over.
+    leaps: Vec<[f64; 2]>,
+    /// Newton iterations so far.
+    pub iterations: u64,
+    /// Whether the first state is an equilibrium: a declared initial shape may be none without spin and loads.
+    pub begins_balanced: bool,
+}
+
+/// An equilibrium on the way.
+#[derive(Clone, Debug)]
+pub(in crate::app) struct Found {
+    /// Part of the way, 0 to 1.
+    pub share: f64,
+    /// Carried back to t = 0 ([`Scene::carried`]).
+    pub state: State,
+    /// As [`Continued::negative`].
+    pub negative: Option<usize>,
+}
+
+/// How many directions of the stiffness are negative.
+#[derive(Clone, Debug)]
+pub(in crate::app) struct Measured {
+    pub negative: usize,
+    /// The values next to zero, ascending, with all negative ones; none where they are not known.
+    pub values: Vec<f64>,
+}
+
+/// What is asked at an equilibrium; whether with the values.
+pub(in crate::app) type Measure<'a> = dyn FnMut(&mut dyn Scene, &Uniform, &Continued, bool) -> Option<Measured> + 'a;
+
+/// An equilibrium beside the steps of the way.
+#[derive(Clone, Debug)]
+pub(in crate::app) struct Looked {
+    pub share: f64,
+    /// As [`Found::state`].
+    pub state: State,
+    pub measured: Measured,
+}
+
+/// The last equilibrium, to look at.
+pub(in crate::app) struct Station<'l> {
+    /// Value of the first column.
+    pub key: f64,
+    pub scene: &'l mut dyn Scene,
+    pub at: Uniform,
+    pub state: &'l State,
+    /// Angular velocity, rad/s.
+    pub spin: f64,
+}
+
+impl<'m> Line<'m> {
+    /// The first equilibrium: at the first value of the parameter, or without spin and loads.
+    ///
+    /// # Errors
+    /// Settings out of range, a model that cannot be built, and the reason why there is no equilibrium.
+    pub fn start(model: &'m dyn AnyModel, kind: Kind, settings: &EquilibriumSettings) -> Result<Self, RunError> {
+        check(model, settings)?;
+        let (mut scene, mut at) = placed(model, kind, settings, 0.0).map_err(|failure| match failure {
+            Unplaced::Model(error) => RunError::Model(error),
+            Unplaced::Time(text) => RunError::Settings(text),
+        })?;
+        let mut leaps = Vec::new();
+        let mut iterations = 0;
+        let mut place = 0;
+        let mut begins_balanced = true;
+        let (state, negative) = match settings.range {
+            Some(range) => {
+                let mut found = follow(scene.as_mut(), &at, 1.0, |_, _| ());
+                // Where there is no equilibrium at the first value, as of hinged blades at rest, it begins at a later one.
+                let mut step = 1;
+                while let (true, Kind::Steady, true) = (found.is_err(), kind, step <= settings.steps) {
+                    let share = f64::from(step) / f64::from(settings.steps);
+                    if let Ok((mut other, there)) = placed(model, kind, settings, share)
+                        && let Ok(later) = follow(other.as_mut(), &there, 1.0, |_, _| ())
+                    {
+                        leaps.push([0.0, share]);
+                        place = u64::from(step) * PARTS;
+                        (scene, at, found) = (other, there, Ok(later));
+                    }
+                    step *= 2;
+                }
+                let found = found.map_err(|error| {
+                    let value = value_of(model, range.param, range.from);
+                    RunError::Equilibrium(format!("at {value}: {}", reason(&error, true)))
+                })?;
+                iterations = u64::from(found.iterations());
+                let last = found.path.last();
+                (
+                    last.map_or_else(|| scene.uniform_guess(&at), |step| step.state.clone()),
+                    last.and_then(|step| step.negative),
+                )
+            }
+            None => {
+                let mut rest = scene.uniform_guess(&at);
+                begins_balanced = is_balanced(scene.as_mut(), &at, &rest);
+                scene.uniform_state(&at, &mut rest);
+                (rest, None)
+            }
+        };
+        let full_spin = spin(scene.as_ref(), &Uniform { scale: 1.0, ..at });
+        Ok(Self {
+            model,
+            kind,
+            settings: *settings,
+            full_spin,
+            place,
+            increment: PARTS,
+            last: Found {
+                share: place as f64 / (u64::from(settings.steps) * PARTS) as f64,
+                state: scene.carried(&at, &state, true),
+                negative,
+            },
+            scene,
+            at,
+            state,
+            before: None,
+            leaps,
+            iterations,
+            begins_balanced,
+        })
+    }
+
+    /// Head of the first column: the parameter in its declared unit, the spin, or the load factor.
+    pub fn column(&self) -> Column {
+        match (self.settings.range, self.kind) {
+            (Some(range), _) => {
+                let param = &self.model.params()[range.param];
+                Column {
+                    name: param.name.into(),
+                    unit: if param.unit.is_empty() { "1" } else { param.unit },
+                }
+            }
+            (None, Kind::Steady) => Column {
+                name: "spin".into(),
+                unit: "rad/s",
+            },
+            (None, Kind::Static) => Column {
+                name: "load_factor".into(),
+                unit: "1",
+            },
+        }
+    }
+
+    /// Value of the first column at a part of the way.
+    pub fn key(&self, share: f64) -> f64 {
+        match (self.settings.range, self.kind) {
+            (Some(range), _) => between(range, share) / self.model.params()[range.param].unit_si,
+            (None, Kind::Steady) => share * self.full_spin,
+            (None, Kind::Static) => share,
+        }
+    }
+
+    /// The last equilibrium.
+    pub fn station(&mut self) -> Station<'_> {
+        Station {
+            key: self.key(self.last.share),
+            spin: spin(self.scene.as_ref(), &self.at),
+            scene: self.scene.as_mut(),
+            at: self.at,
+            state: &self.state,
+        }
+    }
+
+    /// The last equilibrium and the one before it.
+    pub fn last_two(&self) -> (Option<&Found>, &Found) {
+        (self.before.as_ref(), &self.last)
+    }
+
+    /// Whether the end of the way is reached.
+    pub fn is_done(&self) -> bool {
+        self.place == self.total()
+    }
+
+    /// How far it is.
+    pub fn progress(&self) -> EquilibriumProgress {
+        EquilibriumProgress {
+            share: self.last.share,
+            key: self.key(self.last.share),
+        }
+    }
+
+    /// The next equilibrium; the step is halved where Newton's iteration fails. Where short steps lead nowhere, relative
+    /// equilibria may go on behind a gap, as those of an unbalanced shaft do behind its critical speed.
+    ///
+    /// # Errors
+    /// Why there is none, with the value beyond which.
+    pub fn advance(&mut self) -> Result<(), String> {
+        loop {
+            let target = (self.place + self.increment).min(self.total());
+            match self.attempt(target as f64 / self.total() as f64) {
+                Ok(()) => {
+                    self.place = target;
+                    if self.increment < PARTS && target.is_multiple_of(2 * self.increment) {
+                        self.increment *= 2;
+                    }
+                    return Ok(());
+                }
+                Err(_) if self.increment == 1 && self.leap_far() => return Ok(()),
+                Err(text) if self.increment == 1 => {
+                    let Column { name, unit } = self.column();
+                    let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
+                    let key = digits(self.key(self.last.share), 7);
+                    return Err(format!("beyond {name} = {key}{unit}: {text}"));
+                }
+                Err(_) => self.increment /= 2,
+            }
+            if self.increment == SHORT && self.leap() {
+                return Ok(());
+            }
+        }
+    }
+
+    /// The equilibrium at the next full step, found from the start of the scene.
+    fn leap(&mut self) -> bool {
+        let target = ((self.place / PARTS + 1) * PARTS).min(self.total());
+        let share = target as f64 / self.total() as f64;
+        let Ok((mut scene, at)) = placed(self.model, self.kind, &self.settings, share) else {
+            return false;
+        };
+        if self.kind == Kind::Static || at.scale == 0.0 {
+            return false;
+        }
+        let guess = scene.uniform_guess(&at);
+        let Ok(found) = continue_from(scene.as_mut(), &at, &guess) else {
+            return false;
+        };
+        self.land(scene, at, target, found);
+        true
+    }
+
+    /// The equilibrium at a later step, found from rest or by a flow.
+    fn leap_far(&mut self) -> bool {
+        let mut steps = 1;
+        while self.kind == Kind::Steady && self.place < self.total() {
+            let target = (self.place / PARTS + steps) * PARTS;
+            if target > self.total() {
+                return false;
+            }
+            let share = target as f64 / self.total() as f64;
+            if let Ok((mut scene, at)) = placed(self.model, self.kind, &self.settings, share)
+                && let Ok(found) = follow(scene.as_mut(), &at, 1.0, |_, _| ())
+                && let Some(last) = found.path.last()
+            {
+                let last = last.clone();
+                self.land(scene, at, target, last);
+                return true;
+            }
+            steps *= 2;
+        }
+        false
+    }
+
+    fn land(&mut self, scene: Box<dyn Scene>, at: Uniform, target: u64, found: Continued) {
+        let share = target as f64 / self.total() as f64;
+        self.leaps.push([self.last.share, share]);
+        self.keep(scene, at, share, found);
+        (self.place, self.increment) = (target, PARTS);
+    }
+
+    /// What is said of the leaps.
+    pub fn warnings(&self) -> Vec<String> {
+        let Column { name, unit } = self.column();
+        let told = |leap: &[f64; 2]| {
+            let [from, to] = leap.map(|share| self.key(share));
+            format!(
+                "no equilibrium continues those up to {name} = {} {unit}: the one at {} {unit} is found from the undeformed start",
+                digits(from, 7),
+                digits(to, 7)
+            )
+        };
+        self.leaps.iter().map(told).collect()
+    }
+
+    fn total(&self) -> u64 {
+        u64::from(self.settings.steps) * PARTS
+    }
+
+    fn attempt(&mut self, share: f64) -> Result<(), String> {
+        let (mut scene, at) =
+            placed(self.model, self.kind, &self.settings, share).map_err(|failure| failure.to_string())?;
+        let guess = self.predicted(scene.as_ref(), share)?;
+        let mut found = continued(scene.as_mut(), &at, &guess);
+        if found.is_err() && guess.x != self.last.state.x {
+            found = continued(scene.as_mut(), &at, &self.last.state);
+        }
+        let leapt = match &found {
+            Ok(found) if self.kind == Kind::Static => self.leaps(scene.as_mut(), &at, share, found),
+            _ => false,
+        };
+        if (leapt || found.is_err()) && self.kind == Kind::Static && self.settings.range.is_none() && self.place == 0 {
+            found = match settle(scene.as_mut(), &at) {
+                Err(_) if leapt => return Err(LEAPT.into()),
+                Err(_) => found,
+                settled => settled,
+            };
+        } else if leapt {
+            return Err(LEAPT.into());
+        }
+        let found = found.map_err(|error| reason(&error, self.settings.range.is_some()))?;
+        self.keep(scene, at, share, found);
+        Ok(())
+    }
+
+    /// Whether the first static step is far from straight where it is cut: what lies beyond a limit point may look near by chance.
+    fn leaps_within(&self, share: f64) -> bool {
+        let strays = |part: f64| {
+            let Ok((mut scene, at)) = placed(self.model, self.kind, &self.settings, part * share) else {
+                return false;
+            };
+            continued(scene.as_mut(), &at, &self.last.state).map_or(true, |found| found.strayed)
+        };
+        self.place == 0 && CUTS.into_iter().any(strays)
+    }
+
+    /// Whether a limit point may lie between the last static equilibrium and the one that was found. Shorter steps show it.
+    fn leaps(&mut self, scene: &mut dyn Scene, at: &Uniform, share: f64, found: &Continued) -> bool {
+        if self.increment > 1 && (found.strayed || self.leaps_within(share)) {
+            return true;
+        }
+        let is_doubtful = found.strayed || found.moved_far && self.place > 0;
+        is_doubtful && self.has_leapt(scene, at, found)
+    }
+
+    /// Whether the way back from an equilibrium does not end at the last one.
+    fn has_leapt(&mut self, scene: &mut dyn Scene, at: &Uniform, found: &Continued) -> bool {
+        let state = scene.carried(at, &found.state, true);
+        let Ok((mut scene, at)) = placed(self.model, self.kind, &self.settings, self.last.share) else {
+            return false;
+        };
+        let [from, to] = [&state, &self.last.state].map(|state| {
+            let mut state = state.clone();
+            state.t = at.t;
+            scene.carried(&at, &state, false)
+        });
+        goes_back(scene.as_mut(), &at, &from, &to) == Some(false)
+    }
+
+    fn keep(&mut self, mut scene: Box<dyn Scene>, at: Uniform, share: f64, found: Continued) {
+        self.iterations += u64::from(found.iterations);
+        let last = Found {
+            share,
+            state: scene.carried(&at, &found.state, true),
+            negative: found.negative,
+        };
+        self.before = Some(std::mem::replace(&mut self.last, last));
+        (self.scene, self.at, self.state) = (scene, at, found.state);
+    }
+
+    /// On the secant through the last two equilibria; orientations as in the last one.
+    fn predicted(&self, scene: &dyn Scene, share: f64) -> Result<State, String> {
+        let mut guess = self.last.state.clone();
+        if guess.x.len() != scene.unknowns() || guess.lambda.len() != scene.constraints() {
+            return Err("the number of unknowns changes: the equilibria do not continue each other".into());
+        }
+        let Some(before) = &self.before else {
+            return Ok(guess);
+        };
+        let ratio = (share - self.last.share) / (self.last.share - before.share);
+        let carried = |to: &mut [f64], from: &[f64]| {
+            for (value, earlier) in to.iter_mut().zip(from) {
+                *value += ratio * (*value - earlier);
+            }
+        };
+        carried(&mut guess.x, &before.state.x);
+        carried(&mut guess.lambda, &before.state.lambda);
+        for &turn in scene.turns() {
+            guess.x[turn..turn + 3].copy_from_slice(&self.last.state.x[turn..turn + 3]);
+        }
+        Ok(guess)
+    }
+
+    /// The scene and the equilibrium near a guess at a part of the way; the last state is carried back, as the guess is.
+    pub fn between(&mut self, share: f64, guess: &State) -> Option<(Box<dyn Scene>, Uniform, State, State)> {
+        let (mut scene, at) = placed(self.model, self.kind, &self.settings, share).ok()?;
+        let found = continued(scene.as_mut(), &at, guess).ok()?;
+        self.iterations += u64::from(found.iterations);
+        let back = scene.carried(&at, &found.state, true);
+        Some((scene, at, found.state, back))
+    }
+
+    /// The equilibrium near a guess at a part of the way, and what is measured of it.
+    pub fn looked_at(
+        &mut self,
+        share: f64,
+        guess: &State,
+        with_values: bool,
+        measure: &mut Measure<'_>,
+    ) -> Option<Looked> {
+        let (mut scene, at) = placed(self.model, self.kind, &self.settings, share).ok()?;
+        let found = continued(scene.as_mut(), &at, guess).ok()?;
+        self.iterations += u64::from(found.iterations);
+        let measured = measure(scene.as_mut(), &at, &found, with_values)?;
+        Some(Looked {
+            share,
+            state: scene.carried(&at, &found.state, true),
+            measured,
+        })
+    }
+}
+
+/// The equilibrium near a guess that is carried back to t = 0.
+fn continued(scene: &mut dyn Scene, at: &Uniform, guess: &State) -> Result<Continued, SolveError> {
+    let mut guess = guess.clone();
+    guess.t = at.t;
+    let guess = scene.carried(at, &guess, false);
+    continue_from(scene, at, &guess)
+}
+
+/// A parameter and its value in the declared unit.
+pub(in crate::app) fn value_of(model: &dyn AnyModel, param: usize, value: f64) -> String {
+    let param = &model.params()[param];
+    format!("{} = {}", param.name, in_unit(param, value))
+}
+
+/// Why there is no equilibrium; with `whole`, the scale is always 1 and says nothing.
+pub(in crate::app) fn reason(error: &SolveError, whole: bool) -> String {
+    let mut text = error.to_string();
+    if let (true, SolveErrorKind::NoEquilibrium(_)) = (whole, &error.kind) {
+        for scale in [" beyond 1 of the angular velocity", " beyond 1 of the load"] {
+            text = text.replace(scale, "");
+        }
+    }
+    text
+}

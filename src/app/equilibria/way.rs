@@ -1,0 +1,116 @@
+//! The way of a continuation: which equilibria are asked for, and the scene at each part of it.
+
+use crate::app::results::equilibria::{EquilibriumSettings, Range};
+use crate::app::results::error::RunError;
+use crate::equilibrium::{Kind, Uniform};
+use crate::{AnyModel, Formulation, Joints, ParamKind, Scene};
+
+/// Most continuation steps that may be asked for.
+const MOST_STEPS: u32 = 1_000_000;
+
+/// Why there is no scene at a part of the way.
+pub(in crate::app) enum Unplaced {
+    Model(crate::ModelError),
+    Time(String),
+}
+
+impl std::fmt::Display for Unplaced {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Unplaced::Model(error) => error.fmt(f),
+            Unplaced::Time(text) => f.write_str(text),
+        }
+    }
+}
+
+/// The scene at a part of the way, and its uniform motion; eliminated joints give the same equilibrium
+/// with fewer unknowns.
+pub(in crate::app) fn placed(
+    model: &dyn AnyModel,
+    kind: Kind,
+    settings: &EquilibriumSettings,
+    share: f64,
+) -> Result<(Box<dyn Scene>, Uniform), Unplaced> {
+    let mut model = model.boxed();
+    let mut scale = share;
+    if let Some(range) = settings.range {
+        model.set(range.param, between(range, share));
+        scale = 1.0;
+    }
+    let t = time(model.as_ref(), settings).map_err(Unplaced::Time)?;
+    let scene = model
+        .build(Formulation::Rncf, Joints::Eliminated)
+        .map_err(Unplaced::Model)?;
+    let at = Uniform {
+        t,
+        scale,
+        kind,
+        spin: settings.spin,
+    };
+    Ok((scene, at))
+}
+
+/// The time whose motions and loads hold, s.
+pub(in crate::app) fn time(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<f64, String> {
+    let t = settings.at.unwrap_or_else(|| model.run().t_end);
+    if t >= 0.0 && t.is_finite() {
+        Ok(t)
+    } else {
+        Err(format!("the time is {t} s; it must not be negative"))
+    }
+}
+
+/// The model with the last value of the parameter that is continued.
+pub(in crate::app) fn at_the_end(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Box<dyn AnyModel> {
+    let mut model = model.boxed();
+    if let Some(range) = settings.range {
+        model.set(range.param, range.to);
+    }
+    model
+}
+
+/// Angular velocity of a uniform motion, rad/s.
+pub(in crate::app) fn spin(scene: &dyn Scene, at: &Uniform) -> f64 {
+    let full = match at.spin {
+        Some(spin) => spin.velocity.norm(),
+        None => scene.spin(at.t),
+    };
+    at.speed() * full
+}
+
+pub(in crate::app) fn between(range: Range, share: f64) -> f64 {
+    if share == 1.0 {
+        range.to
+    } else {
+        range.from + share * (range.to - range.from)
+    }
+}
+
+pub(in crate::app) fn check(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<(), RunError> {
+    if !(1..=MOST_STEPS).contains(&settings.steps) {
+        let text = format!("{} steps: the number lies between 1 and {MOST_STEPS}", settings.steps);
+        return Err(RunError::Settings(text));
+    }
+    let Some(range) = settings.range else {
+        return Ok(());
+    };
+    let Some(param) = model.params().get(range.param) else {
+        return Err(RunError::Settings(format!(
+            "{} has no parameter {}",
+            model.name(),
+            range.param
+        )));
+    };
+    let problem = if let ParamKind::Table(_) = param.kind {
+        "a file does not change continuously: give one value"
+    } else if param.kind == ParamKind::Count {
+        "a count does not change continuously: give one value"
+    } else if !(range.from.is_finite() && range.to.is_finite()) {
+        "the range is not finite"
+    } else if range.from == range.to {
+        "the range begins where it ends: give one value"
+    } else {
+        return Ok(());
+    };
+    Err(RunError::Settings(format!("`{}`: {problem}", param.name)))
+}

@@ -1,0 +1,511 @@
+//! Whether the outputs of a run depend on its meshes: it is repeated with twice as many elements.
+//!
+//! From one state it is seen by how much elements are too stiff (`coarse.rs`), and not what becomes of it along a path: a frequency that is off by a
+//! thousandth is a phase that is off by any part after enough turns, and a rope whose strain energy is nothing beside its kinetic energy goes another way.
+//! So the same motion is found again on finer meshes, without modes, by Radau with a tolerance that suffices for the parts that are told. Where outputs differ,
+//! the same is done on the meshes of the run: what differs between both is the error of the mesh, and what differs between this and the run that
+//! of its steps.
+
+use std::cell::Cell;
+
+use super::accumulated::Ended;
+use super::marks::{Again, Marks, Off, TOLD, again, is_of_motion, largest, sorted, told};
+use crate::model::Fidelity;
+use crate::{Method, Options, Output, Scene, State, StepSize};
+
+/// Elements for each one of the run.
+pub(in crate::app) const FINER: usize = 2;
+/// Tolerance that suffices for the parts that are told, of most motions. The error of Radau is more than ten times less with a tenth of it.
+const RTOL: f64 = 1e-4;
+const TEN: f64 = 10.0;
+/// Part of the iterations of the run, times unknowns, that all of it may take,
+const SHARE: f64 = 1.0;
+/// or these: half a second of cables, some seconds of elements with sections;
+const AFFORDED: f64 = 1.5e6;
+/// of what is left the part for finer meshes. The rest takes those of the run as far.
+const FIRST: f64 = 0.6;
+/// Part of a difference that the errors of both steps may make.
+const STEPS: f64 = 0.3;
+/// Part by which outputs of Radau with ten times the tolerance are off, from which on it is not taken for ten times the error of the run: where steps are too
+/// long for what moves, both are wrong alike. A tenth of the tolerance tells.
+const FAR: f64 = 2.0 * TOLD;
+/// Part of the iterations of the run, times unknowns, that this may take.
+const LAST: f64 = 2.5;
+/// No tolerance is smaller: round-off is near.
+const LEAST: f64 = 1e-13;
+/// Most bodies in the sentence.
+const MOST: usize = 3;
+
+/// How far a run is compared with the same motion on finer meshes and with other steps.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Judging {
+    /// Not at all.
+    #[default]
+    No,
+    /// As far as it goes in about the time of the run.
+    Affordable,
+    /// To the end of the run, however long it takes.
+    Whole,
+}
+
+impl Judging {
+    /// As it stands in summaries.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::No => "no",
+            Self::Affordable => "affordable",
+            Self::Whole => "whole",
+        }
+    }
+}
+
+/// What is found.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(in crate::app) struct Found {
+    /// Until when the run was compared, s, and whether that is all of it.
+    pub until: f64,
+    pub is_whole: bool,
+    /// Whether there are finer meshes.
+    pub has_meshes: bool,
+    /// One sentence on the meshes, and one on steps, where outputs are off by much.
+    pub mesh: Option<String>,
+    pub steps: Option<String>,
+    /// One sentence on what was not compared.
+    pub rest: Option<String>,
+    /// How far all outputs are off, for meshes or steps, as far as they were compared; the largest part first.
+    pub off: Vec<Off>,
+}
+
+/// A scene with the state in which it starts.
+pub(in crate::app) struct Begun<'s> {
+    pub scene: &'s mut dyn Scene,
+    pub start: State,
+}
+
+/// What is known of outputs of one kind, those of motion or the others.
+struct Kind<'r> {
+    run: Ended<'r>,
+    outputs: &'r [Output],
+    is_of_motion: bool,
+    is_settled: bool,
+    /// Whether nothing differed on finer meshes, with steps that may be as wrong as those of the run.
+    is_near: bool,
+    /// Until when they were compared, s.
+    until: f64,
+    /// Until when with steps that suffice, s.
+    stepped: f64,
+    /// Parts of outputs that are off for the mesh, until then, and, with the tolerance of Radau that tells it, for steps.
+    mesh: Vec<Off>,
+    steps: (f64, Vec<Off>),
+    /// What all outputs of this kind are off by, for the mesh and for steps.
+    seen: [Vec<Off>; 2],
+    /// Whether ten times the tolerance of the run is so far away that a tenth has to tell.
+    is_far: bool,
+}
+
+impl<'r> Kind<'r> {
+    fn new(run: Ended<'r>, outputs: &'r [Output], is_motion: bool) -> Self {
+        Self {
+            run,
+            outputs,
+            is_of_motion: is_motion,
+            is_settled: !outputs.iter().any(|output| is_of_motion(output) == is_motion),
+            is_near: false,
+            until: 0.0,
+            stepped: if run.is_compared { f64::INFINITY } else { 0.0 },
+            mesh: Vec::new(),
+            steps: (0.0, Vec::new()),
+            seen: [Vec::new(), Vec::new()],
+            is_far: false,
+        }
+    }
+
+    /// The parts that are of this kind.
+    fn of(&self, parts: &[Off]) -> Vec<Off> {
+        let same = |off: &&Off| is_of_motion(&self.outputs[off.output]) == self.is_of_motion;
+        parts.iter().filter(same).copied().collect()
+    }
+
+    /// Whether one of these outputs is of this kind.
+    fn has(&self, those: &[bool]) -> bool {
+        let same = |(output, &is): (&Output, &bool)| is && is_of_motion(output) == self.is_of_motion;
+        self.outputs.iter().zip(those).any(same)
+    }
+
+    /// Nothing differs on finer meshes, found with a tolerance. The same method with a larger one is farther from the truth than the run is;
+    /// another method may be off by as much, to the same side.
+    fn meet_finer(&mut self, rtol: f64, until: f64, beyond: &[Off], open: &[bool]) {
+        if !self.is_settled && largest(&self.of(beyond)) <= TOLD {
+            self.is_near = !self.has(open);
+            self.is_settled = self.is_near && (is_exact(&self.run) || rtol <= self.run.options.rtol);
+            if self.is_settled {
+                self.stepped = self.stepped.max(until);
+            }
+            if until >= self.until {
+                (self.until, self.mesh) = (until, Vec::new());
+                self.seen = [self.of(beyond), Vec::new()];
+            }
+        }
+    }
+
+    /// What other meshes and other steps make of a second run with a tolerance.
+    fn meet(&mut self, rtol: f64, is_last: bool, until: f64, [meshes, steps]: [&[Off]; 2], open: &[bool]) {
+        if self.is_settled {
+            return;
+        }
+        let (mut meshes, mut steps) = (self.of(meshes), self.of(steps));
+        let is_exact = is_exact(&self.run);
+        let [by_meshes, by_steps] = [largest(&meshes), largest(&steps)];
+        let mut is_clear = by_steps <= STEPS * by_meshes.max(TOLD);
+        if !self.is_of_motion {
+            // Steps that suffice for one force do not for another.
+            let of = |parts: &[Off], index: usize| parts.iter().find(|of| of.output == index).map_or(0.0, |of| of.part);
+            is_clear = steps
+                .iter()
+                .all(|off| off.part <= STEPS * of(&meshes, off.output).max(TOLD));
+            meshes.retain(|off| of(&steps, off.output) <= (STEPS * off.part).max(TOLD));
+        }
+        let looser = rtol / self.run.options.rtol;
+        if !is_exact && is_last || is_exact && looser < 2.0 * TEN {
+            // The error of the run is at most so much less than that of larger steps.
+            let less = if is_exact { looser.max(1.0) } else { 1.0 };
+            self.is_far |= less > 1.0 && largest(&steps) > FAR;
+            steps.iter_mut().for_each(|off| off.part /= less);
+            if largest(&steps) > TOLD {
+                self.steps = (rtol, steps.clone());
+            }
+        }
+        self.is_settled = is_last || is_clear && !self.has(open);
+        if self.is_settled {
+            self.stepped = self.stepped.max(until);
+        }
+        if until >= self.until {
+            self.seen[0].clone_from(&meshes);
+            // The run itself has no others.
+            if !steps.is_empty() {
+                self.seen[1] = steps;
+            }
+        }
+        // Otherwise the errors of these steps stand in the way of what is looked for.
+        if (self.is_settled || by_meshes > by_steps) && until >= self.until {
+            meshes.retain(|mesh| mesh.part > TOLD);
+            (self.until, self.mesh) = (until, meshes);
+        }
+    }
+
+    /// What a tenth of the tolerance makes of all of the run.
+    fn meet_smaller(&mut self, rtol: f64, steps: &[Off]) {
+        let steps = self.of(steps);
+        self.seen[1].clone_from(&steps);
+        self.steps = (rtol, if largest(&steps) > TOLD { steps } else { Vec::new() });
+    }
+}
+
+/// What runs with different steps have found.
+struct Sets<'r> {
+    run: Ended<'r>,
+    outputs: &'r [Output],
+    /// Rows with the tolerance of Radau that found them, of finer meshes or not.
+    sets: Vec<(Vec<Vec<f64>>, f64, bool)>,
+    /// Outputs that two of them find alike: small as they may be beside what they are made of, they are there.
+    known: Vec<bool>,
+}
+
+impl<'r> Sets<'r> {
+    fn new(run: Ended<'r>, outputs: &'r [Output]) -> Self {
+        Self {
+            run,
+            outputs,
+            sets: Vec::new(),
+            known: vec![false; outputs.len()],
+        }
+    }
+
+    fn meet(&mut self, rows: &[Vec<f64>], rtol: f64, is_finer: bool) {
+        let marks = self.run.marks;
+        let mut alike = Vec::new();
+        // Errors of the same steps may be alike.
+        if !is_exact(&self.run) || differ(self.run.options.rtol, rtol) {
+            alike.push(marks.known(self.outputs, &marks.rows, rows));
+        }
+        for (others, ..) in self.sets.iter().filter(|set| set.2 == is_finer && differ(set.1, rtol)) {
+            alike.push(marks.known(self.outputs, &marks.with(others.clone()).rows, rows));
+        }
+        for alike in alike {
+            self.known
+                .iter_mut()
+                .zip(alike)
+                .for_each(|(known, alike)| *known |= alike);
+        }
+        self.sets.push((rows.to_vec(), rtol, is_finer));
+    }
+
+    fn off(&self, rows: &[Vec<f64>], rtol: f64) -> Vec<Off> {
+        let marks = self.run.marks;
+        marks.between(self.outputs, &marks.rows, rows, &self.known, rtol)
+    }
+
+    fn open(&self, rows: &[Vec<f64>], rtol: f64) -> Vec<bool> {
+        let marks = self.run.marks;
+        marks.open(self.outputs, rows, &self.known, [self.run.options.rtol, rtol])
+    }
+}
+
+/// Whether tolerances differ by so much that errors of steps do.
+fn differ(one: f64, other: f64) -> bool {
+    one.max(other) > 0.5 * TEN * one.min(other)
+}
+
+/// Compares a run that went from the start of `own` with the motion of the `finer` meshes, where there are any, and with that of other steps.
+pub(in crate::app) fn compare(
+    mut own: Begun<'_>,
+    mut finer: Option<Begun<'_>>,
+    run: Ended<'_>,
+    outputs: &[Output],
+    judging: Judging,
+    goes_on: &mut dyn FnMut() -> bool,
+) -> Found {
+    let unknowns = |of: &Begun<'_>| of.scene.unknowns().max(1) as f64;
+    let afforded = |share: f64, of: &Begun<'_>| match judging {
+        Judging::Whole => f64::INFINITY,
+        _ => AFFORDED.max(share * run.iterations as f64 * unknowns(of)),
+    };
+    let left = Cell::new(afforded(SHARE, &own));
+    let mut rows = |of: &mut Begun<'_>, rtol: f64, share: f64, marks: &Marks| {
+        let how = Again {
+            t_end: run.t_end,
+            method: Method::Radau,
+            options: Options {
+                rtol,
+                step: StepSize::Adaptive,
+                ..run.options
+            },
+            // Of infinitely many there are u64::MAX.
+            most: (share * left.get() / unknowns(of)).max(0.0) as u64,
+        };
+        let (rows, iterations) = again(of.scene, of.start.clone(), how, marks, goes_on);
+        left.set(left.get() - iterations as f64 * unknowns(of));
+        rows
+    };
+    let mut kinds = [true, false].map(|is_motion| Kind::new(run, outputs, is_motion));
+    let mut found_so_far = Sets::new(run, outputs);
+    let tolerances = tolerances(run.options.rtol, is_exact(&run), finer.is_some());
+    for (place, &rtol) in tolerances.iter().enumerate() {
+        if kinds.iter().all(|kind| kind.is_settled) {
+            break;
+        }
+        let is_last = place + 1 == tolerances.len();
+        let mut seen = run.marks.clone();
+        let asks_meshes = kinds.iter().any(|kind| !kind.is_settled && !kind.is_near);
+        let finer = finer.as_mut().filter(|_| asks_meshes);
+        let there = finer.map(|finer| rows(finer, rtol, FIRST, run.marks));
+        if let Some(there) = &there {
+            seen.rows.truncate(there.len());
+            found_so_far.meet(there, rtol, true);
+            let beyond = found_so_far.off(there, rtol);
+            let open = found_so_far.open(there, rtol);
+            kinds
+                .iter_mut()
+                .for_each(|kind| kind.meet_finer(rtol, seen.until(), &beyond, &open));
+            if kinds.iter().all(|kind| kind.is_settled) {
+                break;
+            }
+            if !is_last && kinds.iter().all(|kind| kind.is_settled || kind.is_near) {
+                continue;
+            }
+        }
+        // The run itself serves where its steps are those of the second one.
+        let (mut steps, mut open) = (Vec::new(), Vec::new());
+        if !is_exact(&run) || run.options.rtol != rtol {
+            let here = rows(&mut own, rtol, 1.0, &seen);
+            found_so_far.meet(&here, rtol, false);
+            steps = found_so_far.off(&here, rtol);
+            open = found_so_far.open(&here, rtol);
+            seen = run.marks.with(here);
+        }
+        let meshes = there.map_or(Vec::new(), |there| {
+            run.marks
+                .between(outputs, &seen.rows, &there, &found_so_far.known, rtol)
+        });
+        kinds
+            .iter_mut()
+            .for_each(|kind| kind.meet(rtol, is_last, seen.until(), [&meshes, &steps], &open));
+    }
+    let smaller = run.options.rtol / TEN;
+    if smaller >= LEAST && kinds.iter().any(|kind| kind.is_far) {
+        left.set(afforded(LAST, &own));
+        let here = rows(&mut own, smaller, 1.0, run.marks);
+        if here.len() == run.marks.rows.len() {
+            found_so_far.meet(&here, smaller, false);
+            let steps = found_so_far.off(&here, smaller);
+            kinds.iter_mut().for_each(|kind| kind.meet_smaller(smaller, &steps));
+        }
+    }
+    found(own.scene, &run, outputs, (judging, finer.is_some()), kinds)
+}
+
+/// The sentences.
+fn found(
+    scene: &dyn Scene,
+    run: &Ended<'_>,
+    outputs: &[Output],
+    (judging, has_meshes): (Judging, bool),
+    kinds: [Kind<'_>; 2],
+) -> Found {
+    let there = || {
+        kinds
+            .iter()
+            .filter(|kind| outputs.iter().any(|output| is_of_motion(output) == kind.is_of_motion))
+    };
+    let until = there()
+        .map(|kind| kind.until.min(kind.stepped))
+        .fold(f64::INFINITY, f64::min);
+    let until = if until.is_finite() { until } else { 0.0 };
+    let whole = run.marks.until();
+    let meshes = sorted(kinds.iter().flat_map(|kind| kind.mesh.clone()).collect());
+    let seen = kinds.iter().filter(|kind| !kind.mesh.is_empty()).map(|kind| kind.until);
+    let seen = Some(seen.fold(whole, f64::min)).filter(|&seen| seen < whole);
+    let off = each(kinds.iter().flat_map(|kind| kind.seen.concat()).collect());
+    let [motion, others] = kinds.map(|kind| kind.steps);
+    // What is off in places is off in forces too.
+    let rtol = if motion.1.is_empty() { others.0 } else { motion.0 };
+    let steps = sorted([motion.1, others.1].concat());
+    Found {
+        until,
+        is_whole: until >= whole,
+        has_meshes,
+        rest: (until < whole && judging == Judging::Affordable).then(|| not_compared(until, whole)),
+        mesh: told(outputs, &meshes).map(|names| on_meshes(scene, 1, ("this motion", seen), &names)),
+        steps: sentence_on_steps(run, rtol, outputs, &steps),
+        off,
+    }
+}
+
+/// The largest part of each output.
+pub(in crate::app) fn each(parts: Vec<Off>) -> Vec<Off> {
+    let mut each: Vec<Off> = Vec::new();
+    for off in sorted(parts) {
+        if each.iter().all(|other| other.output != off.output) {
+            each.push(off);
+        }
+    }
+    each
+}
+
+/// The tolerances to compare with, the largest first. Where outputs hardly differ, the first one suffices; else errors of meshes and
+/// steps are told apart by smaller ones.
+fn tolerances(rtol: f64, is_exact: bool, has_meshes: bool) -> Vec<f64> {
+    let mut all = if is_exact && rtol > RTOL / TEN {
+        vec![rtol / TEN]
+    } else if is_exact {
+        vec![RTOL, TEN * rtol]
+    } else {
+        vec![RTOL, 1e-2 * RTOL]
+    };
+    if is_exact && has_meshes {
+        all.push(rtol);
+    }
+    all.dedup_by(|next, before| *next >= 0.99 * *before);
+    all
+}
+
+/// What parts of outputs say of the steps of a run, from what Radau finds with a tolerance.
+fn sentence_on_steps(run: &Ended<'_>, rtol: f64, outputs: &[Output], parts: &[Off]) -> Option<String> {
+    let names = told(outputs, parts)?;
+    let is_exact = is_exact(run);
+    let moves = parts
+        .iter()
+        .any(|off| off.part > TOLD && is_of_motion(&outputs[off.output]));
+    if !is_exact && !moves {
+        return Some(format!(
+            "Radau with a tolerance of {rtol:.0e} finds the same motion with other forces, accelerations or energies, which differ by parts of their largest change or value, {names}. They follow vibrations that are too quick for the steps, which one method damps and the other keeps. Take a smaller `--rtol`, or give the model the damping that such vibrations have."
+        ));
+    }
+    let found = if is_exact && rtol > run.options.rtol {
+        format!("with a tolerance of {rtol:.0e} outputs are so far away that those of this run may be off")
+    } else {
+        format!("Radau with a tolerance of {rtol:.0e} finds another motion, from which outputs differ")
+    };
+    Some(format!(
+        "The tolerance of {:e} holds for each step, and errors of {} steps add up: {found} by parts of their largest change or value, {names}. Take {}a smaller `--rtol`.",
+        run.options.rtol,
+        run.steps,
+        if is_exact { "" } else { "`--integrator radau`, or " }
+    ))
+}
+
+/// Whether the steps of a run are those of the second one, but for the tolerance.
+fn is_exact(run: &Ended<'_>) -> bool {
+    run.method == Method::Radau && run.options.step == StepSize::Adaptive
+}
+
+fn not_compared(until: f64, end: f64) -> String {
+    format!(
+        "Outputs were compared with those of finer meshes and other steps until {until:.3} s, which took about the time of the run; from there to {end:.3} s nothing is known of their errors. `--thorough` compares all of it, `--unjudged` nothing."
+    )
+}
+
+/// The meshes of a scene in a sentence on finer ones.
+pub(in crate::app) struct Meshes {
+    /// Bodies that deform, with their elements.
+    pub names: String,
+    /// What else may be too little, how else the finer ones differ, and what else helps, where some are described by modes.
+    pub too: &'static str,
+    pub how: &'static str,
+    pub more: &'static str,
+}
+
+impl Meshes {
+    /// Of a scene that has so many elements for each one that is named.
+    pub fn of(scene: &dyn Scene, times: usize) -> Self {
+        let described = scene.bodies();
+        let deforming = described
+            .iter()
+            .filter(|body| !matches!(body.fidelity, Fidelity::Rigid | Fidelity::Point));
+        let mut in_modes = false;
+        let mut meshes: Vec<String> = Vec::new();
+        for body in deforming {
+            let elements = body.elements / times;
+            meshes.push(if body.fidelity == Fidelity::Full {
+                format!("`{}` ({elements})", body.name)
+            } else {
+                in_modes = true;
+                format!("`{}` ({elements}, {})", body.name, body.fidelity)
+            });
+        }
+        let others = meshes.len().saturating_sub(MOST);
+        if others > 0 {
+            meshes.truncate(MOST);
+            meshes.push(format!("{others} more"));
+        }
+        let [too, how, more] = if in_modes {
+            [
+                ", or the modes are too few",
+                " and without modes",
+                ", or leave `modal` or `small` out",
+            ]
+        } else {
+            [""; 3]
+        };
+        Self {
+            names: meshes.join(", "),
+            too,
+            how,
+            more,
+        }
+    }
+}
+
+/// That the meshes of a scene, which has so many elements for each one of them, are too coarse for `what`, as far as it was compared.
+pub(in crate::app) fn on_meshes(
+    scene: &dyn Scene,
+    times: usize,
+    (what, until): (&str, Option<f64>),
+    outputs: &str,
+) -> String {
+    let Meshes { names, too, how, more } = Meshes::of(scene, times);
+    let until = until.map_or(String::new(), |t| format!(" until {t:.3} s"));
+    format!(
+        "The mesh is too coarse for {what}{too}: with twice as many elements{how} in {names} outputs differ{until} by parts of their largest change or value, {outputs}. Take more elements in `mesh` (twice as many make it some ten times less){more}."
+    )
+}

@@ -1,0 +1,460 @@
+//! Outputs of a run at its rows, and of a second run at the same times: how far one is from the other.
+
+use std::f64::consts::TAU;
+
+use crate::app::writing::sentences::listed;
+use crate::archive::{Archive, Keep};
+use crate::{Integrator, Method, Options, Output, Scene, State, Stop};
+
+/// Most numbers that are kept, with the times and what a row costs beside them: of longer histories every second, third, .. row.
+const NUMBERS: u64 = 400_000;
+const BESIDE: u64 = 4;
+/// Part of the largest change of an output from which on its error is told.
+pub(in crate::app) const TOLD: f64 = 0.01;
+/// Least change that counts, in tolerances and at most: of the largest value of an output, and where nothing says that it is there, of what it is made of.
+/// Less is what a motion leaves where nothing moves, or a number that should not change.
+const KEPT: f64 = 1e3;
+const SMALL: f64 = 1e-3;
+/// Part of the tolerance, of what an output is made of, below which it is nothing.
+const NOTHING: f64 = 1e-3;
+/// Part of what an output is made of that may be the same noise in two runs.
+const LEAST: f64 = 1e-10;
+/// Relative error of a state that many steps leave.
+const ROUND_OFF: f64 = 1e-13;
+/// Part beyond which both are different motions.
+const WRONG: f64 = 0.5;
+/// Most outputs that are told.
+const MOST: usize = 4;
+
+/// Outputs of a run at its rows, with their times (s). What dies away between two rows that are far apart would be missed.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(in crate::app) struct Marks {
+    pub rows: Vec<(f64, Vec<f64>)>,
+    /// Rows from one that is kept to the next, less one.
+    left_out: u64,
+    /// What round-off makes of the outputs, by columns; empty until it is known.
+    pub round_off: Vec<f64>,
+    /// Largest sizes of what the outputs are made of, by columns; empty where that is not looked at.
+    pub operands: Vec<f64>,
+}
+
+/// How far an output is off.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::app) struct Off {
+    pub output: usize,
+    /// As part of its largest change or value, whichever is less,
+    pub part: f64,
+    /// or of this, in its unit, where both are nothing.
+    pub nothing: Option<f64>,
+}
+
+/// Rows of two runs in one output.
+struct Compared {
+    output: usize,
+    /// Their largest distance.
+    away: f64,
+    /// Largest change or value, whichever is less, of all rows of the run; largest value.
+    size: f64,
+    value: f64,
+    /// The same size of both runs as far as both go.
+    sizes: [f64; 2],
+    operands: f64,
+    round_off: f64,
+}
+
+impl Compared {
+    /// Two runs with different steps agree that there is something: it is no error of steps.
+    fn agrees(&self) -> bool {
+        let size = self.sizes[0].min(self.sizes[1]);
+        size > LEAST * self.operands && self.away <= WRONG * size
+    }
+
+    /// The size by which a distance is measured, of an output that is known to be there or not.
+    fn measure(&self, is_known: bool, rtol: f64) -> f64 {
+        let floor = if is_known { 0.0 } else { self.operands };
+        let kept = (KEPT * rtol).min(SMALL) * self.value.max(floor);
+        self.size.max(kept).max(self.round_off)
+    }
+
+    fn off(&self, is_known: bool, rtol: f64) -> Off {
+        let measure = self.measure(is_known, rtol);
+        Off {
+            output: self.output,
+            part: self.away / measure,
+            nothing: Some(measure).filter(|measure| *measure > self.size),
+        }
+    }
+}
+
+impl Keep for Marks {
+    fn keep(&mut self, archive: &mut Archive<'_>) {
+        let Self {
+            rows,
+            left_out: _,
+            round_off,
+            operands,
+        } = self;
+        rows.keep(archive);
+        round_off.keep(archive);
+        operands.keep(archive);
+    }
+}
+
+impl Marks {
+    /// Of a history with so many rows and columns of outputs.
+    pub fn of(rows: u64, columns: usize) -> Self {
+        Self {
+            left_out: rows.saturating_mul(columns as u64 + BESIDE) / NUMBERS,
+            ..Self::default()
+        }
+    }
+
+    /// Takes in a row by its number.
+    pub fn meet(&mut self, row: u64, t: f64, values: &[f64]) {
+        if row.is_multiple_of(self.left_out + 1) {
+            self.rows.push((t, values.to_vec()));
+        }
+    }
+
+    /// Time of the last one, s.
+    pub fn until(&self) -> f64 {
+        self.rows.last().map_or(0.0, |row| row.0)
+    }
+
+    /// The same times with other values, as far as there are any.
+    pub fn with(&self, rows: Vec<Vec<f64>>) -> Self {
+        let times = self.rows.iter().map(|row| row.0);
+        Self {
+            rows: times.zip(rows).collect(),
+            left_out: self.left_out,
+            round_off: self.round_off.clone(),
+            operands: self.operands.clone(),
+        }
+    }
+
+    /// Takes in what outputs are made of at a row.
+    pub fn meet_operands(&mut self, values: &[f64]) {
+        self.operands.resize(values.len(), 0.0);
+        for (largest, value) in self.operands.iter_mut().zip(values) {
+            // What has no size there may have one elsewhere.
+            *largest = largest.max(*value);
+        }
+    }
+
+    /// The outputs with their distance from the rows of a run with other steps, as part of their largest change, or of their largest value where that is
+    /// less; the largest first. Rows that are not there are not compared; `rtol` is the tolerance of the run.
+    pub fn differences(&self, outputs: &[Output], rows: &[Vec<f64>], rtol: f64) -> Vec<Off> {
+        self.between(outputs, &self.rows, rows, &self.known(outputs, &self.rows, rows), rtol)
+    }
+
+    /// The same of two other runs, and outputs that are known to be there.
+    pub fn between(
+        &self,
+        outputs: &[Output],
+        here: &[(f64, Vec<f64>)],
+        there: &[Vec<f64>],
+        known: &[bool],
+        rtol: f64,
+    ) -> Vec<Off> {
+        let compared = self.compared(outputs, here, there);
+        let off = |of: &Compared| of.off(known[of.output], rtol);
+        sorted(compared.iter().map(off).collect())
+    }
+
+    /// Which outputs two runs with different steps find alike.
+    pub fn known(&self, outputs: &[Output], here: &[(f64, Vec<f64>)], there: &[Vec<f64>]) -> Vec<bool> {
+        let compared = self.compared(outputs, here, there);
+        compared.iter().map(Compared::agrees).collect()
+    }
+
+    /// Which outputs are more than a part of what they are made of, in one of both.
+    pub fn above(&self, outputs: &[Output], there: &[Vec<f64>], part: f64) -> Vec<bool> {
+        let compared = self.compared(outputs, &self.rows, there);
+        compared
+            .iter()
+            .map(|of| of.sizes[0].max(of.sizes[1]) > (part * of.operands).max(of.round_off))
+            .collect()
+    }
+
+    /// Which outputs differ by no more than the second of two tolerances knows of them, but would be off by much if they were there to the first, that of the run.
+    pub fn open(&self, outputs: &[Output], there: &[Vec<f64>], known: &[bool], [own, other]: [f64; 2]) -> Vec<bool> {
+        let compared = self.compared(outputs, &self.rows, there);
+        let is_open = |of: &Compared| {
+            let nothing = (NOTHING * own * of.operands).max(of.round_off);
+            of.away <= TOLD * of.measure(known[of.output], other)
+                && of.away > TOLD * of.measure(true, own)
+                && of.sizes[0].max(of.sizes[1]) > nothing
+        };
+        compared.iter().map(is_open).collect()
+    }
+
+    fn compared(&self, outputs: &[Output], here: &[(f64, Vec<f64>)], there: &[Vec<f64>]) -> Vec<Compared> {
+        let Some((_, begin)) = self.rows.first() else {
+            return Vec::new();
+        };
+        let mut first = 0;
+        let mut compared = Vec::with_capacity(outputs.len());
+        for (index, output) in outputs.iter().enumerate() {
+            let columns = first..first + output.width();
+            first = columns.end;
+            let size = |row: &[f64]| norm(row[columns.clone()].iter().copied());
+            let distance = |a: &[f64], b: &[f64]| norm(columns.clone().map(|column| a[column] - b[column]));
+            let of = |rows: &mut dyn Iterator<Item = &[f64]>| {
+                rows.fold([0.0f64, 0.0f64], |[change, value], row| {
+                    [change.max(distance(row, begin)), value.max(size(row))]
+                })
+            };
+            let own = |rows: &[(f64, Vec<f64>)], count: usize| of(&mut rows.iter().take(count).map(|row| &row.1[..]));
+            let [change, value] = own(&self.rows, usize::MAX);
+            let both = [
+                own(here, there.len()),
+                of(&mut there.iter().take(here.len()).map(|row| &row[..])),
+            ];
+            let whole = turn(output.unit).filter(|turn| value.max(both[1][1]) <= 0.5 * turn * (1.0 + 1e-9));
+            let apart = |a: &[f64], b: &[f64]| {
+                let far = distance(a, b);
+                whole.map_or(far, |turn| far.min(turn - far))
+            };
+            let pairs = here.iter().zip(there);
+            let in_columns = |of: &[f64]| norm(of.get(columns.clone()).unwrap_or_default().iter().copied());
+            compared.push(Compared {
+                output: index,
+                away: pairs.map(|((_, row), other)| apart(row, other)).fold(0.0, f64::max),
+                size: change.min(value),
+                value,
+                sizes: both.map(|[change, value]| change.min(value)),
+                operands: in_columns(&self.operands),
+                round_off: in_columns(&self.round_off),
+            });
+        }
+        compared
+    }
+}
+
+/// A whole turn in a unit of angles. An angle that is known up to whole turns, between -1/2 and 1/2 of one, jumps in one run a little before it does in
+/// another: both are as far apart as it is the shorter way round.
+fn turn(unit: &str) -> Option<f64> {
+    match unit {
+        "rad" => Some(TAU),
+        "mrad" => Some(1e3 * TAU),
+        "deg" => Some(360.0),
+        "rev" => Some(1.0),
+        _ => None,
+    }
+}
+
+fn norm(values: impl Iterator<Item = f64>) -> f64 {
+    values.map(|value| value * value).sum::<f64>().sqrt()
+}
+
+/// What round-off of a state makes of the outputs, by columns: of places, and of the forces that it makes of multipliers.
+pub(in crate::app) fn round_off(scene: &mut dyn Scene, state: &State) -> Vec<f64> {
+    let columns = scene.output_columns();
+    let [mut values, mut others] = [vec![0.0; columns], vec![0.0; columns]];
+    let [mut force, mut other] = [vec![0.0; scene.unknowns()], vec![0.0; scene.unknowns()]];
+    let mut near = state.clone();
+    let sign = |index: usize| if index % 3 == 1 { -1.0 } else { 1.0 };
+    for (index, (x, size)) in near.x.iter_mut().zip(scene.sizes()).enumerate() {
+        *x += sign(index) * ROUND_OFF * size.max(x.abs());
+    }
+    scene.residual(state, &mut force);
+    scene.residual(&near, &mut other);
+    let change = force.iter().zip(&other).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    for (index, multiplier) in near.lambda.iter_mut().enumerate() {
+        *multiplier += sign(index) * change;
+    }
+    scene.outputs(state, &mut values);
+    scene.outputs(&near, &mut others);
+    values.iter().zip(&others).map(|(a, b)| (a - b).abs()).collect()
+}
+
+/// Whether an output follows from where things are and how fast they move. Forces, accelerations and energies have vibrations of their own, of
+/// places that hardly change.
+pub(in crate::app) fn is_of_motion(output: &Output) -> bool {
+    output.time_exponent > -2.0
+}
+
+/// The largest part.
+pub(in crate::app) fn largest(found: &[Off]) -> f64 {
+    found.first().map_or(0.0, |off| off.part)
+}
+
+/// The largest first.
+pub(in crate::app) fn sorted(mut found: Vec<Off>) -> Vec<Off> {
+    found.sort_by(|a, b| b.part.total_cmp(&a.part));
+    found
+}
+
+/// The outputs whose errors are worth to be told, with these.
+pub(in crate::app) fn told(outputs: &[Output], found: &[Off]) -> Option<String> {
+    let name = |&Off { output, part, nothing }: &Off| {
+        let Output { name, unit, .. } = outputs[output];
+        match nothing {
+            // What should not change has no part of its change.
+            Some(size) if unit == "1" => format!("`{name}` by about {:.1e}", part * size),
+            Some(size) => format!("`{name}` by about {:.1e} {unit}", part * size),
+            None => format!("`{name}` by {}", percent(part)),
+        }
+    };
+    let worth = found.iter().filter(|off| off.part > TOLD);
+    listed(&worth.map(name).collect::<Vec<_>>(), MOST)
+}
+
+/// A part with two digits; beyond one half both are different.
+pub(in crate::app) fn percent(part: f64) -> String {
+    if part > WRONG {
+        return format!("more than {:.0} %", 100.0 * WRONG);
+    }
+    let digits = usize::from(part < 0.1);
+    format!("about {:.digits$} %", 100.0 * part)
+}
+
+/// How to go a second time.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::app) struct Again {
+    pub t_end: f64,
+    pub method: Method,
+    pub options: Options,
+    /// Most iterations.
+    pub most: u64,
+}
+
+/// Rows at the times of the marks of a run that goes so, as far as it comes and `goes_on` lets it, and what iterations it takes.
+pub(in crate::app) fn again(
+    scene: &mut dyn Scene,
+    start: State,
+    how: Again,
+    marks: &Marks,
+    goes_on: &mut dyn FnMut() -> bool,
+) -> (Vec<Vec<f64>>, u64) {
+    let columns = scene.output_columns();
+    let mut rows = Vec::with_capacity(marks.rows.len());
+    let Ok(mut integrator) = Integrator::new(scene, start, how.t_end, how.method, how.options) else {
+        return (rows, 0);
+    };
+    let mut state = integrator.state().clone();
+    loop {
+        while let Some(&(t, _)) = marks.rows.get(rows.len()) {
+            let reached = integrator.state().t;
+            if t > reached * (1.0 + 1e-13) {
+                break;
+            }
+            if t >= reached {
+                state.clone_from(integrator.state());
+            } else {
+                integrator.interpolate(t, &mut state);
+            }
+            let mut row = vec![0.0; columns];
+            integrator.system().outputs(&state, &mut row);
+            rows.push(row);
+        }
+        let iterations = integrator.statistics().newton_iterations;
+        if rows.len() == marks.rows.len() || iterations > how.most || !goes_on() {
+            return (rows, iterations);
+        }
+        match integrator.step() {
+            Ok(Stop::End) if integrator.state().t < how.t_end => return (rows, iterations),
+            Ok(_) => {}
+            Err(_) => return (rows, iterations),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn output(name: &'static str, unit: &'static str) -> Output {
+        Output {
+            name,
+            unit,
+            time_exponent: 0.0,
+            components: &[],
+            doc: "",
+        }
+    }
+
+    /// Of four places one moves, two hardly, of which the runs agree on one, and one not at all; energy is kept in one run and not in the other; a force is as good
+    /// as it is in any unit.
+    #[test]
+    fn what_two_runs_do_not_agree_on_is_compared_with_what_it_is_made_of() {
+        let outputs = [
+            output("moves", "m"),
+            output("hardly", "m"),
+            output("little", "m"),
+            output("stays", "m"),
+            output("energy", "J"),
+            output("force", "kN"),
+        ];
+        let mut marks = Marks::default();
+        for k in 0..=40u32 {
+            let t = f64::from(k) / 40.0;
+            marks.meet(k.into(), t, &[t, 1e-6 * t, 1e-6 * t, 1e-13 * t, 5.0 + 1e-9 * t, t]);
+        }
+        let others = |hardly: f64| -> Vec<Vec<f64>> {
+            let row = |t: f64| vec![1.02 * t, hardly * t, 1.04e-6 * t, 0.0, 5.0 + 1e-3 * t, 1.05 * t];
+            marks.rows.iter().map(|(t, _)| row(*t)).collect()
+        };
+        let rows = others(3e-6);
+        // What nothing is known of is made of itself.
+        let part = |marks: &Marks, rows: &[Vec<f64>], index: usize| {
+            let found = marks.differences(&outputs, rows, 1e-6);
+            found.iter().find(|found| found.output == index).unwrap().part
+        };
+        assert!((part(&marks, &rows, 1) - 2.0).abs() < 1e-9);
+        let mut measured = marks.clone();
+        measured.meet_operands(&[1.0, 1.0, 1.0, 1.0, 5.0, 1.0]);
+        let found = measured.differences(&outputs, &rows, 1e-6);
+        assert_eq!(
+            told(&outputs, &found).unwrap(),
+            "`energy` by about 1.0e-3 J, `force` by about 5.0 %, `little` by about 4.0 %, `moves` by about 2.0 %"
+        );
+        // A number that is 1e-6 of what it is made of may be an error of the steps, or there: another comparison has to tell.
+        let known = measured.known(&outputs, &measured.rows, &rows);
+        assert_eq!(known, [true, false, true, false, false, true]);
+        let open = measured.open(&outputs, &rows, &known, [1e-6, 1e-6]);
+        assert_eq!(open, [false, true, false, false, false, false]);
+        // A hundred times the tolerance knows less of what is there, and of what may be.
+        let mut small = measured.clone();
+        small.rows.iter_mut().for_each(|(_, row)| row[1] += 1.0);
+        let mut there = others(3e-6);
+        there.iter_mut().for_each(|row| row[1] += 1.0);
+        let known = small.known(&outputs, &small.rows, &there);
+        let open = |other: f64| small.open(&outputs, &there, &known, [1e-9, other])[1];
+        assert!(open(1e-6) && !open(1e-9));
+        let nearer = others(2.8e-6);
+        let known = measured.known(&outputs, &measured.with(rows.clone()).rows, &nearer);
+        assert!(known[1] && !known[3]);
+        let found = measured.between(&outputs, &measured.rows, &nearer, &known, 1e-6);
+        assert!(found[0].output == 1 && (found[0].part - 1.8).abs() < 1e-9, "{found:?}");
+        // As far as there are rows.
+        assert!(told(&outputs, &measured.differences(&outputs, &rows[..1], 1e-6)).is_none());
+    }
+
+    /// Between axes an angle jumps back by a turn: not at the same time in two runs.
+    #[test]
+    fn angles_that_jump_are_compared_the_shorter_way_round() {
+        let outputs = [output("between", "deg"), output("counted", "deg")];
+        let wrapped = |angle: f64| (angle + 180.0).rem_euclid(360.0) - 180.0;
+        let row = |angle: f64| vec![wrapped(angle), angle];
+        let mut marks = Marks::default();
+        (0..1000).for_each(|k| marks.meet(k, k as f64, &row(k as f64)));
+        let others: Vec<Vec<f64>> = (0..1000).map(|k| row(k as f64 + 2.0)).collect();
+        let found = marks.differences(&outputs, &others, 1e-6);
+        let of = |index: usize| found.iter().find(|found| found.output == index).unwrap().part;
+        assert!(
+            (of(0) - 2.0 / 180.0).abs() < 1e-9 && (of(1) - 2.0 / 999.0).abs() < 1e-9,
+            "{found:?}"
+        );
+    }
+
+    /// Nothing is left out of a history that fits in memory; of a longer one as little as may be.
+    #[test]
+    fn all_rows_are_kept_but_of_very_long_histories() {
+        for (count, kept) in [(301, 301), (50_000, 50_000), (160_000, 53_334)] {
+            let mut marks = Marks::of(count, 2);
+            (0..count).for_each(|row| marks.meet(row, row as f64, &[1.0, 2.0]));
+            assert_eq!(marks.rows.len(), kept, "{count}");
+        }
+    }
+}

@@ -1,0 +1,345 @@
+//! Vibrations that the start sets off and that the steps of a run do not follow.
+//!
+//! Steps follow what moves the unknowns by more than the tolerance. A stiff vibration has a small amplitude, and forces that are not small:
+//! where it is shorter than the steps, implicit methods damp it away, and outputs that read forces, moments or accelerations show the mean that it swings about. Where
+//! nothing damps it in the model, that is off by its amplitude, at the right positions. No estimate of a step's error sees this. So it is looked at: after the run a few
+//! steps with a far smaller tolerance begin at the same start. What swings in them, lasts and is quicker than the steps of the run is missing in its outputs.
+
+use crate::app::writing::sentences::listed;
+use crate::{Integrator, Method, Options, Output, Scene, State, Statistics, Stop};
+
+/// Tolerance of the look, of that of the run, and the least one.
+const FINER: f64 = 1e-3;
+const LEAST: f64 = 1e-10;
+/// The look ends after so many mean steps of the run, or, at half as many steps as it, within these bounds,
+const ENOUGH: f64 = 20.0;
+const STEPS: [u64; 2] = [120, 300];
+/// or where its iterations are this part of those of the run and, times the unknowns, more than these, which take some tenths of a second.
+const SHARE: f64 = 0.2;
+const AFFORDED: usize = 500_000;
+/// Even times at which what was seen is judged.
+const TIMES: usize = 256;
+/// Least amplitude that is told, of the largest value seen.
+const TOLD: f64 = 0.05;
+/// Amplitude that is nothing, in tolerances of what the output is made of.
+const SMALL: f64 = 10.0;
+/// States of which it is looked at what outputs are made of: one of so many.
+const LOOKED_AT: usize = 16;
+/// Least changes of sign about the mean.
+const CHANGES: usize = 5;
+/// A vibration lasts whose amplitude in the second half of the look is at least this part of that in the first half.
+const LASTING: f64 = 0.7;
+/// Steps of the run in a period that follow it.
+const FOLLOWED: f64 = 4.0;
+/// Most outputs that are told.
+const MOST: usize = 4;
+/// Part of the amplitude within which no change of sign counts.
+const BAND: f64 = 0.2;
+
+/// A vibration of an output.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Swing {
+    /// s
+    period: f64,
+    /// In the unit of the output.
+    amplitude: f64,
+}
+
+/// An output that misses a vibration.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Missed {
+    output: usize,
+    swing: Swing,
+    /// Amplitude over the largest value.
+    part: f64,
+}
+
+/// A run that came to its end.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::app) struct Followed<'r> {
+    /// s
+    pub t_end: f64,
+    pub rtol: f64,
+    pub statistics: &'r Statistics,
+    /// State at the end.
+    pub end: &'r State,
+}
+
+/// One sentence where outputs of a run from `start` miss vibrations.
+pub(in crate::app) fn unfollowed(
+    scene: &mut dyn Scene,
+    start: State,
+    run: Followed<'_>,
+    outputs: &[Output],
+) -> Option<String> {
+    let (rtol, steps) = (run.rtol, run.statistics.steps);
+    let step = run.t_end / steps.max(1) as f64;
+    let finer = (FINER * rtol).max(LEAST);
+    if finer > 0.1 * rtol {
+        return None;
+    }
+    let ends = Ends {
+        steps: (steps / 2).clamp(STEPS[0], STEPS[1]),
+        iterations: ((SHARE * run.statistics.newton_iterations as f64) as u64)
+            .max((AFFORDED / scene.unknowns().max(1)) as u64),
+        time: ENOUGH * step,
+    };
+    let states = look(scene, start, (run.t_end, finer), &ends)?;
+    let mut read = |state: &State| {
+        let mut row = vec![0.0; scene.output_columns()];
+        scene.outputs(state, &mut row);
+        row
+    };
+    let rows: Vec<(f64, Vec<f64>)> = states.iter().map(|state| (state.t, read(state))).collect();
+    let last = read(run.end);
+    let mut nothing = vec![0.0; last.len()];
+    let mut operands = nothing.clone();
+    for state in states.iter().step_by(LOOKED_AT).chain([run.end]) {
+        scene.operands(state, &mut operands);
+        for (nothing, size) in nothing.iter_mut().zip(&operands) {
+            *nothing = f64::max(*nothing, SMALL * rtol * size);
+        }
+    }
+    let mut found = missing(outputs, &rows, &last, &nothing, step);
+    found.sort_by(|a, b| b.part.total_cmp(&a.part));
+    let told = |missed: &Missed| {
+        let name = outputs[missed.output].name;
+        format!(
+            "`{name}` by {:.0} % of its largest value, with a period of {:.1e} s",
+            100.0 * missed.part,
+            missed.swing.period
+        )
+    };
+    let names = listed(&found.iter().map(told).collect::<Vec<_>>(), MOST)?;
+    Some(format!(
+        "The start sets off vibrations that last and are quicker than the steps of the run ({step:.1e} s in the mean), which lose them: {names} show the mean that they swing about, without the swing. Give `damping` to what vibrates, start in equilibrium (`--start steady`, `start .. = spinning(..)`), or follow them with `--rtol {finer:.0e}`."
+    ))
+}
+
+/// What ends the look, where it comes first.
+struct Ends {
+    steps: u64,
+    iterations: u64,
+    /// s
+    time: f64,
+}
+
+/// States at the ends of the steps of a short run with a small tolerance; none where it does not begin.
+fn look(scene: &mut dyn Scene, start: State, (t_end, rtol): (f64, f64), ends: &Ends) -> Option<Vec<State>> {
+    let until = start.t + ends.time;
+    let options = Options {
+        rtol,
+        ..Options::default()
+    };
+    let mut integrator = Integrator::new(scene, start, t_end, Method::Radau, options).ok()?;
+    let mut states = vec![integrator.state().clone()];
+    for _ in 0..ends.steps {
+        let stop = integrator.step().ok()?;
+        states.push(integrator.state().clone());
+        let is_enough = integrator.state().t > until || integrator.statistics().newton_iterations > ends.iterations;
+        if stop != Stop::Step || is_enough {
+            break;
+        }
+    }
+    Some(states)
+}
+
+/// Outputs that swing quicker than steps of `step` (s) follow, by more than is nothing in a column.
+fn missing(outputs: &[Output], rows: &[(f64, Vec<f64>)], last: &[f64], nothing: &[f64], step: f64) -> Vec<Missed> {
+    let mut first = 0;
+    let columns: Vec<std::ops::Range<usize>> = outputs
+        .iter()
+        .map(|output| {
+            let range = first..first + output.width();
+            first = range.end;
+            range
+        })
+        .collect();
+    let size = |range: &std::ops::Range<usize>| {
+        let of = |row: &[f64]| row[range.clone()].iter().map(|value| value * value).sum::<f64>().sqrt();
+        rows.iter().map(|(_, row)| of(row)).fold(of(last), f64::max)
+    };
+    let sizes: Vec<f64> = columns.iter().map(size).collect();
+    let mut found = Vec::new();
+    for (index, columns) in columns.iter().enumerate() {
+        let swings = columns.clone().filter_map(|column| {
+            let values: Vec<(f64, f64)> = rows.iter().map(|(t, row)| (*t, row[column])).collect();
+            swing(&values).filter(|swing| swing.amplitude > nothing[column])
+        });
+        let Some(swing) = swings.max_by(|a, b| a.amplitude.total_cmp(&b.amplitude)) else {
+            continue;
+        };
+        let part = swing.amplitude / sizes[index];
+        if part > TOLD && swing.period < FOLLOWED * step {
+            found.push(Missed {
+                output: index,
+                swing,
+                part,
+            });
+        }
+    }
+    found
+}
+
+/// What of values over time swings about a smooth mean, and lasts.
+fn swing(values: &[(f64, f64)]) -> Option<Swing> {
+    let even = evenly(values)?;
+    let rest = without_parabola(&even);
+    let half = TIMES / 2;
+    let amplitude = |part: &[f64]| (2.0 * part.iter().map(|x| x * x).sum::<f64>() / part.len() as f64).sqrt();
+    let [whole, early, late] = [&rest[..], &rest[..half], &rest[half..]].map(amplitude);
+    let mut sign = 0.0;
+    let mut changes = 0;
+    for value in rest.iter().filter(|value| value.abs() > BAND * whole) {
+        if sign * value < 0.0 {
+            changes += 1;
+        }
+        sign = value.signum();
+    }
+    let span = values[values.len() - 1].0 - values[0].0;
+    let lasts = late >= LASTING * early;
+    (changes >= CHANGES && lasts && whole.is_finite()).then(|| Swing {
+        period: 2.0 * span / changes as f64,
+        amplitude: whole,
+    })
+}
+
+/// Values at even times, on lines between those given.
+fn evenly(values: &[(f64, f64)]) -> Option<Vec<f64>> {
+    let (from, to) = (values.first()?.0, values.last()?.0);
+    let mut at = 0;
+    let even = (0..TIMES).map(|number| {
+        let t = from + (to - from) * number as f64 / (TIMES - 1) as f64;
+        while at + 2 < values.len() && values[at + 1].0 < t {
+            at += 1;
+        }
+        let ((t0, y0), (t1, y1)) = (values[at], values[(at + 1).min(values.len() - 1)]);
+        if t1 > t0 {
+            y0 + (y1 - y0) * (t - t0) / (t1 - t0)
+        } else {
+            y0
+        }
+    });
+    (to > from).then(|| even.collect())
+}
+
+/// Values at even times less the parabola that is nearest to them.
+fn without_parabola(values: &[f64]) -> Vec<f64> {
+    let last = (values.len() - 1) as f64;
+    let place = |at: usize| 2.0 * at as f64 / last - 1.0;
+    // Legendre's polynomials, made orthogonal on the places by Gram and Schmidt.
+    let mut rest = values.to_vec();
+    let mut base: Vec<Vec<f64>> = Vec::new();
+    for degree in 0..3 {
+        let mut shape: Vec<f64> = (0..values.len()).map(|at| place(at).powi(degree)).collect();
+        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        for other in &base {
+            let part = dot(&shape, other);
+            shape.iter_mut().zip(other).for_each(|(x, y)| *x -= part * y);
+        }
+        let norm = dot(&shape, &shape).sqrt();
+        shape.iter_mut().for_each(|x| *x /= norm);
+        let part = dot(&rest, &shape);
+        rest.iter_mut().zip(&shape).for_each(|(x, y)| *x -= part * y);
+        base.push(shape);
+    }
+    rest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::AnyModel;
+    use crate::app::results::run::RunSettings;
+    use crate::app::runs::run::run;
+    use crate::app::testing::Rotor;
+
+    /// The pull at the end of a run of a rotor, N, and what is told.
+    fn told(rotor: &Rotor) -> (f64, Option<String>) {
+        let settings = RunSettings::default();
+        let result = run(rotor, &settings).unwrap();
+        let mut scene = rotor.build_as(settings.formulation, settings.joints, &[]).unwrap();
+        let mut row = [0.0; 3];
+        scene.outputs(&result.state, &mut row);
+        let start = scene.rest(0.0);
+        let of_run = Followed {
+            t_end: result.settings.t_end.unwrap(),
+            rtol: settings.options.rtol,
+            statistics: &result.statistics,
+            end: &result.state,
+        };
+        (
+            row[2],
+            unfollowed(scene.as_mut(), start, of_run, AnyModel::outputs(rotor)),
+        )
+    }
+
+    /// A stiff spring that starts without force in a turning frame: its force swings between 0 and twice the mean, for ever.
+    #[test]
+    fn a_lost_vibration_of_a_stiff_spring_is_told_with_its_size_and_period() {
+        let soft = Rotor::default();
+        let stiff = Rotor {
+            stiffness: 1e7 * soft.omega * soft.omega,
+            coils: 1,
+            loss: 0.0,
+            ..Rotor::default()
+        };
+        let (pull, note) = told(&stiff);
+        let note = note.expect("a note");
+        // The run shows the centrifugal force of 1 kg, the look its swing of the same size, 2 pi / sqrt(9e7 / s^2).
+        let mean = stiff.omega * stiff.omega * stiff.length;
+        assert!((pull / mean - 1.0).abs() < 0.02, "{pull} N");
+        assert!(note.contains("`pull` by 4") || note.contains("`pull` by 5"), "{note}");
+        assert!(note.contains("with a period of 6.") && note.contains("e-4 s"), "{note}");
+        // Where it is damped, or followed, nothing is missed.
+        let damped = Rotor { loss: 0.1, ..stiff };
+        assert_eq!(told(&damped).1, None);
+        assert_eq!(told(&soft).1, None);
+    }
+
+    /// Values of a function at 100 steps that grow at first, to 1 s.
+    fn seen(of: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
+        (0..=100)
+            .map(|k| (f64::from(k) / 100.0).powf(1.2))
+            .map(|t| (t, of(t)))
+            .collect()
+    }
+
+    #[test]
+    fn what_swings_about_a_smooth_mean_is_found_and_nothing_else() {
+        let found = swing(&seen(|t| 3.0 + t - t * t + 0.5 * (40.0 * t).cos())).unwrap();
+        assert!(
+            (found.period - 2.0 * std::f64::consts::PI / 40.0).abs() < 0.02,
+            "{found:?}"
+        );
+        assert!((found.amplitude - 0.5).abs() < 0.05, "{found:?}");
+        for smooth in [|t: f64| t.exp(), |t: f64| (3.0 * t).sin(), |t: f64| 1.0 / (0.1 + t)] {
+            assert_eq!(swing(&seen(smooth)), None);
+        }
+        // What dies within the look leaves the mean.
+        assert_eq!(swing(&seen(|t| 1.0 + (-4.0 * t).exp() * (40.0 * t).cos())), None);
+    }
+
+    #[test]
+    fn slow_and_small_swings_are_not_missed() {
+        let output = |name, unit| Output {
+            name,
+            unit,
+            time_exponent: 0.0,
+            components: &[],
+            doc: "",
+        };
+        let outputs = [output("quick", "N"), output("little", "N"), output("alone", "m")];
+        let values = |t: f64| {
+            let quick = (40.0 * t).cos();
+            vec![1.0 + quick, 1e-6 * quick, 1.0 + 1e-3 * quick]
+        };
+        let rows: Vec<(f64, Vec<f64>)> = seen(|t| t).iter().map(|&(t, _)| (t, values(t))).collect();
+        let found = missing(&outputs, &rows, &values(1.0), &[1e-5; 3], 0.1);
+        assert!(found.len() == 1 && found[0].output == 0, "{found:?}");
+        assert!(missing(&outputs, &rows, &values(1.0), &[1e-5; 3], 0.01).is_empty());
+        // Of small things a small number is all.
+        let found = missing(&outputs, &rows, &values(1.0), &[1e-5, 1e-8, 1e-5], 0.1);
+        assert!(found.len() == 2 && found[1].output == 1, "{found:?}");
+    }
+}

@@ -1,0 +1,223 @@
+//! Campbell diagrams: modes over a parameter or the spin, each followed by its shape (THEORY 8.1);
+//! nothing is printed or written here.
+
+use std::ops::ControlFlow;
+
+use super::tracker::Tracker;
+use crate::AnyModel;
+use crate::app::equilibria::continuation::{EquilibriumProgress, Line};
+use crate::app::judged::{cautions, coarse};
+use crate::app::machine::clock::{Clock, Seconds};
+use crate::app::results::campbell::Campbell;
+use crate::app::results::equilibria::EquilibriumSettings;
+use crate::app::results::error::RunError;
+use crate::app::results::incomplete::Incomplete;
+use crate::equilibrium::{self, Kind};
+
+/// The modes of a model over a parameter, or over the spin from rest to that of the time of the settings.
+///
+/// # Errors
+/// A model that cannot be built; [`RunError::Equilibrium`] where no equilibrium or no modes exist at the
+/// start; [`RunError::Campbell`] with the modes found where the way ends early.
+pub fn campbell(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Campbell, RunError> {
+    campbell_watched(model, settings, |_| ControlFlow::Continue(()))
+}
+
+/// As [`campbell`]; `watch` is called after every step, and ends the way by [`ControlFlow::Break`].
+///
+/// # Errors
+/// As [`campbell`].
+pub fn campbell_watched(
+    model: &dyn AnyModel,
+    settings: &EquilibriumSettings,
+    mut watch: impl FnMut(&EquilibriumProgress) -> ControlFlow<()>,
+) -> Result<Campbell, RunError> {
+    let clock = Clock::start();
+    let mut line = Line::start(model, Kind::Steady, settings)?;
+    let mut tracker = Tracker::default();
+    let mut diagram = Campbell {
+        settings: *settings,
+        t: 0.0,
+        key: line.column(),
+        keys: Vec::new(),
+        spins: Vec::new(),
+        tracks: Vec::new(),
+        is_round: true,
+        critical: Vec::new(),
+        crossings: Vec::new(),
+        compositions: Vec::new(),
+        mesh_errors: Vec::new(),
+        bodies: Vec::new(),
+        masses: Vec::new(),
+        unknowns: 0,
+        constraints: 0,
+        newton_iterations: 0,
+        warnings: Vec::new(),
+        seconds: Seconds::default(),
+        incomplete: None,
+    };
+    let mut reason = tracker.look(&mut line, &mut diagram).err().map(Incomplete::Equilibrium);
+    if reason.is_none() {
+        tracker.judge_meshes(&mut line, &diagram);
+    }
+    while reason.is_none() && !line.is_done() {
+        reason = line
+            .advance()
+            .and_then(|()| tracker.look(&mut line, &mut diagram))
+            .err()
+            .map(Incomplete::Equilibrium);
+        if watch(&line.progress()).is_break() && !line.is_done() {
+            reason = reason.or(Some(Incomplete::Interrupted));
+        }
+    }
+    if let (Some(Incomplete::Equilibrium(text)), true) = (&reason, diagram.keys.len() < 2) {
+        return Err(RunError::Equilibrium(text.clone()));
+    }
+    if reason.is_none() {
+        tracker.judge_meshes(&mut line, &diagram);
+    }
+    tracker.finish(&mut diagram);
+    diagram.is_round &= diagram.spins.iter().any(|&spin| spin > 0.0);
+    diagram.incomplete = reason;
+    diagram.newton_iterations = line.iterations;
+    let leaps = line.warnings();
+    let station = line.station();
+    diagram.t = station.at.t;
+    diagram.bodies = station.scene.bodies();
+    diagram.masses = station.scene.masses(station.state);
+    diagram.unknowns = station.scene.unknowns();
+    diagram.constraints = station.scene.constraints();
+    diagram.warnings = cautions::cautioned(model, station.scene.warnings(station.state));
+    diagram.warnings.extend(leaps);
+    let (at, state) = (station.at, station.state);
+    diagram.warnings.extend(equilibrium::untied(station.scene, &at, state));
+    let coarse = coarse::of_equilibrium(station.scene, &at, state);
+    diagram.warnings.extend(coarse);
+    diagram
+        .warnings
+        .extend(coarse::of_modes(station.scene, &diagram.mesh_errors));
+    diagram.seconds = clock.seconds();
+    match diagram.incomplete {
+        None => Ok(diagram),
+        Some(_) => Err(RunError::Campbell(Box::new(diagram))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::results::equilibria::Range;
+    use crate::app::testing::Rotor;
+    use crate::app::writing::frequency::Frequency;
+    use crate::modes::Whirl;
+
+    #[test]
+    fn a_rotor_over_its_speed() {
+        let rotor = Rotor {
+            loss: 0.0,
+            length: 0.0,
+            ..Rotor::default()
+        };
+        let settings = EquilibriumSettings {
+            range: Some(Range {
+                param: 0,
+                from: 0.0,
+                to: 12.0,
+            }),
+            steps: 25,
+            ..EquilibriumSettings::default()
+        };
+        let found = campbell(&rotor, &settings).unwrap();
+        let w0 = 50f64.sqrt();
+        assert_eq!((found.keys.len(), found.tracks.len(), found.is_round), (26, 2, true));
+        // Both whirls of the shaft, w0 in axes that stand still, each on its track throughout.
+        let mut tracks: Vec<_> = found.tracks.iter().collect();
+        tracks.sort_by(|a, b| a[1].unwrap().im.total_cmp(&b[1].unwrap().im));
+        for (row, spin) in found.spins.iter().enumerate().skip(1) {
+            let [forward, backward] = [tracks[0][row].unwrap(), tracks[1][row].unwrap()];
+            assert!((forward.im - (w0 - spin).abs()).abs() < 1e-9, "{row} {forward:?}");
+            assert!((backward.im - (w0 + spin)).abs() < 1e-9, "{row} {backward:?}");
+            let sense = if *spin < w0 { Whirl::Forward } else { Whirl::Backward };
+            assert_eq!((forward.whirl, backward.whirl), (sense, Whirl::Backward));
+            for mode in [forward, backward] {
+                assert!((mode.inertial_frequencies(*spin)[0] - w0).abs() < 1e-9);
+            }
+            assert_eq!(forward.inertial_whirl(*spin), Whirl::Forward);
+            assert_eq!(backward.inertial_whirl(*spin), Whirl::Backward);
+        }
+        assert_eq!(found.critical.len(), 1);
+        assert_eq!(found.critical[0].change, 2);
+        assert!((found.critical[0].value - w0).abs() < 1e-5, "{:?}", found.critical);
+        // In space both whirls have w0: 2 W at half of it, and backward 1 W at w0, where forward is critical.
+        let mut found_at: Vec<(u32, Whirl, f64)> = found
+            .crossings
+            .iter()
+            .map(|crossing| (crossing.order, crossing.whirl, crossing.key))
+            .collect();
+        found_at.sort_by(|a, b| a.2.total_cmp(&b.2).then(a.1.name().cmp(b.1.name())));
+        let exact = [
+            (2, Whirl::Backward, 0.5 * w0),
+            (2, Whirl::Forward, 0.5 * w0),
+            (1, Whirl::Backward, w0),
+        ];
+        assert_eq!(found_at.len(), exact.len(), "{found_at:?}");
+        for (found, exact) in found_at.iter().zip(exact) {
+            assert_eq!((found.0, found.1), (exact.0, exact.1));
+            assert!((found.2 - exact.2).abs() < 1e-6, "{found:?} {exact:?}");
+        }
+        let text = found.to_csv();
+        assert!(
+            text.starts_with(
+                "omega [rad/s],mode 1 im [rad/s],mode 1 re [1/s],mode 1 inertial [rad/s],mode 2 im [rad/s],"
+            )
+        );
+        assert_eq!(text.lines().count(), 27);
+    }
+
+    #[test]
+    fn next_to_a_critical_speed_of_an_unbalanced_rotor_the_error_is_told() {
+        // x = 2 k / (k - w^2): no equilibrium is found where the deflection is a hundred times the arm.
+        let w0 = 50f64.sqrt();
+        for steps in [3, 18, 25] {
+            let rotor = Rotor {
+                loss: 0.0,
+                ..Rotor::default()
+            };
+            let settings = EquilibriumSettings {
+                range: Some(Range {
+                    param: 0,
+                    from: 0.5,
+                    to: 12.0,
+                }),
+                steps,
+                ..EquilibriumSettings::default()
+            };
+            let found = campbell(&rotor, &settings).unwrap();
+            let [critical] = found.critical[..] else {
+                panic!("{:?}", found.critical)
+            };
+            let error = (critical.value - w0).abs();
+            assert!(
+                error < 1e-4 && error <= critical.within,
+                "{steps}: {error} {critical:?}"
+            );
+            let step = 11.5 / f64::from(steps);
+            assert!(
+                critical
+                    .open
+                    .is_none_or(|[low, high]| low < w0 && w0 < high && high - low < 0.5 * step)
+            );
+            let lines = crate::app::page::diagrams::campbell_lines(&found, Frequency::default()).join(" ");
+            assert_eq!(
+                lines.contains("no equilibrium is found"),
+                critical.open.is_some(),
+                "{lines}"
+            );
+            assert_eq!(
+                lines.contains("It lies there within"),
+                critical.within > 1e-5,
+                "{lines}"
+            );
+        }
+    }
+}

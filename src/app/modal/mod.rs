@@ -1,0 +1,5 @@
+//! Modes about an equilibrium, and over a parameter or the spin.
+
+pub(super) mod campbell;
+pub(super) mod modes;
+pub(super) mod tracker;

@@ -1,0 +1,204 @@
+//! Modes of small motions about a relative equilibrium, and how an observer sees them (THEORY 8.1, 8.2);
+//! nothing is printed or written here.
+
+use crate::app::equilibria::way;
+use crate::app::judged::finer::FINER;
+use crate::app::judged::finer_model::FinerModel;
+use crate::app::judged::finer_modes::{self, Found};
+use crate::app::judged::{cautions, coarse};
+use crate::app::machine::clock::Clock;
+use crate::app::pictures::Shapes;
+use crate::app::results::equilibria::EquilibriumSettings;
+use crate::app::results::error::RunError;
+use crate::app::results::modes::{Modes, SeenMode, is_round};
+use crate::equilibrium::{Kind, Uniform, follow};
+use crate::modes::{self, Mode, Wanted};
+use crate::{AnyModel, Formulation, Joints, Scene, State};
+
+/// The modes of a model about its relative equilibrium at the time of the settings; where a parameter is
+/// continued, at its last value.
+///
+/// # Errors
+/// A model that cannot be built; [`RunError::Equilibrium`] where there is no equilibrium or its modes are
+/// not found.
+pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Modes, RunError> {
+    let clock = Clock::start();
+    let model = way::at_the_end(model, settings);
+    let About {
+        mut scene,
+        at,
+        state,
+        shapes,
+        modes,
+        newton_iterations,
+    } = about(model.as_ref(), settings)?;
+    let (scene, t) = (scene.as_mut(), at.t);
+    let compositions = shapes
+        .iter()
+        .map(|mode| scene.composition(&at, &state, &mode.shape))
+        .collect();
+    let mut warnings = cautions::cautioned(model.as_ref(), scene.warnings(&state));
+    warnings.extend(crate::equilibrium::untied(scene, &at, &state));
+    warnings.extend(coarse::of_equilibrium(scene, &at, &state));
+    let seconds = clock.seconds();
+    let mut agreement = None;
+    match on_finer_meshes(model.as_ref(), settings, scene.unknowns(), &modes) {
+        Some(Found::Much(told)) => warnings.push(told),
+        Some(Found::Little(told)) => agreement = Some(told),
+        // Less than the frequencies themselves say the energies of the modes.
+        None => {
+            let errors = modes::mesh_errors(scene, &at, &state, &shapes);
+            warnings.extend(coarse::of_modes(scene, &errors));
+        }
+    }
+    Ok(Modes {
+        settings: *settings,
+        t,
+        spin: way::spin(scene, &at),
+        is_round: is_round(&modes),
+        margin: modes::stability_margin(&shapes),
+        modes,
+        pictures: Shapes::new(scene, &state, &shapes),
+        shapes,
+        compositions,
+        bodies: scene.bodies(),
+        masses: scene.masses(&state),
+        unknowns: scene.unknowns(),
+        constraints: scene.constraints(),
+        newton_iterations,
+        warnings,
+        agreement,
+        seconds,
+    })
+}
+
+/// What finer meshes make of the frequencies, where that is asked for.
+fn on_finer_meshes(
+    model: &dyn AnyModel,
+    settings: &EquilibriumSettings,
+    unknowns: usize,
+    modes: &[SeenMode],
+) -> Option<Found> {
+    if !finer_modes::is_asked(settings.judged, unknowns) {
+        return None;
+    }
+    let finer = FinerModel {
+        model: model.boxed(),
+        times: FINER,
+    };
+    let there = about(&finer, settings)
+        .ok()
+        .filter(|there| there.scene.unknowns() != unknowns)?;
+    // Those of a motion that creeps have no frequency.
+    let vibrating = |modes: &[SeenMode]| -> Vec<(usize, f64)> {
+        let all = modes.iter().enumerate().filter(|(_, mode)| mode.im > mode.re.abs());
+        all.map(|(index, mode)| (index, mode.im)).collect()
+    };
+    finer_modes::compare(&*there.scene, &vibrating(modes), &vibrating(&there.modes))
+}
+
+/// Time (s), spin (rad/s) and modes of [`modes`] alone, without how far the meshes are off and what else is told beside them.
+pub(in crate::app) fn first(
+    model: &dyn AnyModel,
+    settings: &EquilibriumSettings,
+) -> Result<(f64, f64, Vec<SeenMode>), RunError> {
+    let model = way::at_the_end(model, settings);
+    let mut about = about(model.as_ref(), settings)?;
+    let spin = way::spin(about.scene.as_mut(), &about.at);
+    Ok((about.at.t, spin, about.modes))
+}
+
+/// Modes about an equilibrium of a scene.
+struct About {
+    scene: Box<dyn Scene>,
+    at: Uniform,
+    state: State,
+    shapes: Vec<Mode>,
+    modes: Vec<SeenMode>,
+    newton_iterations: u64,
+}
+
+/// The modes of a model about its relative equilibrium.
+fn about(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<About, RunError> {
+    let t = way::time(model, settings).map_err(RunError::Settings)?;
+    let mut scene = model
+        .build(Formulation::Rncf, Joints::Eliminated)
+        .map_err(RunError::Model)?;
+    let at = Uniform {
+        t,
+        scale: 1.0,
+        kind: Kind::Steady,
+        spin: settings.spin,
+    };
+    let told = |error: crate::SolveError| RunError::Equilibrium(error.to_string());
+    let found = follow(scene.as_mut(), &at, 1.0, |_, _| ()).map_err(told)?;
+    let state = found.state().cloned().unwrap_or_else(|| scene.uniform_guess(&at));
+    let wanted = Wanted { count: settings.count };
+    let shapes = modes::modes(scene.as_mut(), &at, &state, wanted).map_err(told)?;
+    let modes = shapes
+        .iter()
+        .map(|mode| SeenMode::of(scene.as_mut(), &at, &state, mode))
+        .collect();
+    Ok(About {
+        scene,
+        at,
+        state,
+        shapes,
+        modes,
+        newton_iterations: u64::from(found.iterations()),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::results::modes::growth;
+    use crate::app::testing::Rotor;
+    use crate::modes::Whirl;
+
+    #[test]
+    fn a_spring_in_a_turning_frame_whirls_round() {
+        // s^2 + 2 (d +- i W) s + w0^2 - W^2 = 0 of z = x + i y: internal damping d = 0.01 w0.
+        let rotor = Rotor {
+            omega: 10.0,
+            ..Rotor::default()
+        };
+        let found = modes(&rotor, &EquilibriumSettings::default()).unwrap();
+        let (w0, spin, d) = (50f64.sqrt(), 10.0, 0.01 * 50f64.sqrt());
+        // s = -i W - d +- sqrt((d + i W)^2 - (w0^2 - W^2)) = -i W - d +- (p + i q).
+        let (re, im) = (d * d - w0 * w0, 2.0 * d * spin);
+        let size = re.hypot(im);
+        let (p, q) = ((0.5 * (size + re)).sqrt(), (0.5 * (size - re)).sqrt());
+        let expected = [(p - d, spin - q), (-p - d, spin + q)];
+        assert_eq!(found.modes.len(), 2);
+        for (mode, (re, im)) in found.modes.iter().zip(expected) {
+            assert!(
+                (mode.re - re).abs() < 1e-9 && (mode.im - im).abs() < 1e-9,
+                "{mode:?} {re} {im}"
+            );
+            assert_eq!(mode.whirl, Whirl::Backward);
+        }
+        // Faster than critical: the forward whirl of the shaft falls back in the frame, and grows.
+        assert!(found.is_round && growth(&found.modes) == found.margin, "{found:?}");
+        let seen: Vec<f64> = found
+            .modes
+            .iter()
+            .flat_map(|mode| mode.inertial_frequencies(spin))
+            .collect();
+        assert!((seen[0] - q).abs() < 1e-9 && (seen[1] - q).abs() < 1e-9, "{seen:?}");
+        // In space damping acts on w0, above the critical speed against it.
+        for (mode, sense) in found.modes.iter().zip([Whirl::Forward, Whirl::Backward]) {
+            assert_eq!(mode.inertial_whirl(spin), sense);
+            let zeta = mode.inertial_damping_ratios(spin)[0].unwrap();
+            let decrement = mode.logarithmic_decrements(spin)[0].unwrap();
+            assert!((zeta + mode.re / mode.re.hypot(q)).abs() < 1e-12, "{zeta}");
+            let exact = std::f64::consts::TAU * zeta / (1.0 - zeta * zeta).sqrt();
+            assert!((decrement - exact).abs() < 1e-12, "{decrement} {exact}");
+        }
+        let straight = SeenMode {
+            circulation: Some(0.5),
+            ..found.modes[0]
+        };
+        assert_eq!(straight.inertial_frequencies(2.0).len(), 2);
+    }
+}

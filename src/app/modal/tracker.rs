@@ -1,0 +1,466 @@
+//! Modes followed by their shapes from step to step of a way, and what is between the steps: critical values and crossings
+//! with multiples of the spin.
+
+use crate::app::equilibria::continuation::{Found, Line, Measured};
+use crate::app::equilibria::way;
+use crate::app::results::campbell::{Campbell, Crossing};
+use crate::app::results::modes::{Inertial, SeenMode, is_round};
+use crate::equilibrium::{Continued, Uniform};
+use crate::modes::{self, Composition, Mode, Wanted, Whirl};
+use crate::{Scene, SolveError, State};
+
+/// Modes that are looked at beyond those shown, so that one that leaves them is not lost at once.
+const BEYOND: usize = 6;
+/// Most unknowns for which the negative directions of the stiffness are counted with full matrices, which is
+/// quicker than to look for its values.
+const LARGEST: usize = 800;
+/// Values of the stiffness that are looked at.
+const NEXT_TO_ZERO: usize = 4;
+/// Times that a step is halved to find where a mode goes.
+const HALVINGS: u32 = 4;
+/// Part of the largest |s| of a step beyond which a mode that is lost may have left the lowest ones.
+const INSIDE: f64 = 0.9;
+/// Looks at a crossing, and the width at which it is found, part of the way.
+const LOOKS: u32 = 8;
+const WIDTH: f64 = 1e-7;
+
+/// What the next step is compared with.
+#[derive(Default)]
+pub(in crate::app) struct Tracker {
+    /// The last mode of each track of the diagram.
+    last: Vec<Mode>,
+    /// What moves in it.
+    compositions: Vec<Composition>,
+    /// Whether it was among the lowest ones at a step: others are followed, and not shown.
+    is_shown: Vec<bool>,
+    /// What the meshes of the bodies make of each track.
+    mesh_errors: Vec<Judged>,
+    /// Negative directions of the stiffness at the last step.
+    measured: Option<Measured>,
+}
+
+/// By how much the meshes of the bodies make a frequency too high, rad/s, and the largest frequency at which that was looked at.
+#[derive(Clone, Default)]
+struct Judged {
+    size: f64,
+    errors: Vec<f64>,
+}
+
+impl Judged {
+    fn meet(&mut self, size: f64, parts: Vec<f64>) {
+        let errors: Vec<f64> = parts.into_iter().map(|part| part * size).collect();
+        self.size = self.size.max(size);
+        if errors.iter().sum::<f64>() > self.errors.iter().sum() {
+            self.errors = errors;
+        }
+    }
+
+    fn parts(self) -> Vec<f64> {
+        self.errors.into_iter().map(|error| error / self.size).collect()
+    }
+}
+
+/// The modes at an equilibrium.
+struct Looked {
+    modes: Vec<Mode>,
+    weights: Vec<f64>,
+}
+
+impl Looked {
+    fn at(scene: &mut dyn Scene, at: &Uniform, state: &State, count: usize) -> Result<Self, SolveError> {
+        let modes = |scene: &mut dyn Scene, count| modes::modes(scene, at, state, Wanted { count });
+        // Those beyond what is asked for may be too many.
+        let modes = modes(scene, count + BEYOND).or_else(|_| modes(scene, count))?;
+        let weights = masses(scene, state);
+        Ok(Self { modes, weights })
+    }
+
+    /// Indices from the lowest |s|.
+    fn order(&self) -> Vec<usize> {
+        let mut order: Vec<usize> = (0..self.modes.len()).collect();
+        let size = |&index: &usize| size(&self.modes[index]);
+        order.sort_by(|a, b| size(a).total_cmp(&size(b)).then(a.cmp(b)));
+        order
+    }
+}
+
+fn size(mode: &Mode) -> f64 {
+    mode.re.hypot(mode.im)
+}
+
+impl Tracker {
+    /// Adds the last equilibrium of the line to the diagram.
+    ///
+    /// # Errors
+    /// Why there are no modes, with the value at which.
+    pub fn look(&mut self, line: &mut Line<'_>, diagram: &mut Campbell) -> Result<(), String> {
+        let count = diagram.settings.count;
+        let station = line.station();
+        let (at, key, spin) = (station.at, station.key, station.spin);
+        let told = |error: SolveError| format!("at {} = {key} {}: {error}", diagram.key.name, diagram.key.unit);
+        let found = Looked::at(station.scene, &at, station.state, count).map_err(told)?;
+        let measured = Some(measured(station.scene, &at, station.state, false).map_err(told)?);
+        diagram.keys.push(key);
+        diagram.spins.push(spin);
+        let before = self.last.clone();
+        let expected: Vec<Mode> = before
+            .iter()
+            .zip(&diagram.tracks)
+            .map(|(mode, track)| expected(diagram, mode, track))
+            .collect();
+        let fresh: Vec<usize> = (0..before.len())
+            .filter(|&track| diagram.tracks[track].last().is_some_and(Option::is_some))
+            .collect();
+        let tolerance = self.tolerance(diagram);
+        let mut partners = modes::followed(&expected, &found.modes, &found.weights, tolerance);
+        if spin > 0.0
+            && self.loses(&fresh, &expected, &partners, &found)
+            && let Some(other) = self.followed_between(line, &fresh, &expected, &found, count, tolerance)
+        {
+            for (track, partner) in fresh.iter().zip(other) {
+                partners[*track] = partner;
+            }
+        }
+        let station = line.station();
+        let mut is_taken = vec![false; found.modes.len()];
+        for (track, partner) in partners.iter().enumerate() {
+            let mode = partner.as_ref().map(|(index, mode)| {
+                is_taken[*index] = true;
+                self.last[track].clone_from(mode);
+                self.compositions[track] = station.scene.composition(&at, station.state, &mode.shape);
+                SeenMode::of(station.scene, &at, station.state, mode)
+            });
+            diagram.tracks[track].push(mode);
+        }
+        let row = diagram.keys.len() - 1;
+        for (index, mode) in found.modes.iter().enumerate().filter(|(index, _)| !is_taken[*index]) {
+            let mut track = vec![None; row];
+            track.push(Some(SeenMode::of(station.scene, &at, station.state, mode)));
+            diagram.tracks.push(track);
+            self.last.push(mode.clone());
+            self.compositions
+                .push(station.scene.composition(&at, station.state, &mode.shape));
+            self.is_shown.push(false);
+            partners.push(Some((index, mode.clone())));
+        }
+        let lowest: Vec<usize> = found.order().into_iter().take(count).collect();
+        for (track, partner) in partners.iter().enumerate() {
+            self.is_shown[track] |= partner.as_ref().is_some_and(|(index, _)| lowest.contains(index));
+        }
+        if spin > 0.0 {
+            // The highest ones, which the mesh hardly shows, are not asked.
+            let tracks = diagram.tracks.iter().zip(&self.is_shown);
+            let shown: Vec<SeenMode> = tracks
+                .filter(|(_, is_shown)| **is_shown)
+                .filter_map(|(track, _)| track[row])
+                .collect();
+            diagram.is_round &= is_round(&shown);
+        }
+        // At rest nothing tells the sign of what only turning makes stiff, as hinged blades.
+        let is_loose = spin == 0.0 && found.modes.iter().any(|mode| size(mode) == 0.0);
+        self.locate(line, diagram, measured.filter(|_| !is_loose));
+        self.cross(line, diagram, &before);
+        Ok(())
+    }
+
+    /// Leaves in the diagram what is shown.
+    pub fn finish(self, diagram: &mut Campbell) {
+        let mut numbers = vec![None; self.is_shown.len()];
+        let shown = (0..self.is_shown.len()).filter(|&track| self.is_shown[track]);
+        for (number, track) in shown.enumerate() {
+            numbers[track] = Some(number);
+        }
+        let shown = |index: &mut usize| {
+            let number = numbers[*index];
+            *index += 1;
+            number.is_some()
+        };
+        let mut index = 0;
+        diagram.tracks.retain(|_| shown(&mut index));
+        diagram.compositions = self.compositions;
+        index = 0;
+        diagram.compositions.retain(|_| shown(&mut index));
+        diagram.mesh_errors = self.mesh_errors.into_iter().map(Judged::parts).collect();
+        index = 0;
+        diagram.mesh_errors.retain(|_| shown(&mut index));
+        diagram.crossings.retain_mut(|crossing| {
+            let number = numbers[crossing.track];
+            crossing.track = number.unwrap_or(0);
+            number.is_some()
+        });
+    }
+
+    /// Judges the meshes by the modes at the last equilibrium. Next to a critical speed every error is large beside the frequency: errors of
+    /// several looks are parts of the largest one.
+    pub fn judge_meshes(&mut self, line: &mut Line<'_>, diagram: &Campbell) {
+        let station = line.station();
+        let known = |track: &usize| diagram.tracks[*track].last().is_some_and(Option::is_some);
+        let tracks: Vec<usize> = (0..self.last.len()).filter(known).collect();
+        let shapes: Vec<Mode> = tracks.iter().map(|&track| self.last[track].clone()).collect();
+        let errors = modes::mesh_errors(station.scene, &station.at, station.state, &shapes);
+        self.mesh_errors.resize(self.last.len(), Judged::default());
+        for ((track, errors), shape) in tracks.into_iter().zip(errors).zip(&shapes) {
+            self.mesh_errors[track].meet(size(shape), errors);
+        }
+    }
+
+    /// Distance of eigenvalues within which modes may mix in the last step: of modes that are equal at rest one goes forward
+    /// and one backward.
+    fn tolerance(&self, diagram: &Campbell) -> f64 {
+        match diagram.spins[..] {
+            [.., before, after] => 2.0 * (after - before).abs(),
+            _ => 0.0,
+        }
+    }
+
+    /// Whether a mode that is shown, and not one of the last that were looked at, has no partner.
+    fn loses(&self, fresh: &[usize], expected: &[Mode], partners: &[Option<(usize, Mode)>], found: &Looked) -> bool {
+        let largest = found.modes.iter().map(size).fold(0.0, f64::max);
+        let is_inside = |&&track: &&usize| self.is_shown[track] && size(&expected[track]) < INSIDE * largest;
+        fresh.iter().filter(is_inside).any(|&track| partners[track].is_none())
+    }
+
+    /// Partners of the tracks found by way of equilibria between the last two; `None` where that loses modes as well.
+    fn followed_between(
+        &self,
+        line: &mut Line<'_>,
+        fresh: &[usize],
+        expected: &[Mode],
+        found: &Looked,
+        count: usize,
+        tolerance: f64,
+    ) -> Option<Vec<Option<(usize, Mode)>>> {
+        let (Some(first), last) = line.last_two() else {
+            return None;
+        };
+        let (first, last) = (first.clone(), last.clone());
+        for halvings in 1..=HALVINGS {
+            let parts = 1_u32 << halvings;
+            let mut guess = first.state.clone();
+            // Where each track is: its mode, as long as it is not lost.
+            let mut now: Vec<Option<Mode>> = fresh.iter().map(|&track| Some(self.last[track].clone())).collect();
+            let part = tolerance / f64::from(parts);
+            for step in 1..parts {
+                let share = first.share + (last.share - first.share) * f64::from(step) / f64::from(parts);
+                let (mut scene, at, state, back) = line.between(share, &guess)?;
+                let looked = Looked::at(scene.as_mut(), &at, &state, count).ok()?;
+                now = next(&now, &looked, part)
+                    .into_iter()
+                    .map(|found| found.map(|(_, mode)| mode))
+                    .collect();
+                guess = back;
+            }
+            let partners = next(&now, found, part);
+            let mut all: Vec<Option<(usize, Mode)>> = vec![None; expected.len()];
+            for (&track, partner) in fresh.iter().zip(&partners) {
+                all[track].clone_from(partner);
+            }
+            if !self.loses(fresh, expected, &all, found) {
+                return Some(partners);
+            }
+        }
+        None
+    }
+
+    /// The critical values in the last step.
+    fn locate(&mut self, line: &mut Line<'_>, diagram: &mut Campbell, measured: Option<Measured>) {
+        let before = std::mem::replace(&mut self.measured, measured.clone());
+        let (Some(before), Some(measured), (Some(first), last)) = (before, measured, line.last_two()) else {
+            return;
+        };
+        if before.negative == measured.negative {
+            return;
+        }
+        let (first, last) = (first.clone(), last.clone());
+        let mut measure = |scene: &mut dyn Scene, at: &Uniform, step: &Continued, with_values| {
+            self::measured(scene, at, &step.state, with_values).ok()
+        };
+        diagram
+            .critical
+            .extend(line.critical([&first, &last], [before, measured], &mut measure));
+    }
+
+    /// Crossings with the spin and twice the spin in the last step.
+    fn cross(&self, line: &mut Line<'_>, diagram: &mut Campbell, before: &[Mode]) {
+        let (Some(first), last) = line.last_two() else {
+            return;
+        };
+        let (first, last) = (first.clone(), last.clone());
+        for crossing in crossed(diagram) {
+            // The spin of a forward whirl is a critical speed, which is known already.
+            let step = &diagram.keys[diagram.keys.len() - 2..];
+            let is_critical = crossing.whirl == Whirl::Forward
+                && crossing.order == 1
+                && diagram
+                    .critical
+                    .iter()
+                    .any(|critical| (critical.value - step[0]) * (critical.value - step[1]) <= 0.0);
+            if is_critical || !self.is_shown[crossing.track] {
+                continue;
+            }
+            // At rest shapes of equal modes say nothing.
+            let modes = [&self.last[crossing.track], &before[crossing.track]];
+            let refined = modes
+                .into_iter()
+                .find_map(|mode| refined(line, crossing, mode, [&first, &last], diagram));
+            diagram.crossings.push(refined.unwrap_or(crossing));
+        }
+    }
+}
+
+/// Partners of what is not lost.
+fn next(now: &[Option<Mode>], looked: &Looked, tolerance: f64) -> Vec<Option<(usize, Mode)>> {
+    let kept: Vec<Mode> = now.iter().flatten().cloned().collect();
+    let mut found = modes::followed(&kept, &looked.modes, &looked.weights, tolerance).into_iter();
+    now.iter()
+        .map(|mode| mode.as_ref().and_then(|_| found.next().flatten()))
+        .collect()
+}
+
+/// The last mode of a track as it is expected next: its frequency on the secant, conjugate where that
+/// passes zero.
+fn expected(diagram: &Campbell, mode: &Mode, track: &[Option<SeenMode>]) -> Mode {
+    // The keys have the next value already.
+    let [.., first, second, next] = diagram.keys[..] else {
+        return mode.clone();
+    };
+    let [.., Some(before), Some(last)] = track else {
+        return mode.clone();
+    };
+    let im = last.im + (last.im - before.im) * (next - second) / (second - first);
+    let mut expected = if im < 0.0 { mode.conjugate() } else { mode.clone() };
+    expected.im = im.abs();
+    expected
+}
+
+/// A frequency that is compared with multiples of the spin, and the sense of its whirl as of [`Crossing`].
+fn compared(mode: SeenMode, spin: f64) -> (f64, Whirl) {
+    match mode.inertial(spin) {
+        Inertial::One(im) => (im, Whirl::None),
+        Inertial::Whirl(velocity) => (velocity.abs(), mode.inertial_whirl(spin)),
+        Inertial::Two(_) => (mode.im, Whirl::Mixed),
+    }
+}
+
+/// Crossings with the spin and twice the spin in the last step, on straight lines.
+fn crossed(diagram: &Campbell) -> Vec<Crossing> {
+    let mut found = Vec::new();
+    let Some(row) = diagram.keys.len().checked_sub(2) else {
+        return found;
+    };
+    let spins = [diagram.spins[row], diagram.spins[row + 1]];
+    let keys = [diagram.keys[row], diagram.keys[row + 1]];
+    for (index, track) in diagram.tracks.iter().enumerate() {
+        let (Some(before), Some(after)) = (track[row], track[row + 1]) else {
+            continue;
+        };
+        let [mut first, mut last] = [compared(before, spins[0]), compared(after, spins[1])];
+        // At rest nothing whirls.
+        if spins[0] == 0.0 {
+            first.1 = last.1;
+        }
+        if spins[1] == 0.0 {
+            last.1 = first.1;
+        }
+        if first.1 != last.1 {
+            continue;
+        }
+        for order in [1, 2] {
+            let ends = [(first.0, spins[0]), (last.0, spins[1])];
+            let [low, high] = ends.map(|(im, spin)| im - f64::from(order) * spin);
+            if (low > 0.0) != (high > 0.0) && low != 0.0 {
+                let share = low / (low - high);
+                found.push(Crossing {
+                    track: index,
+                    order,
+                    whirl: first.1,
+                    key: keys[0] + share * (keys[1] - keys[0]),
+                    within: (keys[1] - keys[0]).abs() * share.max(1.0 - share),
+                    im: first.0 + share * (last.0 - first.0),
+                });
+            }
+        }
+    }
+    found
+}
+
+/// The same crossing from equilibria between the steps.
+fn refined(
+    line: &mut Line<'_>,
+    crossing: Crossing,
+    mode: &Mode,
+    [first, last]: [&Found; 2],
+    diagram: &Campbell,
+) -> Option<Crossing> {
+    let row = diagram.keys.len() - 2;
+    let track = &diagram.tracks[crossing.track];
+    let order = f64::from(crossing.order);
+    let end = |row: usize| {
+        let spin = diagram.spins[row];
+        track[row].map(|mode| compared(mode, spin).0 - order * spin)
+    };
+    let (mut low, mut high) = ((first.share, end(row)?), (last.share, end(row + 1)?));
+    let slope = (high.1 - low.1) / (high.0 - low.0);
+    let mut place = (f64::NAN, 0.0, 0.0);
+    let mut kept = 0;
+    for _ in 0..LOOKS {
+        let share = low.0 + low.1 / (low.1 - high.1) * (high.0 - low.0);
+        let (mut scene, at, state, _) = line.between(share, &first.state)?;
+        let looked = Looked::at(scene.as_mut(), &at, &state, diagram.settings.count).ok()?;
+        let followed = modes::followed(std::slice::from_ref(mode), &looked.modes, &looked.weights, 0.0);
+        let (_, best) = followed.into_iter().next().flatten()?;
+        let spin = way::spin(scene.as_ref(), &at);
+        let (im, whirl) = compared(SeenMode::of(scene.as_mut(), &at, &state, &best), spin);
+        if whirl != crossing.whirl {
+            return None;
+        }
+        let value = im - order * spin;
+        place = (share, im, (value / slope).abs());
+        if place.2 <= WIDTH {
+            break;
+        }
+        // Regula falsi; an end that stays twice is weighted less.
+        if (value > 0.0) == (low.1 > 0.0) {
+            low = (share, value);
+            high.1 *= if kept == 1 { 0.5 } else { 1.0 };
+            kept = 1;
+        } else {
+            high = (share, value);
+            low.1 *= if kept == -1 { 0.5 } else { 1.0 };
+            kept = -1;
+        }
+    }
+    let key = line.key(place.0);
+    Some(Crossing {
+        key,
+        im: place.1,
+        within: (line.key(place.0 + 2.0 * place.2) - key).abs(),
+        ..crossing
+    })
+}
+
+/// The negative directions of the stiffness, and its values next to zero where they are asked for or tell the number.
+fn measured(scene: &mut dyn Scene, at: &Uniform, state: &State, with_values: bool) -> Result<Measured, SolveError> {
+    let is_large = state.x.len() > LARGEST;
+    let mut values = Vec::new();
+    if is_large || with_values {
+        let spin = way::spin(scene, at);
+        values = modes::stiffness_values(scene, at, state, NEXT_TO_ZERO, spin)?;
+    }
+    let negative = if is_large {
+        values.iter().filter(|&&value| value < 0.0).count()
+    } else {
+        modes::unstable_directions(scene, at, state)?
+    };
+    Ok(Measured { negative, values })
+}
+
+/// The diagonal of the mass matrix: shapes of different modes are nearly orthogonal with it.
+fn masses(scene: &mut dyn Scene, state: &State) -> Vec<f64> {
+    let mut values = vec![0.0; scene.pattern().entries()];
+    scene.mass(state, &mut values);
+    let pattern = scene.pattern();
+    (0..state.x.len())
+        .map(|row| pattern.find(row, row).map_or(0.0, |place| values[place].abs()))
+        .collect()
+}

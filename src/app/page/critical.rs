@@ -1,0 +1,66 @@
+//! Critical values in sentences and in charts.
+
+use std::fmt::Write;
+
+use crate::app::results::history::Column;
+use crate::app::writing::numbers::digits;
+use crate::modes::Critical;
+
+/// A value of the first column with its name and unit.
+pub(in crate::app) fn key_value(key: &Column, value: f64) -> String {
+    format!("{} = {}", key.name, quantity(key, value, 7))
+}
+
+/// A value of the first column with its unit.
+pub(in crate::app) fn quantity(key: &Column, value: f64, places: usize) -> String {
+    let unit = if key.unit == "1" {
+        String::new()
+    } else {
+        format!(" {}", key.unit)
+    };
+    format!("{}{unit}", digits(value, places))
+}
+
+/// Relative error of critical values that is not told.
+pub(in crate::app) const EXACT: f64 = 1e-6;
+
+/// Critical values in sentences; `what` says of what.
+pub(in crate::app) fn critical_lines(key: &Column, critical: &[Critical], what: &str) -> Vec<String> {
+    let line = |critical: &Critical| {
+        let count = critical.change.unsigned_abs();
+        let directions = if count == 1 { "one direction" } else { "two directions" };
+        let sense = if critical.change > 0 {
+            "becomes negative"
+        } else {
+            "becomes positive again"
+        };
+        let directions = if count > 2 {
+            format!("{count} directions")
+        } else {
+            directions.into()
+        };
+        let mut line = format!(
+            "{what} at {}: the stiffness of {directions} {sense}.",
+            key_value(key, critical.value)
+        );
+        if critical.within > EXACT * critical.value.abs() {
+            let _ = write!(line, " It lies there within {}.", quantity(key, critical.within, 2));
+        }
+        if let Some([low, high]) = critical.open {
+            let _ = write!(
+                line,
+                " Between {} and {} no equilibrium is found: there deflections grow without bound.",
+                digits(low.min(high), 7),
+                quantity(key, low.max(high), 7)
+            );
+        }
+        line
+    };
+    critical.iter().map(line).collect()
+}
+
+/// Vertical lines at critical values.
+pub(in crate::app) fn marks(critical: &[Critical]) -> Vec<(f64, String)> {
+    let mark = |critical: &Critical| (critical.value, format!("critical {}", digits(critical.value, 5)));
+    critical.iter().map(mark).collect()
+}
