@@ -1,6 +1,7 @@
 //! The models of the guide's pages, as they stand there. `build.rs` takes them out of the pages.
 
 pub mod drawing;
+pub mod entries;
 pub mod labels;
 
 /// A module for each model of a page, or for a change of it.

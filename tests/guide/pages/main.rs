@@ -14,6 +14,7 @@ mod pages;
 mod python;
 mod rotors;
 mod sail;
+mod section_matrices;
 mod sweeps;
 mod trust;
 
