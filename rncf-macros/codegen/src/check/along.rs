@@ -3,14 +3,19 @@
 
 use std::collections::HashSet;
 
+use super::curve::Curve;
 use super::{Check, fold, say};
 use crate::errors::Area;
 use crate::model::{Body, Expr as Value, Line, Model, SectionShape, Space, Table};
 use crate::parse::tree::{Fields, Item, ItemKind, Keyword, Name, Statement};
+use crate::symbolic::path_of;
 use crate::vocabulary::{BOTH_AXES, LAW, MATERIAL, Range, SECTION};
 
 /// Relative size of what counts as round-off of places along an axis: that of the runtime's tables.
 const ROUND_OFF: f64 = 1e-9;
+
+/// The same of a curve whose length is measured: the program's own measure decides what is closer.
+const MEASURED: f64 = 1e-6;
 
 /// Relative size of what counts as round-off of declared properties of a section: that of the runtime's check.
 const DECLARED: f64 = 1e-6;
@@ -26,11 +31,13 @@ struct Axis {
     to: f64,
     /// Length of the whole axis, m.
     whole: f64,
+    /// Relative size of its round-off.
+    round_off: f64,
 }
 
 impl Axis {
-    fn of(body: &Body) -> Option<Self> {
-        let own = length(&body.line)?;
+    fn of(model: &Model, body: &Body) -> Option<Self> {
+        let own = length(model, &body.line)?;
         let (from, whole) = match &body.piece {
             Some(piece) => (fold::constant(&piece.from)?, fold::constant(&piece.whole)?),
             None => (0.0, own),
@@ -39,6 +46,10 @@ impl Axis {
             from,
             to: from + own,
             whole,
+            round_off: match &body.line {
+                Line::Curve { .. } | Line::Path { .. } => MEASURED,
+                _ => ROUND_OFF,
+            },
         })
     }
 
@@ -79,8 +90,8 @@ impl Place {
     }
 }
 
-/// Length of an axis that does not depend on params and needs no measuring, m.
-fn length(line: &Line) -> Option<f64> {
+/// Length of an axis that does not depend on params, m.
+fn length(model: &Model, line: &Line) -> Option<f64> {
     let length = match line {
         Line::Straight { from, to } => {
             let mut sum = 0.0;
@@ -90,9 +101,23 @@ fn length(line: &Line) -> Option<f64> {
             sum.sqrt()
         }
         Line::Arc { radius, angle, .. } => (fold::constant(radius)? * fold::constant(angle)?).abs(),
-        _ => return None,
+        // A run may name other points.
+        Line::Curve { table, columns } => {
+            let table = Some(&model.tables[table.0]).filter(|table| !table.is_param)?;
+            Curve::through(&table.points(*columns)).length()
+        }
+        Line::Path { position, range } => {
+            let [from, to] = range.each_ref().map(fold::constant);
+            let range = [from?, to?];
+            let is_fixed = |value: &Value| fold::fixed_along(model, value, range[0], 1.0).is_some();
+            if !position.iter().all(is_fixed) {
+                return None;
+            }
+            Curve::along(range, path_of(model, position, 0.0)).length()
+        }
+        Line::Imported(_) => return None,
     };
-    (length > 0.0).then_some(length)
+    (length > 0.0 && length.is_finite()).then_some(length)
 }
 
 /// The tables that values are made of.
@@ -112,7 +137,9 @@ impl<'a> Check<'a> {
             let Some(body) = self.model.bodies.iter().find(|body| body.name == item.name.text) else {
                 continue;
             };
-            let Some(axis) = Axis::of(body) else { continue };
+            let Some(axis) = Axis::of(&self.model, body) else {
+                continue;
+            };
             mistakes.extend(self.uncovered(item, body, &axis));
             mistakes.extend(self.out_of_range(body, &axis));
         }
@@ -259,9 +286,15 @@ fn uncovered(table: &Table, item: &Item, axis: &Axis) -> Option<String> {
         (axis.whole, "m")
     };
     let (first, last) = (table.places[0], table.places[table.places.len() - 1]);
-    if first <= ROUND_OFF * end && last >= end * (1.0 - ROUND_OFF) {
+    if first <= axis.round_off * end && last >= end * (1.0 - axis.round_off) {
         return None;
     }
+    // A measured length in the digits that say something.
+    let end = if axis.round_off == MEASURED {
+        written(end).parse().unwrap_or(end)
+    } else {
+        end
+    };
     let body = super::corner::piece(item).map_or(item.name.text.as_str(), |(whole, _)| whole);
     Some(say::not_covered(&table.name, [first, last], body, end, unit))
 }
