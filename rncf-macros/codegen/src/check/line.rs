@@ -293,7 +293,7 @@ impl<'a> Check<'a> {
         Some(vector.values)
     }
 
-    /// A curved axis: its element must be able to be curved, and the plane of an arc in space be known.
+    /// A curved axis, or a twisted section: its element must know it from a strained one, and the plane of an arc in space be known.
     pub(super) fn curved(
         &mut self,
         element: &Element,
@@ -304,19 +304,20 @@ impl<'a> Check<'a> {
         let Some(space) = space else {
             return;
         };
-        let can_be_curved = element.can_be_curved(space.dimension(), options);
+        let stressed = element.stressed_by_curvature(space.dimension(), options);
         for statement in statements {
             let (area, normal) = match statement {
                 Statement::Arc { area, normal, .. } => (area, normal.is_some()),
                 Statement::Curve { area, .. } | Statement::Path { area, .. } => (area, true),
+                Statement::Twist { area, .. } if element.has_section() => (area, true),
                 _ => continue,
             };
-            if !can_be_curved {
-                let message = match space {
-                    Space::Spatial => say::CURVED_IN_SPACE,
-                    Space::Planar { .. } => say::CURVED_ENERGY,
-                };
-                self.errors.at(*area, message);
+            if let Some(part) = stressed {
+                if space == Space::Spatial && !element.has_section() {
+                    self.errors.at(*area, say::CURVED_IN_SPACE);
+                } else {
+                    self.errors.at(*area, say::curved_energy(part));
+                }
             } else if !normal && space == Space::Spatial {
                 self.errors.at(*area, say::MISSING_NORMAL);
             }

@@ -44,7 +44,6 @@ pub const CURVED_IN_SPACE: &str = "in space a centre line alone does not know wh
 pub const CORNER_OF_LINE: &str = "in space a corner keeps the sections of both sides, and a centre line has none: mesh the body with `beam`, or declare its straight pieces as bodies of their own";
 pub const CORNER_WITHOUT_SLOPE: &str = "a corner keeps the slopes of both sides, and the element of this body has none: take an element with `r_x` at its ends, or declare the straight pieces as bodies that `share` their ends";
 pub const NO_SLOPE: &str = "the element of this body has positions at its nodes and no slope that could be held: use `pin`, or an element with `r_x` at its ends";
-pub const CURVED_ENERGY: &str = "the element of this body has a part of its energy that does not count from the stress-free shape: declare what it is of as a `strain` of the element";
 pub const NORMAL_ALONG: &str = "this is along the direction of the arc: the normal stands across the arc's plane";
 pub const SECTION_Y_ALONG: &str =
     "this is along the axis at its start: the section's y axis is a direction across the axis";
@@ -165,6 +164,7 @@ pub const SHARED_INSIDE: &str = "only the ends of bodies are shared: use `start`
 pub const SAME_END: &str = "both are the same end: two different ends become one node";
 
 messages! {
+    curved_energy(part) = "`{part}` has a stress where the axis is curved, or its section twisted, without one: its derivative by an inner product of the fields does not vanish there. Declare what it is of as a `strain` of the element, in a plane e.g. `strain k = cross(a, b);`";
     modes_of_timed(word, element) = "`{word}` describes a body by its stiffness at one time, and the energy of `{element}` changes with `t`: leave `{word}` out, so that all nodal vectors describe the body";
     quantity_as_repetitions(name) = "`{name}` is a quantity; a loop needs a count: declare `param {name}: count = 6;`";
     index_in_constant(name) = "`{name}` is the index of a loop and has no place here: this is the same for all repetitions";

@@ -1,6 +1,7 @@
 //! What an element is, whoever declares it: data for all phases behind `check`. Nothing outside its declaration names an
 //! element, its strains or its stiffnesses.
 
+mod curved;
 mod full_beam;
 mod rank;
 mod word;
@@ -13,6 +14,7 @@ use crate::model::{Expr, Function, fold};
 use crate::symbolic::{Graph, Id, Invariant, Product, invariants};
 use crate::tensors::{Polynomial, Rational};
 
+pub use curved::at_rest;
 pub use full_beam::{VISCOUS, full_beam};
 pub use rank::{Coefficients, Rules, STRETCHES, points_for};
 pub use word::word;
@@ -150,7 +152,8 @@ pub enum Density {
     Undamped(Id),
     /// No energy: the stress is the rate s' of a measure, the dissipation `s'^2`; where the body is damped.
     Viscous(Id),
-    /// The expression itself; zero in the stress-free shape, not damped.
+    /// The expression itself, not damped; of an axis that is curved without stress it is of inner products that count from
+    /// their values there.
     Energy(Id),
 }
 
@@ -329,13 +332,6 @@ impl Element {
         self.coefficients_in(dimension, options)
             .into_iter()
             .any(Coefficient::is_timed)
-    }
-
-    /// Whether an axis that is curved without stress can be told apart from a bent one: only where every part of the energy
-    /// counts from its stress-free value.
-    pub fn can_be_curved(&self, dimension: usize, options: &[usize]) -> bool {
-        let (_, terms) = self.terms_in(dimension, options);
-        !terms.iter().any(|term| matches!(term.density, Density::Energy(_)))
     }
 }
 

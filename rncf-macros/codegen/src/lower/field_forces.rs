@@ -1,11 +1,13 @@
 //! Forces on the fields of an element at a point of its axis: what section forces follow from.
 
+use std::collections::HashMap;
+
 use super::kernel::Kernel;
 use super::quadratic::length_power;
 use super::signature::Signature;
 use super::variant::Variant;
-use crate::elements::{Density, Invariants, Library};
-use crate::symbolic::{Graph, Id, linear::Vector};
+use crate::elements::{Density, Field, Invariants, Library, at_rest};
+use crate::symbolic::{Graph, Id, Product, invariants as all_invariants, linear::Vector};
 
 /// Symbols of the fields, one vector each.
 fn symbols(graph: &mut Graph, name: &str, count: usize, dimension: usize) -> Vec<Vector> {
@@ -37,6 +39,39 @@ fn invariants(graph: &mut Graph, fields: &[Vector], dimension: usize) -> Invaria
         dots,
         crosses,
     }
+}
+
+/// Inner products that count from those of the stress-free shape, as an energy of a straight axis takes them.
+fn from_stress_free(
+    graph: &mut Graph,
+    variant: &Variant,
+    library: &Library,
+    now: &Invariants,
+    before: &HashMap<Id, Id>,
+) -> Invariants {
+    let dimension = variant.dimension;
+    let fields: Vec<&Field> = variant.declaration(library).fields_in(dimension).collect();
+    let mut products = now.clone();
+    for invariant in all_invariants(fields.len(), dimension) {
+        let (i, j) = (invariant.i, invariant.j);
+        let mut shifted = |product: Id| {
+            let reference = graph.substitute(product, before);
+            let (change, rest) = (graph.subtract(product, reference), at_rest(invariant, &fields));
+            let rest = graph.number(rest);
+            graph.add(change, rest)
+        };
+        match invariant.product {
+            Product::Dot => {
+                let value = shifted(now.dots[i][j]);
+                (products.dots[i][j], products.dots[j][i]) = (value, value);
+            }
+            Product::Cross => {
+                let value = shifted(now.crosses[i][j]);
+                (products.crosses[i][j], products.crosses[j][i]) = (value, graph.negate(value));
+            }
+        }
+    }
+    products
 }
 
 /// The same of a material with an energy: its kernel at a point, which takes derivatives on the unit element.
@@ -117,18 +152,25 @@ pub fn field_forces_kernel(variant: &Variant, library: &Library) -> Kernel {
     let stress_free = symbols(&mut graph, "stress_free", count, dimension);
     let now = invariants(&mut graph, &fields, dimension);
     let before: Vec<(Id, Id)> = fields.concat().into_iter().zip(stress_free.concat()).collect();
-    let before = before.into_iter().collect();
+    let before: HashMap<Id, Id> = before.into_iter().collect();
     let rates = fields.concat().into_iter().zip(rates.concat()).collect();
     let damping = graph.symbol("damping");
     let terms = (element.energy)(&mut graph, &now, &variant.options);
+    let counted = variant.curved.then(|| {
+        let products = from_stress_free(&mut graph, variant, library, &now, &before);
+        (element.energy)(&mut graph, &products, &variant.options)
+    });
     let mut forces = vec![graph.zero(); count * dimension];
-    for term in terms {
+    for (at, term) in terms.into_iter().enumerate() {
         let coefficient = match term.coefficient {
             "" => graph.one(),
             name => graph.input(name),
         };
         let (density, stress) = match term.density {
-            Density::Energy(density) => (density, coefficient),
+            Density::Energy(density) => match counted.as_ref().map(|terms| terms[at].density) {
+                Some(Density::Energy(density)) => (density, coefficient),
+                _ => (density, coefficient),
+            },
             Density::Viscous(measure) => {
                 if !variant.damped {
                     continue;

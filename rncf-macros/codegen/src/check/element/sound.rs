@@ -5,7 +5,7 @@ use std::collections::HashMap;
 
 use super::{Draft, say};
 use crate::check::{Check, fold};
-use crate::elements::{Coefficients, Density, Element, Interpolant, Rules, STRETCHES, Term, field_invariants};
+use crate::elements::{Coefficients, Density, Element, Field, Rules, STRETCHES, Term, at_rest, field_invariants};
 use crate::model::{ElementQuantity, Expr as Value};
 use crate::parse::tree::Item;
 use crate::symbolic::{Graph, Id, Invariant};
@@ -125,6 +125,7 @@ impl<'a> Check<'a> {
         let places: Vec<usize> = built.iter().map(|one| one.term).collect();
         let terms = draft.written.terms(&mut graph, &fields, options);
         // What changes with time has its value at the start, and others.
+        let at_fields: Vec<&Field> = element.fields_in(dimension).collect();
         let mut times = vec![HashMap::new(); 1 + LATER.len()];
         for (inputs, later) in times.iter_mut().zip([0.0].into_iter().chain(LATER)) {
             for one in &element.coefficients {
@@ -133,7 +134,7 @@ impl<'a> Check<'a> {
                 inputs.insert(graph.input(one.name), value);
             }
             for &(one, symbol) in &symbols {
-                inputs.insert(symbol, at_rest(element, one, dimension));
+                inputs.insert(symbol, at_rest(one, &at_fields));
             }
         }
         for (&at, term) in places.iter().zip(&terms) {
@@ -273,9 +274,7 @@ impl Look<'_> {
                     return Err(say::NOT_FINITE_AT_REST.into());
                 }
                 let fields = self.element.fields_in(self.dimension);
-                let is_unit: Vec<bool> = fields
-                    .map(|field| field.order == usize::from(field.of == Interpolant::Position))
-                    .collect();
+                let is_unit: Vec<bool> = fields.map(Field::is_unit).collect();
                 let mut pulls = self
                     .symbols
                     .iter()
@@ -329,20 +328,6 @@ fn choices(element: &Element) -> Vec<Vec<usize>> {
         };
         all.into_iter().flat_map(with).collect()
     })
-}
-
-/// The value of an inner product in a straight element that nothing deforms.
-fn at_rest(element: &Element, one: Invariant, dimension: usize) -> f64 {
-    let field = |at: usize| element.fields_in(dimension).nth(at);
-    let (Some(a), Some(b)) = (field(one.i), field(one.j)) else {
-        return 0.0;
-    };
-    let is_unit = |field: &crate::elements::Field| field.order == usize::from(field.of == Interpolant::Position);
-    if is_unit(a) && is_unit(b) {
-        one.orthonormal(a.of == b.of)
-    } else {
-        0.0
-    }
 }
 
 /// What a formula has not where it applies; `None`: nothing, or what the plane does not have at all.

@@ -14,7 +14,7 @@ use std::collections::HashMap;
 pub use conserving::{Between, BetweenRule, conserving_kernels, conserving_obstacle};
 pub use fields::{FieldBlocks, FieldKernels, FieldRule, Groups, field_kernels};
 
-use crate::elements::{Element, Field, Library, NodalVector, Term};
+use crate::elements::{Element, Field, Library, NodalVector, Term, field_invariants};
 use crate::lower::invariants::Blocks;
 use crate::lower::kernel::{Kernel, PointLoop};
 use crate::lower::quadratic::{base_vector, is_position};
@@ -76,11 +76,16 @@ pub fn rules(variant: &Variant, element: &Element) -> Vec<usize> {
     rules
 }
 
-/// Numbers that every element keeps for one of its points: values of the measures in the stress-free shape, which stand first,
-/// and coefficients that vary.
-fn kept_at_point(variant: &Variant, library: &Library, terms: &[Term]) -> [usize; 2] {
-    let measures = terms.iter().filter(|term| term.density.measure().is_some()).count();
-    let measures = if variant.curved { measures } else { 0 };
+/// Numbers that every element keeps for one of its points: what counts from the stress-free shape, which stands first, and
+/// coefficients that vary. The terms are of a graph with these inner products.
+fn kept_at_point(
+    (variant, library): (&Variant, &Library),
+    terms: &[Term],
+    graph: &Graph,
+    products: &[Id],
+) -> [usize; 2] {
+    let counted = terms.iter().map(|term| term.density.counted(graph, products).len());
+    let measures = if variant.curved { counted.sum() } else { 0 };
     [measures, variant.varying_coefficients(library).len()]
 }
 
@@ -91,9 +96,12 @@ pub fn kept(variant: &Variant, library: &Library) -> (usize, Vec<(usize, f64)>) 
     let default = points(element, variant.quadrature);
     let (mut passed, mut places) = (0, Vec::new());
     for rule in rules(variant, element) {
-        let (_, mut terms) = element.terms_in(variant.dimension, &variant.options);
+        let mut graph = Graph::new();
+        let (declared, symbols) = field_invariants(&mut graph, element, variant.dimension);
+        let mut terms = (element.energy)(&mut graph, &declared, &variant.options);
         terms.retain(|term| term.points.unwrap_or(default) == rule);
-        let [measures, coefficients] = kept_at_point(variant, library, &terms);
+        let products: Vec<Id> = symbols.iter().map(|&(_, symbol)| symbol).collect();
+        let [measures, coefficients] = kept_at_point((variant, library), &terms, &graph, &products);
         for xi in gauss_rule(rule).points {
             places.push((passed + measures, xi));
             passed += measures + coefficients;

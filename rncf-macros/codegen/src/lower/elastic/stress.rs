@@ -5,9 +5,7 @@ use std::collections::HashMap;
 
 use super::conserving::averaged_value;
 use super::{Builder, Form, Quantity, State, kept_at_point, points};
-use crate::elements::field_invariants;
-use crate::elements::{Density, Term};
-use crate::lower::quadratic::length_power;
+use crate::elements::{Density, Term, at_rest, field_invariants};
 use crate::symbolic::Invariant;
 use crate::symbolic::{Graph, Id, linear::Vector};
 
@@ -35,6 +33,16 @@ impl Symbols {
     fn rate(&self, graph: &mut Graph, measure: Id) -> Id {
         let chain = self.values.iter().copied().zip(self.rates.iter().copied()).collect();
         graph.differentiate(measure, &chain)
+    }
+
+    /// Inner products that count from their references: what stands for them in an energy of those of a straight shape.
+    fn from_references(&self, graph: &mut Graph, products: &[Id], references: &[Id]) -> HashMap<Id, Id> {
+        let pairs = products.iter().zip(references);
+        let shifted = pairs.map(|(&product, &reference)| {
+            let change = graph.subtract(product, reference);
+            (product, graph.add(change, self.straight[&product]))
+        });
+        shifted.collect()
     }
 }
 
@@ -64,25 +72,33 @@ impl Builder<'_> {
             stress: vec![zero; symbols.values.len()],
             energy: zero,
         };
-        let measures: Vec<&Term> = terms.iter().filter(|term| term.density.measure().is_some()).collect();
+        let has_references = self.variant.curved && self.quantity != Quantity::Reference;
+        let mut index = 0;
         for term in &terms {
             let factor = self.graph.multiply(self.coefficients[term.coefficient], weight);
+            let counted = term.density.counted(&self.graph, &symbols.values);
             match term.density {
                 Density::Viscous(measure) => self.add_viscous(&symbols, measure, factor, &mut response),
                 Density::Measure(measure) | Density::Undamped(measure) | Density::Law { measure, .. } => {
-                    let index = measures
-                        .iter()
-                        .position(|other| std::ptr::eq(*other, term))
-                        .unwrap_or(0);
-                    let reference = if self.variant.curved && self.quantity != Quantity::Reference {
+                    let reference = if has_references {
                         self.point_reference(slots, index)
                     } else {
                         self.graph.substitute(measure, &symbols.straight)
                     };
                     self.add_measure(&symbols, (term.density, measure), reference, factor, &mut response);
                 }
-                Density::Energy(density) => self.add_energy(&symbols, density, factor, &mut response),
+                Density::Energy(mut density) => {
+                    if has_references {
+                        let references: Vec<Id> = (index..index + counted.len())
+                            .map(|index| self.point_reference(slots, index))
+                            .collect();
+                        let shifted = symbols.from_references(&mut self.graph, &counted, &references);
+                        density = self.graph.substitute(density, &shifted);
+                    }
+                    self.add_energy(&symbols, density, factor, &mut response);
+                }
             }
+            index += counted.len();
         }
         self.passed += slots;
         self.replace(&symbols, &response)
@@ -90,7 +106,6 @@ impl Builder<'_> {
 
     fn point_symbols(&mut self, fields: &[Vector], rates: &[Vector]) -> (Symbols, Vec<Term>) {
         let (element, graph) = (self.element, &mut self.graph);
-        let is_unit = |field: usize| length_power(self.declared[field]) == 0;
         let (declared, list) = field_invariants(graph, element, self.variant.dimension);
         let terms = (element.energy)(graph, &declared, &self.variant.options);
         let mut symbols = Symbols {
@@ -109,13 +124,7 @@ impl Builder<'_> {
                     .real
                     .insert(symbols.rates[place], invariant.rate(graph, fields, rates));
             }
-            // Of a straight, untwisted body the tangent and the directors alone differ from zero.
-            let (i, j) = (self.declared[invariant.i].of, self.declared[invariant.j].of);
-            let value = if is_unit(invariant.i) && is_unit(invariant.j) {
-                invariant.orthonormal(i == j)
-            } else {
-                0.0
-            };
+            let value = at_rest(invariant, &self.declared);
             symbols.straight.insert(symbol, graph.number(value));
         }
         (symbols, terms)
@@ -124,7 +133,7 @@ impl Builder<'_> {
     /// Lets coefficients that vary stand for what an element keeps of them, behind the values of the measures at a point; how
     /// many numbers it keeps there.
     fn bind_coefficients(&mut self, symbols: &mut Symbols, terms: &[Term]) -> usize {
-        let [measures, count] = kept_at_point(self.variant, self.library, terms);
+        let [measures, count] = kept_at_point((self.variant, self.library), terms, &self.graph, &symbols.values);
         let coefficients = self.variant.varying_coefficients(self.library);
         let slots = measures + count;
         for (place, coefficient) in coefficients.iter().enumerate() {
@@ -144,8 +153,8 @@ impl Builder<'_> {
     /// Values of the measures at the point: what the other kernels subtract.
     fn add_references(&mut self, symbols: &Symbols, terms: &[Term]) {
         for term in terms {
-            if let Some(measure) = term.density.measure() {
-                let value = self.graph.substitute(measure, &symbols.real);
+            for counted in term.density.counted(&self.graph, &symbols.values) {
+                let value = self.graph.substitute(counted, &symbols.real);
                 self.references.push(value);
             }
         }

@@ -21,6 +21,10 @@ impl Builder<'_> {
     pub(super) fn tensor(&mut self) -> Option<()> {
         let variant = self.variant;
         let terms = tensor_terms(self.element, variant.dimension, &variant.options, variant.quadrature)?;
+        // A tensor knows references of measures alone.
+        if variant.curved && terms.iter().any(|term| !term.is_measure) {
+            return None;
+        }
         let all = invariants(self.vectors.len(), variant.dimension);
         let occurs = |&a: &usize| {
             terms
