@@ -3,6 +3,7 @@
 // Models from one template do not use all of its params.
 #![allow(deprecated)]
 
+mod elements;
 mod unfolded;
 
 use rncf::prelude::*;

@@ -54,10 +54,6 @@ pub fn items(cursor: &mut Cursor, tree: &mut Tree, repeat: Option<usize>, errors
                     errors.at(at, say::PARAM_INSIDE);
                 } else if repeat.is_some() {
                     super::repeat::may_be_repeated(&item, at, errors);
-                    if keyword == Keyword::Element {
-                        tree.lost.push(item.name.text);
-                        continue;
-                    }
                 }
                 tree.items.push(Item { repeat, ..item });
             }

@@ -126,10 +126,8 @@ fn is_only(group: &Group, word: &str) -> bool {
 
 /// Refuses an item that is not repeated; `keyword` is where its keyword stands.
 pub fn may_be_repeated(item: &Item, keyword: Span, errors: &mut Errors) {
-    let is_param = item.is_param();
-    if is_param || item.keyword == Keyword::Element {
-        let word = if is_param { Keyword::Param } else { item.keyword }.word();
-        errors.at(keyword, say::outside_of_loops(word));
+    if item.is_param() {
+        errors.at(keyword, say::outside_of_loops(Keyword::Param.word()));
     }
 }
 
@@ -140,22 +138,40 @@ pub fn further(cursor: &mut Cursor, base: &Expr, depth: usize) -> Parsed<Option<
     if !is_numbered && !is_member {
         return Ok(None);
     }
-    let boxed = || Box::new(base.clone());
     if is_numbered && let Some(group) = cursor.eat_group(Delimiter::Parenthesis) {
         let arguments = expr::arguments(&mut Cursor::of(&group), depth + 1, &[3])?;
         let height = 1 + arguments
             .iter()
             .map(|argument| argument.value.height)
             .fold(base.height, usize::max);
-        let (base, area) = (boxed(), base.area.to(group.span().into()));
+        let (base, area) = (Box::new(base.clone()), base.area.to(group.span().into()));
         return expr::node(ExprKind::Applied { base, arguments }, area, height).map(Some);
     }
+    numbered(cursor, base, depth)
+}
+
+/// Another number behind what has one.
+fn numbered(cursor: &mut Cursor, base: &Expr, depth: usize) -> Parsed<Option<Expr>> {
     let Some(index) = number(cursor, depth)? else {
         return Ok(None);
     };
     let (height, area) = (1 + base.height.max(index.height), base.area.to(cursor.before().into()));
-    let (base, index) = (boxed(), Box::new(index));
+    let (base, index) = (Box::new(base.clone()), Box::new(index));
     expr::node(ExprKind::Numbered { base, index }, area, height).map(Some)
+}
+
+/// A name with the numbers of a repetition behind it, before the brackets of a call.
+pub fn called(cursor: &mut Cursor, what: &str) -> Parsed<Name> {
+    let name = cursor.expect_name(what)?;
+    let mut path = indexed(cursor, &name, 0)?;
+    while let Some(base) = &path {
+        match numbered(cursor, base, 0)? {
+            Some(further) => path = Some(further),
+            None => break,
+        }
+    }
+    let path = path.map(Box::new);
+    Ok(Name { path, ..name })
 }
 
 /// `name[index]`, if that is what goes on behind the name.

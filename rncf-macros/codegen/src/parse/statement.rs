@@ -7,7 +7,7 @@ use super::documentation::documentation;
 use super::messages as say;
 use super::recover::recover_before;
 use super::tree::{ExprKind, Statement};
-use super::{expr, import};
+use super::{expr, import, repeat};
 use crate::errors::{Area, Errors, Mistake};
 
 /// Statements of a body.
@@ -179,7 +179,7 @@ fn statement(cursor: &mut Cursor) -> Parsed<Statement> {
             if is_element_first && !cursor.is_second_group(Delimiter::Parenthesis) {
                 return Err(Mistake::new(count.area, say::COUNT_BEHIND));
             }
-            let name = cursor.expect_name("an element, `mesh 6 * element(section, material);`")?;
+            let name = repeat::called(cursor, "an element, `mesh 6 * element(section, material);`")?;
             Statement::Mesh {
                 area,
                 count,

@@ -319,13 +319,25 @@ impl<'t> Unfold<'t, '_> {
         }
     }
 
-    /// The element of a mesh as it is written: that of the component, or of the model.
+    /// The element of a mesh as it is written: that of the component, or of the model, or one repetition of these.
     pub(super) fn element(&mut self, at: &Place, name: &'t Name) -> Name {
         match self.scope_of(at, &name.text) {
             Some(scope) if self.scopes[scope].names[name.text.as_str()].item.keyword == Keyword::Element => {
-                self.renamed(scope, name)
+                let declared = &self.scopes[scope].names[name.text.as_str()];
+                let is_kept = declared.loops.iter().any(|id| self.scopes[scope].kept.contains(id));
+                if is_kept {
+                    // That its loop stays has been told of the element.
+                    self.lost.push(name.text.clone());
+                    return Name::new(name.text.clone(), name.span);
+                }
+                self.name(at, name)
             }
-            _ => name.clone(),
+            _ => {
+                if let Some(path) = &name.path {
+                    self.errors.at(path.area, say::not_repeated(&name.text));
+                }
+                name.clone()
+            }
         }
     }
 
