@@ -262,6 +262,10 @@ impl<'a> Check<'a> {
             let is_same = |name: &&str| !["second_moment_y", "second_moment_z", "torsion_constant"].contains(name);
             let same = section_known.properties.iter().filter(|(name, _)| is_same(name));
             properties.extend(same.map(|(name, value)| (*name, value.clone())));
+        }
+        let coefficients = used.element.coefficients.iter();
+        let mut factors = coefficients.flat_map(|coefficient| &coefficient.factors);
+        if !used.element.has_section() || factors.any(|name| *name == "second_moment") {
             let names = (section.text.as_str(), used.word);
             let is_planar = used.space != Space::Spatial;
             if let Some(moment) = self.one_moment(&section_known, names, is_planar, section.span.into()) {

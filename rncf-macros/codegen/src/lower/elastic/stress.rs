@@ -36,7 +36,7 @@ impl Symbols {
     }
 
     /// Inner products that count from their references: what stands for them in an energy of those of a straight shape.
-    fn from_references(&self, graph: &mut Graph, products: &[Id], references: &[Id]) -> HashMap<Id, Id> {
+    fn shifted(&self, graph: &mut Graph, products: &[Id], references: &[Id]) -> HashMap<Id, Id> {
         let pairs = products.iter().zip(references);
         let shifted = pairs.map(|(&product, &reference)| {
             let change = graph.subtract(product, reference);
@@ -92,7 +92,7 @@ impl Builder<'_> {
                         let references: Vec<Id> = (index..index + counted.len())
                             .map(|index| self.point_reference(slots, index))
                             .collect();
-                        let shifted = symbols.from_references(&mut self.graph, &counted, &references);
+                        let shifted = symbols.shifted(&mut self.graph, &counted, &references);
                         density = self.graph.substitute(density, &shifted);
                     }
                     self.add_energy(&symbols, density, factor, &mut response);
