@@ -69,6 +69,48 @@ fn joints_and_loads_have_their_places() {
     );
 }
 
+rncf::model! {
+    /// A cable and a beam of two elements each in frames that are turned, under loads per length that are known.
+    pub model Loaded {
+        material rubber { density = 900 kg/m^3; young = 20 MPa; poisson = 0.4; }
+        section cord = circle(radius = 10 mm);
+        frame hub = rotating(axis = z, angle = 90 deg);
+        body rope in hub { planar xy; line from [0, 0, 0] m to [2, 0, 0] m; mesh 2 * cable(cord, rubber); }
+        body spar in hub { spatial; line from [0, 0, 1] m to [0, 1, 1] m; mesh 2 * beam(cord, rubber); }
+        joint a = clamp(rope.start, hub);
+        joint b = clamp(spar.start, hub);
+        load push = density(rope, [0, 5, 0] N/m);
+        load lift = distributed(spar, [0, 0, 2 [N/m] + 4 [N/m^2] * x]);
+        output rope_end = rope.end.y;
+        output spar_end = spar.end.z;
+        run { t_end = 1 ms; every = 1 ms; }
+    }
+}
+
+/// Loads per length have an arrow in the middle of each element: what acts there over its length, in inertial axes.
+#[test]
+fn loads_per_length_have_arrows_along_the_axis() {
+    let (_, pictures) = drawn(&Loaded::default(), 1e-3, 1e-3);
+    let lines: Vec<_> = pictures
+        .signs
+        .iter()
+        .filter(|sign| sign.kind != SignKind::Joint)
+        .collect();
+    let names: Vec<(&str, SignKind)> = lines.iter().map(|sign| (sign.name.as_str(), sign.kind)).collect();
+    let [lift, push] = [("lift", SignKind::Line), ("push", SignKind::Line)];
+    assert_eq!(names, [lift, lift, push, push]);
+    // The frame is turned by a right angle about z: its y is minus x.
+    let wanted = [
+        Vector3::new(0.0, 0.0, 3.0),
+        Vector3::new(0.0, 0.0, 5.0),
+        Vector3::new(-5.0, 0.0, 0.0),
+        Vector3::new(-5.0, 0.0, 0.0),
+    ];
+    for (found, wanted) in pictures.shots[0].acting.iter().zip(wanted) {
+        assert!((found - wanted).norm() < 1e-12, "{found} {wanted}");
+    }
+}
+
 /// A scene of many points has fewer pictures, so that its page does not grow without bound.
 #[test]
 fn a_large_scene_has_fewer_pictures() {
@@ -80,7 +122,16 @@ fn a_large_scene_has_fewer_pictures() {
         "{} pictures of {points} points",
         sail.times.len()
     );
-    assert!(sail.signs.iter().any(|sign| sign.kind == SignKind::Spread));
+    let spread: Vec<&str> = sail
+        .signs
+        .iter()
+        .filter(|sign| sign.kind == SignKind::Spread)
+        .map(|sign| sign.name.as_str())
+        .collect();
+    assert_eq!(spread, ["sun"]);
+    // Two loads on 1600 elements of main tethers and on the others.
+    let lines = sail.signs.iter().filter(|sign| sign.kind == SignKind::Line).count();
+    assert!((2..=96).contains(&lines), "{lines} arrows");
 }
 
 /// A cable that tumbles through space: its ends in the pictures are those of the outputs, in inertial axes.

@@ -23,7 +23,8 @@ pub struct Configuration {
     pub points: Vec<Vector>,
     /// Origin (m, inertial axes) and orientation of every frame; the first is the inertial one.
     pub poses: Vec<(Vector, Rotation)>,
-    /// What acts at every sign of a force, moment or uniform gravity, in their order: N, N m or m/s^2, inertial axes.
+    /// What acts at every sign of a load per length, force, moment or uniform gravity, in their order: N/m, N, N m or m/s^2,
+    /// inertial axes.
     pub acting: Vec<Vector>,
 }
 
@@ -32,8 +33,10 @@ pub struct Configuration {
 pub enum SignKind {
     /// A joint or constraint.
     Joint,
-    /// A load per length, or gravity that is not uniform: it has no arrow.
+    /// Gravity that is not uniform: it has no arrow.
     Spread,
+    /// A load per length in the middle of an element, N/m.
+    Line,
     /// A force at a place, N.
     Force,
     /// A moment at a place or on a frame, N m.
@@ -48,6 +51,7 @@ impl SignKind {
         match self {
             Self::Joint => "joint",
             Self::Spread => "spread",
+            Self::Line => "line",
             Self::Force => "force",
             Self::Moment => "moment",
             Self::Gravity => "gravity",

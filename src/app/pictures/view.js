@@ -50,7 +50,7 @@
       this.shapes = data.modes && data.modes.map((mode) => new Float32Array(decoded(mode.shape)));
       this.pictures = data.times.length;
       this.loads = data.signs.filter((sign) => sign.kind !== "joint" && sign.kind !== "spread");
-      this.largest = { force: 0, moment: 0, gravity: 0 };
+      this.largest = { line: 0, force: 0, moment: 0, gravity: 0 };
       for (let k = 0; k < this.acting.length; k += 3) {
         const kind = this.loads[(k / 3) % this.loads.length].kind;
         this.largest[kind] = Math.max(this.largest[kind], Math.hypot(...this.acting.subarray(k, k + 3)));
@@ -434,11 +434,13 @@
         if (!this.isOn("loads") || sign.kind === "gravity" || !(this.largest[sign.kind] > 0)) continue;
         const vector = [...this.acting.subarray(at, at + 3)];
         const place = this.placeOf(sign, all);
-        const long = Math.min(this.canvas.clientWidth, this.canvas.clientHeight) / 6 / this.largest[sign.kind];
+        // Many of what acts along bodies stand beside each other.
+        const part = sign.kind === "line" ? 12 : 6;
+        const long = Math.min(this.canvas.clientWidth, this.canvas.clientHeight) / part / this.largest[sign.kind];
         const from = project(...place);
         const to = this.towards(this.seenAs(this.shot, vector, false), long).map((shift, k) => from[k] + shift);
         this.arrow(from, to, named("--load"), sign.kind === "moment");
-        this.spots.push({ place: to, text: () => `${sign.name}: ${quantity(Math.hypot(...vector), sign.kind === "moment" ? "N m" : "N")}` });
+        this.spots.push({ place: to, text: () => `${sign.name}: ${quantity(Math.hypot(...vector), { line: "N/m", force: "N", moment: "N m" }[sign.kind])}` });
       }
     }
 

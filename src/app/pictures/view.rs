@@ -91,7 +91,7 @@ pub fn of_run(title: &str, pictures: &Pictures) -> Value {
         .collect();
     if !spread.is_empty() {
         notes.push(format!(
-            "Not drawn is what acts along bodies or changes from place to place: {}.",
+            "Not drawn is gravity that changes from place to place: {}.",
             spread.join(", ")
         ));
     }

@@ -13,13 +13,36 @@ use crate::space::{Vector, three};
 enum Shown<'s> {
     Joint(&'s JointSpec),
     Linked(&'s Linked),
-    /// Name of what acts along bodies or changes from place to place.
+    /// Name of gravity that changes from place to place.
     Spread(&'s str),
+    /// A load per length, in the middle of an element.
+    Line(Line<'s>),
     /// Index of the load.
     Load(usize),
     /// A force on markers, and a place among its markers.
     Push(usize, usize),
 }
+
+/// A load per length on one element.
+#[derive(Clone, Copy)]
+struct Line<'s> {
+    name: &'s str,
+    from: Source,
+    body: usize,
+    element: usize,
+}
+
+/// Where a load per length comes from.
+#[derive(Clone, Copy)]
+enum Source {
+    /// The density with this index.
+    Density(usize),
+    /// Of the distributed loads that with this index, at points of the element.
+    Points(usize),
+}
+
+/// Most arrows of a load per length; of more elements every second, third, .. has one.
+const MOST_ARROWS: usize = 48;
 
 impl MeshScene {
     /// Joints first, then what acts: along bodies, and at places.
@@ -37,28 +60,101 @@ impl MeshScene {
             markers.filter(has_place).map(move |(at, _)| Shown::Push(index, at))
         });
         let spread = self.names_of_spread().into_iter().map(Shown::Spread);
-        joints.chain(linked).chain(spread).chain(loads).chain(pushes).collect()
+        let lines = self.lines().into_iter().map(Shown::Line);
+        let acting = spread.chain(lines).chain(loads).chain(pushes);
+        joints.chain(linked).chain(acting).collect()
     }
 
-    /// Names of the loads per length and of gravity that is not uniform, each once.
+    /// Names of gravity that is not uniform, each once.
     fn names_of_spread(&self) -> Vec<&str> {
         let fields = self.loads.iter();
         let fields = fields.filter(|load| matches!(load.kind, LoadKind::Around | LoadKind::Field { .. }));
-        let along = self
-            .forces
-            .iter()
-            .filter(|force| matches!(force.law, Law::Distributed { .. }));
-        let all = self.densities.iter().map(|density| density.spec.name);
-        let all = all
-            .chain(along.map(|force| force.name))
-            .chain(fields.map(|load| load.name));
         let mut names = Vec::new();
-        for name in all {
+        for name in fields.map(|load| load.name) {
             if !names.contains(&name) {
                 names.push(name);
             }
         }
         names
+    }
+
+    /// Loads per length, element by element, as many of each as a picture shows.
+    fn lines(&self) -> Vec<Line<'_>> {
+        let densities = self.densities.iter().enumerate().flat_map(|(index, density)| {
+            let line = move |element| Line {
+                name: density.spec.name,
+                from: Source::Density(index),
+                body: density.spec.body,
+                element,
+            };
+            (0..self.bodies[density.spec.body].spec.count).map(line)
+        });
+        let points = self.spread.iter().flat_map(|spread| {
+            let mut lines: Vec<(usize, Line<'_>)> = Vec::new();
+            for force in &self.forces[spread.forces.clone()] {
+                if let Law::Distributed { load, .. } = force.law
+                    && lines.iter().all(|&(other, _)| other != load)
+                {
+                    let line = Line {
+                        name: force.name,
+                        from: Source::Points(load),
+                        body: spread.body,
+                        element: spread.element,
+                    };
+                    lines.push((load, line));
+                }
+            }
+            lines.into_iter().map(|(_, line)| line)
+        });
+        let all: Vec<Line<'_>> = densities.chain(points).collect();
+        let mut names: Vec<&str> = all.iter().map(|line| line.name).collect();
+        names.sort_unstable();
+        names.dedup();
+        let of_name = |name| {
+            let own: Vec<Line<'_>> = all.iter().filter(|line| line.name == name).copied().collect();
+            let every = own.len().div_ceil(MOST_ARROWS).max(1);
+            own.into_iter().step_by(every)
+        };
+        names.into_iter().flat_map(of_name).collect()
+    }
+
+    /// A load per length at the loaded state, N/m, inertial axes; `values` are those of all densities.
+    fn per_length(&self, line: Line<'_>, t: f64, values: &[Vec<f64>]) -> Vector {
+        let body = &self.bodies[line.body];
+        let [from, to] = [0.0, 1.0].map(|xi| body.spec.arclength(line.element, xi));
+        let total: Vector = match line.from {
+            Source::Density(index) => {
+                let force = self.density_on(index, line.element, &values[index]);
+                let vectors = force.chunks_exact(body.spec.dimension()).zip(body.spec.nodal);
+                let on_positions = vectors.filter(|(_, nodal)| nodal.is_position());
+                let mut sum = Vector::zeros();
+                for (vector, _) in on_positions {
+                    for (&axis, value) in body.spec.axes.iter().zip(vector) {
+                        sum[axis] += value;
+                    }
+                }
+                self.buffers.frames[body.frame].direction_to_inertial(sum)
+            }
+            Source::Points(load) => {
+                let spread = self
+                    .spread
+                    .iter()
+                    .filter(|spread| (spread.body, spread.element) == (line.body, line.element));
+                let pushes = spread.flat_map(|spread| spread.forces.clone());
+                let own = pushes
+                    .filter(|&index| matches!(self.forces[index].law, Law::Distributed { load: of, .. } if of == load));
+                own.map(|index| {
+                    let (z, velocity) = self.force_arguments(index);
+                    let mut forces = vec![0.0; 3 * z.len()];
+                    self.push(index, t, &z, &velocity, &mut forces);
+                    let markers = self.forces[index].markers.iter().enumerate();
+                    let points = markers.filter(|&(_, &marker)| self.markers[marker].is_point());
+                    points.map(|(at, _)| three(&forces, 3 * at)).sum::<Vector>()
+                })
+                .sum()
+            }
+        };
+        total / (to - from)
     }
 
     /// Joints, and loads and forces at places, and uniform gravity.
@@ -81,6 +177,11 @@ impl MeshScene {
                 name: name.to_owned(),
                 kind: SignKind::Spread,
                 place: None,
+            },
+            Shown::Line(line) => Sign {
+                name: line.name.to_owned(),
+                kind: SignKind::Line,
+                place: Some(self.on_element(line.body, line.element, 0.5)),
             },
             Shown::Load(load) => Sign {
                 name: self.loads[load].name.to_owned(),
@@ -108,13 +209,15 @@ impl MeshScene {
         self.shown().into_iter().map(sign).collect()
     }
 
-    /// What acts at the loaded state at the signs that are no joints: N, N m or m/s^2, inertial axes.
+    /// What acts at the loaded state at the signs with arrows: N/m, N, N m or m/s^2, inertial axes.
     pub(crate) fn acting(&self, out: &mut Vec<Vector>) {
         out.clear();
         let t = self.buffers.t;
+        let values = self.all_values(t);
         for shown in self.shown() {
             match shown {
                 Shown::Joint(_) | Shown::Linked(_) | Shown::Spread(_) => {}
+                Shown::Line(line) => out.push(self.per_length(line, t, &values)),
                 Shown::Load(load) => {
                     let frame = &self.buffers.frames[self.loads[load].frame];
                     out.push(frame.direction_to_inertial(self.parts.load(load, t).into()));
@@ -159,10 +262,14 @@ impl MeshScene {
     }
 
     fn on_curve(&self, point: &MeshPoint) -> SignPlace {
-        let pieces = pieces(self.bodies[point.body].spec.count) as f64;
+        self.on_element(point.body, point.element, point.xi)
+    }
+
+    fn on_element(&self, body: usize, element: usize, xi: f64) -> SignPlace {
+        let pieces = pieces(self.bodies[body].spec.count) as f64;
         SignPlace::Curve {
-            curve: point.body,
-            point: (point.element as f64 + point.xi) * pieces,
+            curve: body,
+            point: (element as f64 + xi) * pieces,
         }
     }
 

@@ -301,7 +301,8 @@ impl MeshScene {
         })
     }
 
-    fn all_values(&self, t: f64) -> Vec<Vec<f64>> {
+    /// Values of all densities at the loaded state.
+    pub(crate) fn all_values(&self, t: f64) -> Vec<Vec<f64>> {
         let (mut of, mut arguments) = (None, [Vec::new(), Vec::new()]);
         let values = self.densities.iter().enumerate().map(|(index, density)| {
             let spec = &density.spec;
@@ -376,34 +377,35 @@ impl MeshScene {
     /// Generalised forces of all densities and other loads that are spread over it on the nodal vectors of one element, axes of the frame that they live in;
     /// the state's values are remembered.
     pub(crate) fn densities_on(&self, body: usize, element: usize) -> [f64; MAX_SIZE] {
-        let (at, n) = (&self.bodies[body], self.bodies[body].spec.element_size());
         let mut sum = [0.0; MAX_SIZE];
-        for (index, values) in self.buffers.density_values.iter().enumerate() {
-            if self.densities[index].spec.body != body {
-                continue;
-            }
-            let of_all: Vec<[f64; LANES]> = values.iter().map(|&value| [value; LANES]).collect();
-            let mut lanes = [[0.0; LANES]; MAX_SIZE];
-            let q = self.in_body_axes(at, element);
-            lanes.iter_mut().zip(q).for_each(|(to, from)| *to = [from; LANES]);
-            let mut force = [[0.0; LANES]; MAX_SIZE];
-            let elements = [(body, element); LANES];
-            self.parts
-                .density_force4(index, &elements, &of_all, &lanes[..n], &mut force[..n]);
-            let mut force = force.map(|lanes| self.buffers.density_scale * lanes[0]);
-            if let Some(axes) = self.axes_of(at) {
-                force[..n]
-                    .chunks_exact_mut(axes.d)
-                    .for_each(|vector| axes.vector(vector, false));
-            }
-            sum.iter_mut().zip(force).for_each(|(sum, value)| *sum += value);
-        }
-        let spread = self.spread_on(body, element);
         let scale = self.buffers.density_scale;
-        sum.iter_mut()
-            .zip(spread)
-            .for_each(|(sum, value)| *sum += scale * value);
+        let mut add = |of: [f64; MAX_SIZE]| sum.iter_mut().zip(of).for_each(|(sum, value)| *sum += scale * value);
+        for (index, values) in self.buffers.density_values.iter().enumerate() {
+            if self.densities[index].spec.body == body {
+                add(self.density_on(index, element, values));
+            }
+        }
+        add(self.spread_on(body, element));
         sum
+    }
+
+    /// Generalised forces of one density on the nodal vectors of an element of its body, axes of the frame that they live in.
+    pub(crate) fn density_on(&self, index: usize, element: usize, values: &[f64]) -> [f64; MAX_SIZE] {
+        let body = self.densities[index].spec.body;
+        let (at, n) = (&self.bodies[body], self.bodies[body].spec.element_size());
+        let of_all: Vec<[f64; LANES]> = values.iter().map(|&value| [value; LANES]).collect();
+        let q = self.in_body_axes(at, element).map(|value| [value; LANES]);
+        let mut force = [[0.0; LANES]; MAX_SIZE];
+        let elements = [(body, element); LANES];
+        self.parts
+            .density_force4(index, &elements, &of_all, &q[..n], &mut force[..n]);
+        let mut force = force.map(|lanes| lanes[0]);
+        if let Some(axes) = self.axes_of(at) {
+            force[..n]
+                .chunks_exact_mut(axes.d)
+                .for_each(|vector| axes.vector(vector, false));
+        }
+        force
     }
 
     /// Adds the derivatives of [`MeshScene::add_density_forces`] at the loaded state.
