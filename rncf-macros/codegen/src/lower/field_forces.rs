@@ -156,7 +156,8 @@ pub fn field_forces_kernel(variant: &Variant, library: &Library) -> Kernel {
     let rates = fields.concat().into_iter().zip(rates.concat()).collect();
     let damping = graph.symbol("damping");
     let terms = (element.energy)(&mut graph, &now, &variant.options);
-    let counted = variant.curved.then(|| {
+    let has_energy = terms.iter().any(|term| matches!(term.density, Density::Energy(_)));
+    let counted = (variant.curved && has_energy).then(|| {
         let products = from_stress_free(&mut graph, variant, library, &now, &before);
         (element.energy)(&mut graph, &products, &variant.options)
     });
