@@ -1,13 +1,13 @@
 //! LU factorization by node blocks: unknowns with equal patterns are eliminated together.
 
-use std::cmp::Ordering;
+use std::sync::Arc;
 
 use pulp::Arch;
 
-use super::block_kernels::{self as kernels, Update, Vectorised};
-use super::block_order::Nodes;
+use super::block_kernels::{self as kernels, Vectorised};
+use super::block_layout::{Structure, column};
 use super::block_solve::{backward, forward};
-use super::graph::Graph;
+use super::block_solve_one::{self as one, copy_lower, copy_upper};
 use super::node::{Node, Segment};
 use super::pattern::Pattern;
 use super::scalar::Scalar;
@@ -27,23 +27,20 @@ const TOGETHER: usize = 8;
 #[derive(Debug)]
 pub(super) struct Blocks<T> {
     arch: Arch,
-    nodes: Vec<Node>,
-    /// Parts of the right side that the nodes act on, and products that they subtract from others.
-    segments: Vec<Segment>,
-    updates: Vec<Update>,
-    /// Place of every entry of the pattern in `values`.
-    slots: Vec<u32>,
-    /// Starts and ends of the places in `values` that no entry of the pattern has.
-    fill_in: Vec<[u32; 2]>,
-    /// Unknown at every place of the elimination.
-    unknowns: Vec<u32>,
+    structure: Arc<Structure>,
     /// Of every node, one after another: its rows from the diagonal on, then the columns below it,
     /// transposed.
     values: Vec<T>,
+    /// Of every node of six unknowns before six others once more what a single right side is substituted with, forwards and
+    /// backwards.
+    lower: Vec<T>,
+    upper: Vec<T>,
     /// Row exchanges inside the nodes.
     pivots: Vec<u32>,
     row_scale: Vec<f64>,
     column_scale: Vec<f64>,
+    /// Both scales at every place of the elimination.
+    placed_scales: [Vec<f64>; 2],
     /// Whether the scales are those of an earlier matrix, which serve as long as they are about right.
     is_scaled: bool,
     /// Sums, then scales, of the rows of a node's columns, which are equal.
@@ -51,6 +48,10 @@ pub(super) struct Blocks<T> {
     right: Vec<[T; 1]>,
     right_together: Vec<[T; TOGETHER]>,
 }
+
+/// Numbers of a node of six unknowns before six others that its substitution takes, forwards and backwards.
+const SIX_LOWER: usize = 15 + 36;
+const SIX_UPPER: usize = 21 + 36;
 
 /// Why there are no factors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,32 +63,24 @@ pub(super) enum Failure {
 }
 
 impl<T: Scalar> Blocks<T> {
-    /// `None` if the factors are too large to be numbered.
-    pub(super) fn new(pattern: &Pattern, graph: &Graph) -> Option<Self> {
-        let Nodes { members, later } = Nodes::new(pattern, graph);
-        let mut layout = Layout::new(&members, &later);
-        u32::try_from(layout.length).ok()?;
-        layout.connect(&later);
-        let longest = pattern.starts().windows(2).map(|pair| pair[1] - pair[0]).max();
-        let size = pattern.columns();
-        let slots = layout.slots(pattern, &members, &later);
-        Some(Self {
+    /// For matrices on the pattern of this structure.
+    pub(super) fn new(structure: Arc<Structure>) -> Self {
+        let size = structure.unknowns.len();
+        Self {
             arch: Arch::new(),
-            fill_in: gaps(&slots, layout.length as u32),
-            slots,
-            nodes: layout.nodes,
-            segments: layout.segments,
-            updates: layout.updates,
-            unknowns: members.iter().flatten().map(|&unknown| unknown as u32).collect(),
-            values: vec![T::default(); layout.length],
+            values: vec![T::default(); structure.length],
+            lower: vec![T::default(); structure.sixes * SIX_LOWER],
+            upper: vec![T::default(); structure.sixes * SIX_UPPER],
             pivots: vec![0; size],
             row_scale: vec![1.0; size],
             column_scale: vec![1.0; size],
+            placed_scales: [vec![1.0; size], vec![1.0; size]],
             is_scaled: false,
-            of_rows: vec![0.0; longest.unwrap_or(0)],
+            of_rows: vec![0.0; structure.longest],
             right: vec![[T::default(); 1]; size],
             right_together: Vec::new(),
-        })
+            structure,
+        }
     }
 
     /// Factors the values; those of column j begin at `starts[j]`. No pivot may be at most `smallest`.
@@ -119,7 +112,7 @@ impl<T: Scalar> Blocks<T> {
     /// Solves in place for `count` right sides; all of the first unknown come first.
     pub(super) fn solve_many(&mut self, x: &mut [T], count: usize) {
         self.right_together
-            .resize(self.unknowns.len(), [T::default(); TOGETHER]);
+            .resize(self.structure.unknowns.len(), [T::default(); TOGETHER]);
         kernels::dispatch(self.arch, SolveMany(self, x, count));
     }
 
@@ -132,6 +125,11 @@ impl<T: Scalar> Blocks<T> {
         self.is_scaled = false;
         self.scale_rows(pattern, values, starts)?;
         self.copy::<false>(pattern, values, starts)?;
+        for (placed, scale) in self.placed_scales.iter_mut().zip([&self.row_scale, &self.column_scale]) {
+            for (placed, &unknown) in placed.iter_mut().zip(&self.structure.unknowns) {
+                *placed = scale[unknown as usize];
+            }
+        }
         self.is_scaled = true;
         Ok(())
     }
@@ -140,8 +138,8 @@ impl<T: Scalar> Blocks<T> {
     #[inline(always)]
     fn scale_rows(&mut self, pattern: &Pattern, values: &[T], starts: &[usize]) -> Result<(), Failure> {
         self.row_scale.fill(0.0);
-        for node in &self.nodes {
-            let columns = &self.unknowns[node.first..][..node.size];
+        for node in &self.structure.nodes {
+            let columns = &self.structure.unknowns[node.first..][..node.size];
             let rows = column(pattern, columns[0] as usize);
             let sums = &mut self.of_rows[..rows.len()];
             sums.fill(0.0);
@@ -169,11 +167,11 @@ impl<T: Scalar> Blocks<T> {
     /// columns.
     #[inline(always)]
     fn copy<const KEPT: bool>(&mut self, pattern: &Pattern, values: &[T], starts: &[usize]) -> Result<(), Failure> {
-        for &[start, end] in &self.fill_in {
+        for &[start, end] in &self.structure.fill_in {
             self.values[start as usize..end as usize].fill(T::default());
         }
-        for node in &self.nodes {
-            let columns = &self.unknowns[node.first..][..node.size];
+        for node in &self.structure.nodes {
+            let columns = &self.structure.unknowns[node.first..][..node.size];
             let rows = column(pattern, columns[0] as usize);
             let scales = &mut self.of_rows[..rows.len()];
             for (scale, &row) in scales.iter_mut().zip(rows) {
@@ -193,7 +191,7 @@ impl<T: Scalar> Blocks<T> {
                     }
                     self.column_scale[column as usize] = scale;
                 }
-                let slots = &self.slots[pattern.starts()[column as usize]..][..rows.len()];
+                let slots = &self.structure.slots[pattern.starts()[column as usize]..][..rows.len()];
                 for ((&value, &of_row), &slot) in values.iter().zip(scales.iter()).zip(slots) {
                     self.values[slot as usize] = value.times(of_row * scale);
                 }
@@ -204,8 +202,10 @@ impl<T: Scalar> Blocks<T> {
 
     #[inline(always)]
     fn eliminate<const F: bool>(&mut self, smallest: f64) -> Result<(), Failure> {
-        let mut begin = 0;
-        for node in &self.nodes {
+        let (mut begin, mut first_segment) = (0, 0);
+        let lower = self.lower.as_chunks_mut::<SIX_LOWER>().0.iter_mut();
+        let mut sixes = lower.zip(self.upper.as_chunks_mut::<SIX_UPPER>().0);
+        for node in &self.structure.nodes {
             let (until, after) = self.values.split_at_mut(node.end());
             let own = &mut until[node.start..];
             let pivots = &mut self.pivots[node.first..][..node.size];
@@ -213,11 +213,19 @@ impl<T: Scalar> Blocks<T> {
             if !growth.is_some_and(|growth| growth < LARGEST_GROWTH) {
                 return Err(Failure::Unsuited);
             }
-            for update in &self.updates[begin..node.updates_end] {
+            for update in &self.structure.updates[begin..node.updates_end] {
                 let target = &mut after[update.target as usize - node.end()..];
                 kernels::update::<T, F>(update, node.size, own, target);
             }
             begin = node.updates_end;
+            if kernels::is_specialised::<T, F>() && node.is_six(node.segments_end - first_segment) {
+                let Some((lower, upper)) = sixes.next() else {
+                    unreachable!("every node of six and six has its copies");
+                };
+                copy_lower::<T, 6, 12>(own, lower);
+                copy_upper::<T, 6, 12>(own, upper);
+            }
+            first_segment = node.segments_end;
         }
         Ok(())
     }
@@ -225,30 +233,87 @@ impl<T: Scalar> Blocks<T> {
     #[inline(always)]
     fn substitute<const F: bool, const W: usize>(&self, right: &mut [[T; W]]) {
         let mut begin = 0;
-        for node in &self.nodes {
-            let segments = &self.segments[begin..node.segments_end];
+        for node in &self.structure.nodes {
+            let segments = &self.structure.segments[begin..node.segments_end];
             begin = node.segments_end;
             let values = &self.values[node.start..node.end()];
             let pivots = &self.pivots[node.first..][..node.size];
             forward::<T, F, W>(node, segments, values, pivots, &mut right[node.first..]);
         }
-        for (index, node) in self.nodes.iter().enumerate().rev() {
+        for (index, node) in self.structure.nodes.iter().enumerate().rev() {
             let begin = if index == 0 {
                 0
             } else {
-                self.nodes[index - 1].segments_end
+                self.structure.nodes[index - 1].segments_end
             };
-            let segments = &self.segments[begin..node.segments_end];
+            let segments = &self.structure.segments[begin..node.segments_end];
             let values = &self.values[node.start..node.lower()];
             backward::<T, F, W>(node, segments, values, &mut right[node.first..]);
         }
     }
+
+    /// Substitution of a single right side.
+    #[inline(always)]
+    fn substitute_one<const F: bool>(&self, right: &mut [[T; 1]]) {
+        let (mut begin, mut lower) = (0, self.lower.as_chunks::<SIX_LOWER>().0.iter());
+        for node in &self.structure.nodes {
+            let segments = &self.structure.segments[begin..node.segments_end];
+            begin = node.segments_end;
+            let pivots = &self.pivots[node.first..];
+            let right = &mut right[node.first..];
+            if let (Some((own, later)), Some(pivots)) = (six(node, segments, right), pivots.first_chunk()) {
+                let Some(lower) = lower.next() else {
+                    unreachable!("every node of six and six has its copies");
+                };
+                one::forward::<T, F, 6, 6, SIX_LOWER>(lower, pivots, own, later);
+            } else {
+                let values = &self.values[node.start..node.end()];
+                forward::<T, F, 1>(node, segments, values, &pivots[..node.size], right);
+            }
+        }
+        let mut upper = self.upper.as_chunks::<SIX_UPPER>().0.iter();
+        for (index, node) in self.structure.nodes.iter().enumerate().rev() {
+            let begin = index
+                .checked_sub(1)
+                .map_or(0, |before| self.structure.nodes[before].segments_end);
+            let segments = &self.structure.segments[begin..node.segments_end];
+            let right = &mut right[node.first..];
+            if let Some((own, later)) = six(node, segments, right) {
+                let Some(upper) = upper.next_back() else {
+                    unreachable!("every node of six and six has its copies");
+                };
+                one::backward::<T, F, 6, 6, SIX_UPPER>(upper, own, later);
+            } else {
+                let values = &self.values[node.start..node.lower()];
+                backward::<T, F, 1>(node, segments, values, right);
+            }
+        }
+    }
+}
+
+/// The right sides of a node of six unknowns and those of the six that it is coupled to, if it is such a node and these follow
+/// each other.
+#[inline(always)]
+fn six<'a, T: Scalar>(
+    node: &Node,
+    segments: &[Segment],
+    right: &'a mut [[T; 1]],
+) -> Option<(&'a mut [T; 6], &'a mut [T; 6])> {
+    if !node.is_six(segments.len()) {
+        return None;
+    }
+    let segment = segments.first()?;
+    let (own, rest) = right.as_flattened_mut().split_first_chunk_mut::<6>()?;
+    let later = rest
+        .get_mut(segment.place as usize - node.first - 6..)?
+        .first_chunk_mut::<6>()?;
+    Some((own, later))
 }
 
 impl Blocks<f64> {
     /// Whether the determinant of what was factored is negative; the order is one of rows and columns.
     pub(super) fn is_determinant_negative(&self) -> bool {
-        let signs = self.nodes.iter().flat_map(|node| {
+        let signs = self.structure.nodes.iter().flat_map(|node| {
             (0..node.size).map(|k| {
                 let exchanged = self.pivots[node.first + k] as usize != k;
                 exchanged ^ (self.values[node.start + k * node.width() + k] < 0.0)
@@ -285,12 +350,18 @@ impl<T: Scalar> Vectorised for Solve<'_, T> {
     fn run<const F: bool>(self) {
         let Self(blocks, x) = self;
         let mut right = std::mem::take(&mut blocks.right);
-        for (value, &unknown) in right.iter_mut().zip(&blocks.unknowns) {
-            value[0] = x[unknown as usize].times(blocks.row_scale[unknown as usize]);
+        let [row_scale, column_scale] = &blocks.placed_scales;
+        let unknowns = &blocks.structure.unknowns;
+        for ((value, &unknown), &scale) in right.iter_mut().zip(unknowns).zip(row_scale) {
+            value[0] = x[unknown as usize].times(scale);
         }
-        blocks.substitute::<F, 1>(&mut right);
-        for (value, &unknown) in right.iter().zip(&blocks.unknowns) {
-            x[unknown as usize] = value[0].times(blocks.column_scale[unknown as usize]);
+        if kernels::is_specialised::<T, F>() {
+            blocks.substitute_one::<F>(&mut right);
+        } else {
+            blocks.substitute::<F, 1>(&mut right);
+        }
+        for ((value, &unknown), &scale) in right.iter().zip(unknowns).zip(column_scale) {
+            x[unknown as usize] = value[0].times(scale);
         }
         blocks.right = right;
     }
@@ -307,7 +378,7 @@ impl<T: Scalar> Vectorised for SolveMany<'_, T> {
         let mut right = std::mem::take(&mut blocks.right_together);
         for from in (0..count).step_by(TOGETHER) {
             let width = TOGETHER.min(count - from);
-            for (row, &unknown) in right.iter_mut().zip(&blocks.unknowns) {
+            for (row, &unknown) in right.iter_mut().zip(&blocks.structure.unknowns) {
                 let scale = blocks.row_scale[unknown as usize];
                 let x = &x[unknown as usize * count + from..][..width];
                 *row = [T::default(); TOGETHER];
@@ -316,7 +387,7 @@ impl<T: Scalar> Vectorised for SolveMany<'_, T> {
                 }
             }
             blocks.substitute::<F, TOGETHER>(&mut right);
-            for (row, &unknown) in right.iter().zip(&blocks.unknowns) {
+            for (row, &unknown) in right.iter().zip(&blocks.structure.unknowns) {
                 let scale = blocks.column_scale[unknown as usize];
                 let x = &mut x[unknown as usize * count + from..][..width];
                 for (value, x) in row.iter().zip(x) {
@@ -326,24 +397,6 @@ impl<T: Scalar> Vectorised for SolveMany<'_, T> {
         }
         blocks.right_together = right;
     }
-}
-
-/// Starts and ends of what is not among the places below `length`.
-fn gaps(places: &[u32], length: u32) -> Vec<[u32; 2]> {
-    let mut is_taken = vec![false; length as usize];
-    places.iter().for_each(|&place| is_taken[place as usize] = true);
-    let mut at = 0;
-    let runs = is_taken.chunk_by(|one, other| one == other).map(|run| {
-        let start = at;
-        at += run.len() as u32;
-        (run[0], [start, at])
-    });
-    runs.filter(|(taken, _)| !taken).map(|(_, gap)| gap).collect()
-}
-
-/// Rows of a column.
-fn column(pattern: &Pattern, column: usize) -> &[usize] {
-    &pattern.indices()[pattern.starts()[column]..pattern.starts()[column + 1]]
 }
 
 #[inline(always)]
@@ -362,169 +415,6 @@ fn largest_scaled<T: Scalar>(values: &[T], scales: &[f64]) -> f64 {
         lanes[0] = if size > lanes[0] { size } else { lanes[0] };
     }
     lanes.into_iter().fold(0.0, f64::max)
-}
-
-/// Where everything lies.
-struct Layout {
-    nodes: Vec<Node>,
-    /// For every node the offsets of its later nodes in what is below it.
-    offsets: Vec<Vec<usize>>,
-    segments: Vec<Segment>,
-    updates: Vec<Update>,
-    length: usize,
-}
-
-impl Layout {
-    fn new(members: &[Vec<usize>], later: &[Vec<usize>]) -> Self {
-        let mut layout = Self {
-            nodes: Vec::with_capacity(members.len()),
-            offsets: Vec::with_capacity(members.len()),
-            segments: Vec::new(),
-            updates: Vec::new(),
-            length: 0,
-        };
-        let mut first = 0;
-        for (own, later) in members.iter().zip(later) {
-            let mut below = 0;
-            let mut offsets = Vec::with_capacity(later.len());
-            for &node in later {
-                offsets.push(below);
-                below += members[node].len();
-            }
-            let node = Node {
-                first,
-                size: own.len(),
-                below,
-                start: layout.length,
-                segments_end: 0,
-                updates_end: 0,
-            };
-            first += own.len();
-            layout.length = node.end();
-            layout.nodes.push(node);
-            layout.offsets.push(offsets);
-        }
-        layout
-    }
-
-    /// Segments and updates of every node.
-    fn connect(&mut self, later: &[Vec<usize>]) {
-        for index in 0..self.nodes.len() {
-            let from = self.segments.len();
-            for &node in &later[index] {
-                let Node { first, size, .. } = self.nodes[node];
-                match self.segments[from..].last_mut() {
-                    Some(last) if (last.place + last.length) as usize == first => last.length += size as u32,
-                    _ => self.segments.push(Segment {
-                        place: first as u32,
-                        length: size as u32,
-                    }),
-                }
-            }
-            for at in 0..later[index].len() {
-                self.update(index, at, later);
-            }
-            self.nodes[index].segments_end = self.segments.len();
-            self.nodes[index].updates_end = self.updates.len();
-        }
-    }
-
-    /// Updates by a node of the rows of its later node number `at` and of the columns below that.
-    fn update(&mut self, index: usize, at: usize, later: &[Vec<usize>]) {
-        let (node, offsets) = (self.nodes[index], &self.offsets[index]);
-        let of = later[index][at];
-        let target = self.nodes[of];
-        // Runs of columns that are consecutive in both: offset below the target, own offset, length.
-        let mut runs: Vec<(usize, usize, usize)> = Vec::new();
-        for (&other, &own) in later[index].iter().zip(offsets).skip(at + 1) {
-            let (there, size) = (self.offset(of, other, later), self.nodes[other].size);
-            match runs.last_mut() {
-                Some((start, _, length)) if *start + *length == there => *length += size,
-                _ => runs.push((there, own, size)),
-            }
-        }
-        let (rows, lower) = (node.size, node.lower() - node.start);
-        let upper = |column: usize, own: usize, width: usize| Update {
-            target: (target.start + column) as u32,
-            target_stride: target.width() as u32,
-            rows: target.size as u32,
-            width: width as u32,
-            scalars: (lower + offsets[at]) as u32,
-            scalar_stride: node.below as u32,
-            vectors: (rows + own) as u32,
-            vector_stride: node.width() as u32,
-        };
-        // The diagonal block, with what follows it without a gap.
-        let mut rest = &runs[..];
-        let mut width = target.size;
-        if let [(0, _, length), others @ ..] = rest {
-            width += length;
-            rest = others;
-        }
-        self.updates.push(upper(0, offsets[at], width));
-        for &(there, own, width) in rest {
-            self.updates.push(upper(target.size + there, own, width));
-        }
-        for &(there, own, width) in &runs {
-            self.updates.push(Update {
-                target: (target.lower() + there) as u32,
-                target_stride: target.below as u32,
-                rows: target.size as u32,
-                width: width as u32,
-                scalars: (rows + offsets[at]) as u32,
-                scalar_stride: node.width() as u32,
-                vectors: (lower + own) as u32,
-                vector_stride: node.below as u32,
-            });
-        }
-    }
-
-    /// Offset of a later node in what is below another.
-    fn offset(&self, of: usize, node: usize, later: &[Vec<usize>]) -> usize {
-        let at = later[of].binary_search(&node).expect("fill-in is in the structure");
-        self.offsets[of][at]
-    }
-
-    /// Place of every entry of the pattern.
-    fn slots(&self, pattern: &Pattern, members: &[Vec<usize>], later: &[Vec<usize>]) -> Vec<u32> {
-        let mut place = vec![(0, 0); pattern.columns()];
-        for (node, members) in members.iter().enumerate() {
-            for (index, &member) in members.iter().enumerate() {
-                place[member] = (node, index);
-            }
-        }
-        // Rows of a column come node by node: what two nodes have in common is looked up once.
-        let mut slots = Vec::with_capacity(pattern.entries());
-        for j in 0..pattern.columns() {
-            let (of_column, in_j) = place[j];
-            let (mut of_row, mut start, mut stride) = (usize::MAX, 0, 0);
-            for &row in column(pattern, j) {
-                let (node, in_i) = place[row];
-                if node != of_row {
-                    of_row = node;
-                    (start, stride) = self.block(node, of_column, in_j, later);
-                }
-                slots.push((start + in_i * stride) as u32);
-            }
-        }
-        slots
-    }
-
-    /// Where a column of the block of two nodes begins, and the distance of its rows.
-    fn block(&self, of_row: usize, of_column: usize, column: usize, later: &[Vec<usize>]) -> (usize, usize) {
-        let node = self.nodes[of_row.min(of_column)];
-        match of_row.cmp(&of_column) {
-            Ordering::Equal => (node.start + column, node.width()),
-            Ordering::Less => {
-                let offset = self.offset(of_row, of_column, later);
-                (node.start + node.size + offset + column, node.width())
-            }
-            Ordering::Greater => {
-                let offset = self.offset(of_column, of_row, later);
-                (node.lower() + column * node.below + offset, 1)
-            }
-        }
-    }
 }
 
 #[cfg(test)]

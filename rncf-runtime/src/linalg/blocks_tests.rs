@@ -1,3 +1,5 @@
+use super::super::block_order::Nodes;
+use super::super::graph::Graph;
 use super::super::lu::tests::numbers;
 use super::super::scalar::c64;
 use super::super::sparse::Sparse;
@@ -5,7 +7,7 @@ use super::*;
 
 /// The factors' places, where the pattern suits them.
 fn factors_of<T: Scalar>(pattern: &Pattern) -> Option<Blocks<T>> {
-    Blocks::new(pattern, &Graph::new(pattern))
+    Structure::new(pattern, &Graph::new(pattern)).map(|structure| Blocks::new(Arc::new(structure)))
 }
 
 /// The pattern of tethers on a hub: `chains` of `length` nodes with 6 unknowns, one unknown at the
@@ -186,6 +188,26 @@ fn repeated_factorizations_have_the_same_bits() {
 }
 
 #[test]
+fn one_right_side_has_the_bits_of_several() {
+    let pattern = tethers(12, 6);
+    let mut blocks = factors_of::<f64>(&pattern).expect("a small pattern");
+    assert!(blocks.structure.sixes >= 60, "{}", blocks.structure.sixes);
+    // Twice: copies of factors are renewed with them.
+    for seed in [3, 5] {
+        let values = values(&pattern, numbers(seed));
+        blocks
+            .factor(&pattern, &values, pattern.starts(), 1e-15)
+            .expect("regular");
+        let mut number = numbers(seed + 1);
+        let mut one: Vec<f64> = (0..pattern.columns()).map(|_| number()).collect();
+        let mut several = one.clone();
+        blocks.solve(&mut one);
+        blocks.solve_many(&mut several, 1);
+        assert_eq!(one, several);
+    }
+}
+
+#[test]
 fn growth_is_refused() {
     // A node whose diagonal is nearly empty is coupled with one whose diagonal is not.
     let pattern = Pattern::new(3, 3, [(0, 0), (0, 1), (1, 0), (1, 1), (1, 2), (2, 1), (2, 2)]);
@@ -251,6 +273,7 @@ fn time_of_tethers() {
             }
         }
         let fused: usize = blocks
+            .structure
             .nodes
             .iter()
             .map(|node| {

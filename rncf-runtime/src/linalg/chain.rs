@@ -15,7 +15,6 @@ use pulp::Arch;
 
 use super::block_kernels::{Vectorised, dispatch};
 use super::column::Column;
-use super::graph::Graph;
 use super::links::Links;
 use super::pattern::Pattern;
 use super::scalar::Scalar;
@@ -57,8 +56,7 @@ macro_rules! with_factors {
 
 impl<T: Scalar> Chain<T> {
     /// `None` where the pattern is no chain, or one with links of very different or large sizes.
-    pub(super) fn new(pattern: &Pattern, graph: &Graph) -> Option<Self> {
-        let links = Links::new(pattern, graph)?;
+    pub(super) fn new(pattern: &Pattern, links: &Links) -> Option<Self> {
         let sized = [4, 6, 8, 12, 18].into_iter().find_map(|size| {
             let links = links.together(size)?;
             Some(match size {

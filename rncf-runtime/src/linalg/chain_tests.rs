@@ -1,10 +1,11 @@
+use super::super::graph::Graph;
 use super::super::lu::tests::{chain, numbers};
 use super::*;
 use crate::linalg::c64;
 
 /// The factors' places, where the pattern suits them.
 fn factors_of<T: Scalar>(pattern: &Pattern) -> Option<Chain<T>> {
-    Chain::new(pattern, &Graph::new(pattern))
+    Chain::new(pattern, &Links::new(pattern, &Graph::new(pattern))?)
 }
 
 /// Values with a heavier diagonal, in unknowns of very different sizes, as positions and slopes are.

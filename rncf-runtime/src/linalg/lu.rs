@@ -1,10 +1,12 @@
 //! LU factorization of a square matrix on a fixed pattern, equilibrated by rows and columns.
 
+use std::sync::Arc;
+
+use super::analysis::{Analysis, Shape};
 use super::banded::Banded;
 use super::blocks::{Blocks, Failure};
 use super::chain::Chain;
-use super::graph::Graph;
-use super::order::{half_bandwidth, reverse_cuthill_mckee};
+use super::order::half_bandwidth;
 use super::pattern::Pattern;
 use super::scalar::Scalar;
 use super::sparse::Sparse;
@@ -12,17 +14,8 @@ use super::sparse::Sparse;
 /// Pivots of the equilibrated matrix up to here are round-off of its entries, which are at most 1.
 const SMALLEST_PIVOT: f64 = 8.0 * f64::EPSILON;
 
-/// Half-bandwidth up to which the banded factorization is used; with this and fewer unknowns a
-/// full matrix is a banded one.
-const LARGEST_BANDWIDTH: usize = 40;
-
-/// Number of unknowns from which on wide matrices are factored by node blocks. Measured with 100 chains
-/// on a ring (10,000 unknowns, 176,800 entries, random values, for which faer exchanges many rows): blocks
-/// 0.56 ms to factor and 0.10 ms to solve, faer 17.9 and 0.17 ms.
-const LEAST_BLOCKS: usize = 300;
-
 /// LU factorization with pivoting of a square matrix on a fixed pattern, in the field `T` (`f64` or
-/// `c64`). The pattern is analysed once and decides how:
+/// `c64`). The pattern is analysed once, for all its copies, and decides how:
 ///
 /// - chains (meshes of lines) are block-tridiagonal, without row exchanges; values for which this is not safe are banded;
 /// - other narrow matrices are banded, with partial pivoting;
@@ -39,7 +32,7 @@ pub struct Lu<T: Scalar> {
     fallback: Option<Box<Lu<T>>>,
     is_fallback_used: bool,
     /// Place of every unknown in the order of elimination of the banded factors.
-    place: Vec<usize>,
+    place: Arc<[usize]>,
     row_scale: Vec<f64>,
     column_scale: Vec<f64>,
     work: Vec<T>,
@@ -56,41 +49,29 @@ enum Factors<T: Scalar> {
     Blocks(Box<Blocks<T>>),
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Method {
-    Chain,
-    Banded,
-    Sparse,
-    Blocks,
-}
-
 impl<T: Scalar> Lu<T> {
     /// Analyses a square pattern.
     ///
     /// # Panics
     /// If the pattern is not square: a defect of the caller.
     pub fn new(pattern: &Pattern) -> Self {
-        let graph = Graph::new(pattern);
-        let place = places(&graph);
-        let method = if half_bandwidth(pattern, &place) <= LARGEST_BANDWIDTH {
-            Method::Chain
-        } else if pattern.columns() < LEAST_BLOCKS {
-            Method::Sparse
-        } else {
-            Method::Blocks
+        let analysis = pattern.found(Analysis::new);
+        let factors = match &analysis.shape {
+            Shape::Narrow(links) => links
+                .as_ref()
+                .and_then(|links| Chain::new(pattern, links))
+                .map(|chain| Factors::Chain(Box::new(chain))),
+            Shape::Wide => sparse(pattern),
+            Shape::Large(structure) => structure
+                .as_ref()
+                .map(|structure| Factors::Blocks(Box::new(Blocks::new(Arc::clone(structure))))),
         };
-        Self::with_method(pattern, &graph, place, method)
+        let place = Arc::clone(&analysis.place);
+        Self::with(pattern, factors.unwrap_or_else(|| banded(pattern, &place)), place)
     }
 
-    fn with_method(pattern: &Pattern, graph: &Graph, place: Vec<usize>, method: Method) -> Self {
+    fn with(pattern: &Pattern, factors: Factors<T>, place: Arc<[usize]>) -> Self {
         let size = pattern.columns();
-        let factors = match method {
-            Method::Chain => Chain::new(pattern, graph).map(|chain| Factors::Chain(Box::new(chain))),
-            Method::Banded => None,
-            Method::Sparse => Sparse::new(pattern).map(|sparse| Factors::Sparse(Box::new(sparse))),
-            Method::Blocks => Blocks::new(pattern, graph).map(|blocks| Factors::Blocks(Box::new(blocks))),
-        };
-        let factors = factors.unwrap_or_else(|| banded(pattern, &place));
         let (scaled, work) = match &factors {
             Factors::Chain(_) | Factors::Blocks(_) => (0, 0),
             Factors::Banded(..) => (size, size),
@@ -132,12 +113,12 @@ impl<T: Scalar> Lu<T> {
     /// As of [`Lu::factor`].
     pub(super) fn factor_from(&mut self, values: &[T], starts: &[usize]) -> Result<(), usize> {
         self.is_fallback_used = false;
-        let row_exchanges = match &mut self.factors {
+        let row_exchanges: fn(&Pattern, &[usize]) -> Factors<T> = match &mut self.factors {
             Factors::Chain(chain) => {
                 if chain.factor(&self.pattern, values, starts) {
                     return Ok(());
                 }
-                Method::Banded
+                banded
             }
             Factors::Blocks(blocks) => {
                 match blocks.factor(&self.pattern, values, starts, SMALLEST_PIVOT) {
@@ -145,17 +126,14 @@ impl<T: Scalar> Lu<T> {
                     Err(Failure::Line(unknown)) => return Err(unknown),
                     Err(Failure::Unsuited) => {}
                 }
-                Method::Sparse
+                |pattern: &Pattern, place: &[usize]| sparse(pattern).unwrap_or_else(|| banded(pattern, place))
             }
             Factors::Banded(..) | Factors::Sparse(_) => return self.factor_exchanging(values, starts),
         };
         self.is_fallback_used = true;
         let (pattern, place) = (&self.pattern, &self.place);
         self.fallback
-            .get_or_insert_with(|| {
-                let graph = Graph::new(pattern);
-                Box::new(Self::with_method(pattern, &graph, place.clone(), row_exchanges))
-            })
+            .get_or_insert_with(|| Box::new(Self::with(pattern, row_exchanges(pattern, place), Arc::clone(place))))
             .factor_exchanging(values, starts)
     }
 
@@ -284,6 +262,11 @@ impl<T: Scalar> Lu<T> {
     }
 }
 
+/// Sparse factors, to be filled; `None` if the ordering fails (memory).
+fn sparse<T: Scalar>(pattern: &Pattern) -> Option<Factors<T>> {
+    Sparse::new(pattern).map(|sparse| Factors::Sparse(Box::new(sparse)))
+}
+
 /// Banded factors, to be filled.
 fn banded<T: Scalar>(pattern: &Pattern, place: &[usize]) -> Factors<T> {
     let size = pattern.columns();
@@ -297,15 +280,6 @@ fn banded<T: Scalar>(pattern: &Pattern, place: &[usize]) -> Factors<T> {
         .map(|(row, column)| banded.place(place[row], place[column]))
         .collect();
     Factors::Banded(banded, places)
-}
-
-/// Place of every unknown in an order with a small bandwidth.
-fn places(graph: &Graph) -> Vec<usize> {
-    let mut place = vec![0; graph.len()];
-    for (new, &old) in reverse_cuthill_mckee(graph).iter().enumerate() {
-        place[old] = new;
-    }
-    place
 }
 
 impl Lu<f64> {

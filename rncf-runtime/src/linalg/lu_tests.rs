@@ -1,3 +1,8 @@
+use super::super::analysis::places;
+use super::super::block_layout::Structure;
+use super::super::graph::Graph;
+use super::super::links::Links;
+use super::super::order::reverse_cuthill_mckee;
 use super::super::scalar::c64;
 use super::*;
 use crate::linalg::Pattern;
@@ -34,11 +39,30 @@ fn multiply<T: Scalar>(pattern: &Pattern, values: &[T], x: &[T]) -> Vec<T> {
     out
 }
 
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Method {
+    Chain,
+    Banded,
+    Sparse,
+    Blocks,
+}
+
 const METHODS: [Method; 4] = [Method::Chain, Method::Banded, Method::Sparse, Method::Blocks];
 
 fn with<T: Scalar>(pattern: &Pattern, method: Method) -> Lu<T> {
     let graph = Graph::new(pattern);
-    Lu::with_method(pattern, &graph, places(&graph), method)
+    let place: Arc<[usize]> = places(&graph).into();
+    let factors = match method {
+        Method::Chain => Links::new(pattern, &graph)
+            .and_then(|links| Chain::new(pattern, &links))
+            .map(|chain| Factors::Chain(Box::new(chain))),
+        Method::Banded => None,
+        Method::Sparse => sparse(pattern),
+        Method::Blocks => {
+            Structure::new(pattern, &graph).map(|structure| Factors::Blocks(Box::new(Blocks::new(Arc::new(structure)))))
+        }
+    };
+    Lu::with(pattern, factors.unwrap_or_else(|| banded(pattern, &place)), place)
 }
 
 fn check<T: Scalar>(pattern: &Pattern, method: Method, mut number: impl FnMut() -> T) {

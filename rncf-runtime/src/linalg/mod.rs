@@ -1,9 +1,12 @@
 //! Sparse linear algebra: a fixed pattern, its factorizations, and saddle-point systems on it.
 
+mod analysis;
 mod banded;
 mod block_kernels;
+mod block_layout;
 mod block_order;
 mod block_solve;
+mod block_solve_one;
 mod blocks;
 mod border_kernels;
 mod chain;
@@ -32,4 +35,4 @@ pub use lu::Lu;
 pub use pattern::Pattern;
 pub use saddle::{Saddle, Singular};
 pub use scalar::{Scalar, c64};
-pub(crate) use span::{clear, dot, norm, normalise, reduce};
+pub(crate) use span::{clear, dot, norm, normalise, reduce, total};

@@ -27,6 +27,12 @@ impl Node {
     pub fn end(&self) -> usize {
         self.lower() + self.size * self.below
     }
+
+    /// Whether it has six unknowns and is coupled to six that follow each other, in as many segments: a node of a line in space.
+    #[inline(always)]
+    pub fn is_six(&self, segments: usize) -> bool {
+        (self.size, self.below, segments) == (6, 6, 1)
+    }
 }
 
 /// Consecutive places of later unknowns.

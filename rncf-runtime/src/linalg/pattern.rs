@@ -1,12 +1,33 @@
 //! Fixed sparsity patterns in compressed-column form.
 
-/// A sparsity pattern in compressed-column form; rows ascend within a column.
-#[derive(Clone, Debug, PartialEq, Eq)]
+use std::any::Any;
+use std::sync::{Arc, OnceLock};
+
+/// A sparsity pattern in compressed-column form; rows ascend within a column. Copies share what they hold, and what is found
+/// of it.
+#[derive(Clone, Debug)]
 pub struct Pattern {
     rows: usize,
-    starts: Vec<usize>,
-    indices: Vec<usize>,
+    starts: Arc<[usize]>,
+    indices: Arc<[usize]>,
+    found: Arc<Found>,
 }
+
+/// What is found of a pattern when it is first asked for.
+#[derive(Debug, Default)]
+struct Found {
+    /// Of how many rows and columns, and these.
+    leading: OnceLock<(usize, Pattern)>,
+    other: OnceLock<Box<dyn Any + Send + Sync>>,
+}
+
+impl PartialEq for Pattern {
+    fn eq(&self, other: &Self) -> bool {
+        self.rows == other.rows && self.starts == other.starts && self.indices == other.indices
+    }
+}
+
+impl Eq for Pattern {}
 
 impl Pattern {
     /// The pattern of the given entries `(row, column)`; duplicates are merged.
@@ -63,11 +84,41 @@ impl Pattern {
                 places[column] += 1;
             }
         }
-        Self { rows, starts, indices }
+        Self::of(rows, starts, indices)
+    }
+
+    fn of(rows: usize, starts: Vec<usize>, indices: Vec<usize>) -> Self {
+        Self {
+            rows,
+            starts: starts.into(),
+            indices: indices.into(),
+            found: Arc::default(),
+        }
+    }
+
+    /// What `find` finds of the pattern, which is asked once for all copies. Only one thing is kept.
+    ///
+    /// # Panics
+    /// If something else was found before: a defect of the caller.
+    pub(super) fn found<V: Any + Send + Sync>(&self, find: impl FnOnce(&Self) -> V) -> &V {
+        let found = self.found.other.get_or_init(|| Box::new(find(self)));
+        found.downcast_ref().expect("one type is asked for")
     }
 
     /// The first `size` rows and columns of a square pattern.
     pub(super) fn leading(&self, size: usize) -> Self {
+        if size == self.columns() {
+            return self.clone();
+        }
+        let (known, pattern) = self.found.leading.get_or_init(|| (size, self.cut(size)));
+        if *known == size {
+            pattern.clone()
+        } else {
+            self.cut(size)
+        }
+    }
+
+    fn cut(&self, size: usize) -> Self {
         let (mut starts, mut indices) = (Vec::with_capacity(size + 1), Vec::with_capacity(self.entries()));
         starts.push(0);
         for column in 0..size {
@@ -75,11 +126,7 @@ impl Pattern {
             indices.extend_from_slice(&own[..own.partition_point(|&row| row < size)]);
             starts.push(indices.len());
         }
-        Self {
-            rows: size,
-            starts,
-            indices,
-        }
+        Self::of(size, starts, indices)
     }
 
     /// Number of rows.
@@ -114,6 +161,13 @@ impl Pattern {
             .binary_search(&row)
             .ok()
             .map(|place| start + place)
+    }
+
+    /// As [`Pattern::find`]; tried first is the place behind that of another entry of the column.
+    pub fn find_behind(&self, other: Option<usize>, row: usize, column: usize) -> Option<usize> {
+        let next = other.map(|other| other + 1);
+        let is_it = |&place: &usize| place < self.starts[column + 1] && self.indices[place] == row;
+        next.filter(is_it).or_else(|| self.find(row, column))
     }
 
     /// `out += alpha * A x` with the values of A on this pattern.
@@ -159,6 +213,37 @@ mod tests {
         assert_eq!((pattern.rows(), pattern.columns(), pattern.entries()), (4, 5, 5));
         assert_eq!(Pattern::new(3, 0, []).starts(), [0]);
         assert_eq!(Pattern::new(0, 2, []).starts(), [0, 0, 0]);
+    }
+
+    #[test]
+    fn copies_share_what_is_found() {
+        let square = || Pattern::new(3, 3, (0..3).flat_map(|i| [(i, i), (i, 0), (0, i)]));
+        let (pattern, other) = (square(), square());
+        let copy = pattern.clone();
+        assert_eq!(pattern, other);
+        let count = |pattern: &Pattern| std::ptr::from_ref(pattern.found(Pattern::entries));
+        assert_eq!(count(&pattern), count(&copy));
+        assert_ne!(count(&pattern), count(&other));
+        assert_eq!(count(&pattern.leading(2)), count(&copy.leading(2)));
+        // Of another size they are found anew.
+        assert_eq!(copy.leading(2), Pattern::new(2, 2, [(0, 0), (1, 1), (1, 0), (0, 1)]));
+        assert_eq!(copy.leading(1), Pattern::new(1, 1, [(0, 0)]));
+        assert_eq!(copy.leading(3), pattern);
+    }
+
+    #[test]
+    fn entries_are_found_from_anywhere() {
+        let pattern = Pattern::new(5, 2, [(0, 0), (1, 0), (3, 0), (0, 1), (4, 1)]);
+        for (row, column) in (0..5).flat_map(|row| [(row, 0), (row, 1)]) {
+            let places = (0..pattern.entries()).filter(|place| *place >= pattern.starts()[column]);
+            for other in places
+                .filter(|place| *place < pattern.starts()[column + 1])
+                .map(Some)
+                .chain([None])
+            {
+                assert_eq!(pattern.find_behind(other, row, column), pattern.find(row, column));
+            }
+        }
     }
 
     #[test]

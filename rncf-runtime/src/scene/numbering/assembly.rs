@@ -136,9 +136,12 @@ impl Scatter {
             let components = connectivity.element(element);
             for (column, &by) in components.iter().enumerate() {
                 for (j, b) in layout.unknowns_at(by) {
+                    // Most rows stand behind the one before.
+                    let mut before = None;
                     for (row, &of) in components.iter().enumerate() {
                         for (i, a) in layout.unknowns_at(of) {
-                            if let Some(place) = pattern.find(i, j) {
+                            before = pattern.find_behind(before, i, j);
+                            if let Some(place) = before {
                                 scatter.push(place as u32, (row * size + column) as u16, a * b);
                             }
                         }
