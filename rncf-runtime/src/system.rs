@@ -348,6 +348,16 @@ pub trait System {
     /// `C_x^T` at the state's time and position, on [`System::constraint_pattern`].
     fn constraint_jacobian(&mut self, state: &State, values: &mut [f64]);
 
+    /// What an iteration asks for at one state: [`System::residual`], positions of constraints, and, where it is wanted,
+    /// [`System::constraint_jacobian`].
+    fn equations(&mut self, state: &State, residual: &mut [f64], constraint: &mut [f64], jacobian: Option<&mut [f64]>) {
+        self.residual(state, residual);
+        self.constraint(ConstraintLevel::Position, state, constraint);
+        if let Some(values) = jacobian {
+            self.constraint_jacobian(state, values);
+        }
+    }
+
     /// `(d(C_x v + C_t)/dx)^T` on [`System::constraint_pattern`], for the stabilised index 2
     /// (THEORY 7.4).
     fn constraint_rate_tangent(&mut self, state: &State, values: &mut [f64]);

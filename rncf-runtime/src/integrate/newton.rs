@@ -10,6 +10,8 @@
 //! The stabilised index 2 (THEORY 7.4) completes every solution by its multipliers mu, see
 //! `stabiliser`.
 
+use pulp::Arch;
+
 use super::charts::Charts;
 use super::coefficients::Factors;
 use super::compensated::{self, Low};
@@ -22,8 +24,8 @@ use super::scheme::Cause;
 use super::stabiliser::{Scales, Stabiliser};
 use super::statistics::Statistics;
 use crate::archive::{Archive, Keep};
-use crate::linalg::{Pattern, Saddle};
-use crate::system::{ConstraintLevel, State, System, Tangent};
+use crate::linalg::{Pattern, Saddle, Vectorised, dispatch};
+use crate::system::{State, System, Tangent};
 
 /// Largest estimated error of a converged iterate, as a part of the error tolerance. What is left is a jump of the
 /// acceleration, which weak dissipation keeps over many steps and the error estimate takes for an error of the step: with 0.05 a
@@ -448,14 +450,14 @@ impl Newton {
     /// rows were relaxed because the matrix is of another step size.
     fn increment(&mut self, system: &mut dyn System, h: f64, state: &State, statistics: &mut Statistics) -> f64 {
         let lambda = &state.lambda;
-        system.residual(state, &mut self.dx);
         statistics.residual_evaluations += 1;
         statistics.newton_iterations += 1;
-        if !lambda.is_empty() {
-            system.constraint_jacobian(state, &mut self.jacobian);
+        if lambda.is_empty() {
+            system.residual(state, &mut self.dx);
+        } else {
+            system.equations(state, &mut self.dx, &mut self.dlambda, Some(&mut self.jacobian));
             self.constraint_pattern
                 .multiply_add(1.0, &self.jacobian, lambda, &mut self.dx);
-            system.constraint(ConstraintLevel::Position, state, &mut self.dlambda);
             self.dlambda.iter_mut().for_each(|c| *c = -*c);
         }
         // Stiffness enters by h^2, mass by 1: the mean of the two errors is the best single factor.
@@ -493,14 +495,12 @@ impl Newton {
         let acceleration = 1.0 / (self.factors.beta * h * h);
         let velocity = self.factors.gamma / (self.factors.beta * h);
         let mass = self.factors.mass * acceleration;
-        compensated::add_multiple(&mut state.x, &mut low.x, 1.0, &self.dx);
-        compensated::add_multiple(&mut state.v, &mut low.v, velocity, &self.dx);
-        for (values, factor) in [(algorithmic, acceleration), (&mut state.a, mass)] {
-            values
-                .iter_mut()
-                .zip(&self.dx)
-                .for_each(|(value, dx)| *value += factor * dx);
-        }
+        let changed = Changed {
+            by: &self.dx,
+            summed: [(&mut state.x, &mut low.x, 1.0), (&mut state.v, &mut low.v, velocity)],
+            added: [(algorithmic, acceleration), (&mut state.a, mass)],
+        };
+        dispatch(Arch::new(), changed);
         if let Some(stabiliser) = &self.stabiliser {
             compensated::add_multiple(&mut state.x, &mut low.x, 1.0, stabiliser.shift());
         }
@@ -508,6 +508,30 @@ impl Newton {
             *lambda += acceleration * d;
         }
         levers.correct(h, state, low);
+    }
+}
+
+/// Multiples of an increment that are added to what belongs to it, with the instructions of the processor.
+struct Changed<'a> {
+    by: &'a [f64],
+    /// Values, what rounding took from them, and factors.
+    summed: [(&'a mut [f64], &'a mut [f64], f64); 2],
+    added: [(&'a mut [f64], f64); 2],
+}
+
+impl Vectorised for Changed<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<const F: bool>(self) {
+        for (high, low, factor) in self.summed {
+            compensated::add_multiple(high, low, factor, self.by);
+        }
+        for (values, factor) in self.added {
+            for (value, change) in values.iter_mut().zip(self.by) {
+                *value += factor * change;
+            }
+        }
     }
 }
 

@@ -71,9 +71,7 @@ impl System for MeshScene {
             return;
         }
         self.load_level(level, state);
-        for (constraint, rows) in CONSTRAINTS.iter().zip(self.rows.ranges()) {
-            constraint.values(self, level, state.t, &mut out[rows]);
-        }
+        self.constraint_values(level, state.t, out);
     }
 
     fn constraint_noise(&mut self, state: &State, out: &mut [f64]) {
@@ -86,13 +84,21 @@ impl System for MeshScene {
     }
 
     fn constraint_jacobian(&mut self, state: &State, values: &mut [f64]) {
-        values.fill(0.0);
         if CONSTRAINTS.iter().any(|constraint| constraint.is_curved(self)) {
             self.load_state(state);
         }
-        for (constraint, rows) in CONSTRAINTS.iter().zip(self.rows.ranges()) {
-            constraint.add_jacobian(self, state.t, rows.start, values);
+        self.constraint_derivatives(state.t, values);
+    }
+
+    fn equations(&mut self, state: &State, residual: &mut [f64], constraint: &mut [f64], jacobian: Option<&mut [f64]>) {
+        // The state is loaded once; constraints come first, as forces set the fields of the frames.
+        self.load_state(state);
+        self.constraint_values(ConstraintLevel::Position, state.t, constraint);
+        if let Some(values) = jacobian {
+            self.constraint_derivatives(state.t, values);
         }
+        self.full_force(state.t, 1.0);
+        self.layout.project(&self.buffers.force, residual);
     }
 
     fn constraint_rate_tangent(&mut self, state: &State, values: &mut [f64]) {
@@ -193,14 +199,33 @@ impl System for MeshScene {
 }
 
 impl MeshScene {
+    /// Values of all constraints at the loaded state.
+    fn constraint_values(&self, level: ConstraintLevel, t: f64, out: &mut [f64]) {
+        for (constraint, rows) in CONSTRAINTS.iter().zip(self.rows.ranges()) {
+            constraint.values(self, level, t, &mut out[rows]);
+        }
+    }
+
+    /// `C_x^T` at the loaded state.
+    fn constraint_derivatives(&self, t: f64, values: &mut [f64]) {
+        values.fill(0.0);
+        for (constraint, rows) in CONSTRAINTS.iter().zip(self.rows.ranges()) {
+            constraint.add_jacobian(self, t, rows.start, values);
+        }
+    }
+
     /// Fills the full state with the highest derivative of the level left out.
     fn load_level(&mut self, level: ConstraintLevel, state: &State) {
-        let zeros = vec![0.0; state.x.len()];
-        let (v, a) = match level {
-            ConstraintLevel::Position | ConstraintLevel::Jerk => (&state.v, &state.a),
-            ConstraintLevel::Velocity => (&zeros, &zeros),
-            ConstraintLevel::Acceleration => (&state.v, &zeros),
-        };
+        let zeros = || vec![0.0; state.x.len()];
+        match level {
+            ConstraintLevel::Position | ConstraintLevel::Jerk => self.load_state(state),
+            ConstraintLevel::Velocity => self.load_rates(state, [&zeros(), &zeros()]),
+            ConstraintLevel::Acceleration => self.load_rates(state, [&state.v, &zeros()]),
+        }
+    }
+
+    /// Fills the full state with these velocities and accelerations.
+    fn load_rates(&mut self, state: &State, [v, a]: [&[f64]; 2]) {
         self.load(state.t, &state.turns, [&state.x, v, a], Regime::Moving);
     }
 }

@@ -122,17 +122,12 @@ impl Matrices {
         self.factored = None;
         let (g, z) = (coefficients.real / h, coefficients.complex / h);
         let square = z * z;
-        let Tangent {
-            mass,
-            damping,
-            stiffness,
-        } = &self.tangent;
-        let given = mass.iter().zip(damping).zip(stiffness);
-        let blocks = self.real_block.iter_mut().zip(&mut self.complex_block);
-        for ((real, complex), ((&m, &d), &k)) in blocks.zip(given) {
-            *real = (g * m + d) * g + k;
-            *complex = c64::new(square.re * m + z.re * d + k, square.im * m + z.im * d);
-        }
+        let blocks = Blocks {
+            tangent: &self.tangent,
+            real: (g, &mut self.real_block),
+            complex: ([z, square], &mut self.complex_block),
+        };
+        dispatch(Arch::new(), blocks);
         statistics.factorizations += 2;
         let (forces, slopes) = (&self.forces, &self.slopes);
         self.real.factor(&self.real_block, forces, &slopes.jacobian)?;
@@ -185,6 +180,32 @@ impl Matrices {
     pub(super) fn solve_real(&mut self, dynamics: &mut [f64], constraints: &mut [f64], statistics: &mut Statistics) {
         self.real.solve(dynamics, constraints);
         statistics.solves += 1;
+    }
+}
+
+/// The real and the complex matrix made of a tangent.
+struct Blocks<'a> {
+    tangent: &'a Tangent,
+    real: (f64, &'a mut [f64]),
+    /// Its factor and the square of that.
+    complex: ([c64; 2], &'a mut [c64]),
+}
+
+impl Vectorised for Blocks<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<const F: bool>(self) {
+        let (g, real) = self.real;
+        let ([z, square], complex) = self.complex;
+        let n = real.len();
+        let (mass, damping) = (&self.tangent.mass[..n], &self.tangent.damping[..n]);
+        let (stiffness, complex) = (&self.tangent.stiffness[..n], &mut complex[..n]);
+        for i in 0..n {
+            let (m, d, k) = (mass[i], damping[i], stiffness[i]);
+            real[i] = (g * m + d) * g + k;
+            complex[i] = c64::new(square.re * m + z.re * d + k, square.im * m + z.im * d);
+        }
     }
 }
 

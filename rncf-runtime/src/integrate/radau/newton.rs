@@ -301,10 +301,11 @@ impl Newton {
         for s in 0..3 {
             let (state, out, values) = (&mut self.stage, &mut self.dynamics[s], &self.jacobians[s]);
             stages.stage(coefficients, &matrices.chart, s, start, state);
-            system.residual(state, out);
-            if !state.lambda.is_empty() {
+            if state.lambda.is_empty() {
+                system.residual(state, out);
+            } else {
+                system.equations(state, out, &mut self.constraints[s], None);
                 pattern.multiply_add(1.0, values, &state.lambda, out);
-                system.constraint(ConstraintLevel::Position, state, &mut self.constraints[s]);
             }
             let rates = &mut self.rates[s];
             if !rates.is_empty() {

@@ -109,6 +109,8 @@ pub(crate) struct NodalMass {
     /// Start of every row in `columns` and `values`, and their length at the end.
     pub starts: Vec<u32>,
     pub columns: Vec<u32>,
+    /// Whether the columns of every row follow each other.
+    in_runs: bool,
     /// kg for two positions, kg m and kg m^2 with slopes.
     pub values: Vec<f64>,
     /// First moments d^a = M^ab c_b.
@@ -181,6 +183,8 @@ impl NodalMass {
             mass.values.extend(row.iter().map(|(_, value)| value));
             mass.starts.push(mass.columns.len() as u32);
         }
+        let follow = |pair: &[(u32, f64)]| pair[0].0 + 1 == pair[1].0;
+        mass.in_runs = rows.iter().all(|row| row.windows(2).all(follow));
         mass
     }
 
@@ -204,15 +208,15 @@ impl NodalMass {
         self.is_position[vector]
     }
 
-    /// `M^ab x_b` of one row.
+    /// All rows, from the first on.
     #[inline(always)]
-    pub fn row_times<const W: usize>(&self, row: usize, x: &[[f64; W]]) -> [f64; W] {
-        let mut sum = [0.0; W];
-        let own = self.starts[row] as usize..self.starts[row + 1] as usize;
-        for (&column, &value) in self.columns[own.clone()].iter().zip(&self.values[own]) {
-            add_scaled(&mut sum, value, &x[column as usize]);
+    pub fn rows(&self) -> Rows<'_> {
+        Rows {
+            starts: &self.starts,
+            columns: &self.columns,
+            values: &self.values,
+            in_runs: self.in_runs,
         }
-        sum
     }
 
     /// `M^ab x_b` of one row for several quantities of every vector.
@@ -227,6 +231,57 @@ impl NodalMass {
         }
         sums
     }
+}
+
+/// The rows of a mass that are left.
+pub(crate) struct Rows<'a> {
+    starts: &'a [u32],
+    columns: &'a [u32],
+    values: &'a [f64],
+    in_runs: bool,
+}
+
+impl Rows<'_> {
+    /// `M^ab x_b` of the next row.
+    #[inline(always)]
+    pub fn next_times<const W: usize>(&mut self, x: &[[f64; W]]) -> [f64; W] {
+        let &[start, ref later @ ..] = self.starts else {
+            return [0.0; W];
+        };
+        let length = later.first().map_or(0, |end| (end - start) as usize);
+        let (columns, other_columns) = self.columns.split_at(length);
+        let (values, other_values) = self.values.split_at(length);
+        (self.starts, self.columns, self.values) = (later, other_columns, other_values);
+        match columns {
+            // Two vectors each of a node and of those beside it: a length that is a constant of the code.
+            &[first, ..] if length == 6 && self.in_runs => sum_of::<6, W>(values, &x[first as usize..]),
+            _ => sum(values.iter().zip(columns.iter().map(|&column| &x[column as usize]))),
+        }
+    }
+}
+
+/// Sum of vectors by factors.
+#[inline(always)]
+fn sum<'a, const W: usize>(terms: impl Iterator<Item = (&'a f64, &'a [f64; W])>) -> [f64; W] {
+    let mut sum = [0.0; W];
+    for (&factor, x) in terms {
+        add_scaled(&mut sum, factor, x);
+    }
+    sum
+}
+
+/// The same of `N` vectors.
+#[inline(always)]
+fn sum_of<const N: usize, const W: usize>(factors: &[f64], x: &[[f64; W]]) -> [f64; W] {
+    let (factors, x) = (factors.first_chunk::<N>(), x.first_chunk::<N>());
+    let (Some(factors), Some(x)) = (factors, x) else {
+        unreachable!("as many as were counted");
+    };
+    let mut sum = [0.0; W];
+    for k in 0..N {
+        add_scaled(&mut sum, factors[k], &x[k]);
+    }
+    sum
 }
 
 /// Adds to the entry of a row in a column.

@@ -132,9 +132,13 @@ impl Units {
 
 /// Copies `N` components that follow each other, of four elements.
 fn gather_run<const N: usize>(firsts: [usize; LANES], full: &[f64], local: &mut [Lanes]) {
-    let own = firsts.map(|first| full[first..].first_chunk::<N>());
-    let ([Some(a), Some(b), Some(c), Some(d)], Some(local)) = (own, local.first_chunk_mut::<N>()) else {
+    // Written out: closures over arrays are not inlined here.
+    let own = |lane: usize| full[firsts[lane]..].first_chunk::<N>();
+    let (Some(a), Some(b), Some(c), Some(d)) = (own(0), own(1), own(2), own(3)) else {
         unreachable!("components are in the full arrays");
+    };
+    let Some(local) = local.first_chunk_mut::<N>() else {
+        unreachable!("a unit has the components of its elements");
     };
     for i in 0..N {
         local[i] = [a[i], b[i], c[i], d[i]];

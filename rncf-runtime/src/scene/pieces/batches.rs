@@ -3,9 +3,11 @@
 //! Units of four are evaluated in parallel where there are many, into places of their own, and added in a fixed
 //! order: results do not depend on the number of threads.
 
+use pulp::Arch;
 use rayon::prelude::*;
 
 use crate::emitted::{Fidelity, LANES, Parts, elastic_force_one_by_one, elastic_tangent_one_by_one};
+use crate::linalg::{Vectorised, dispatch};
 use crate::scene::bodies::mesh_body::MeshBody;
 use crate::scene::numbering::assembly::{PARALLEL_FROM, piece};
 use crate::scene::numbering::units::{Lanes, Units};
@@ -124,16 +126,12 @@ impl Group {
             matrix.fill([0.0; LANES]);
             return;
         }
-        let (count, d, n) = (self.vectors, axes.len(), self.units.size);
+        let count = self.vectors;
         let masses = &self.masses[unit * count * count..(unit + 1) * count * count];
-        for (row, values) in matrix.chunks_exact_mut(n).enumerate() {
-            let (a, i) = (row / d, axes[row % d]);
-            let masses = &masses[a * count..(a + 1) * count];
-            for (mass, values) in masses.iter().zip(values.chunks_exact_mut(d)) {
-                for (value, &j) in values.iter_mut().zip(axes) {
-                    *value = mass.map(|mass| mass * block[(i, j)]);
-                }
-            }
+        match *axes {
+            [x, y] => dispatch(Arch::new(), Begun(masses, count, sub_block(block, [x, y]), matrix)),
+            [x, y, z] => dispatch(Arch::new(), Begun(masses, count, sub_block(block, [x, y, z]), matrix)),
+            _ => unreachable!("bodies have two or three axes"),
         }
     }
 
@@ -186,6 +184,35 @@ impl Group {
             evaluate,
             add,
         );
+    }
+}
+
+/// Rows and columns of a block that are along some axes.
+fn sub_block<const D: usize>(block: &Matrix, axes: [usize; D]) -> [[f64; D]; D] {
+    axes.map(|i| axes.map(|j| block[(i, j)]))
+}
+
+/// Masses of `count` vectors side by side, rows first, times a block, into a matrix.
+struct Begun<'a, const D: usize>(&'a [Lanes], usize, [[f64; D]; D], &'a mut [Lanes]);
+
+impl<const D: usize> Vectorised for Begun<'_, D> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<const F: bool>(self) {
+        let Self(masses, count, block, matrix) = self;
+        let (columns, _) = matrix.as_chunks_mut::<D>();
+        for (masses, rows) in masses.chunks_exact(count).zip(columns.chunks_exact_mut(D * count)) {
+            for (row, values) in block.iter().zip(rows.chunks_exact_mut(count)) {
+                for (mass, values) in masses.iter().zip(values) {
+                    for j in 0..D {
+                        for lane in 0..LANES {
+                            values[j][lane] = mass[lane] * row[j];
+                        }
+                    }
+                }
+            }
+        }
     }
 }
 

@@ -332,25 +332,35 @@ impl MeshScene {
         for of in &scene.density_batches {
             let evaluate = |unit: usize, result: &mut [[f64; LANES]]| scene.evaluate_density(of, unit, &values, result);
             let add_unit = |unit: usize, result: &[[f64; LANES]]| {
-                let result = of.evaluated(result);
-                for (lane, &(density, element)) in of.units.used(unit).iter().enumerate() {
-                    let body = &scene.bodies[scene.densities[density].spec.body];
+                let (result, used) = (of.evaluated(result), of.units.used(unit));
+                let body = |density: usize| &scene.bodies[scene.densities[density].spec.body];
+                let mut turns = false;
+                for (lane, &(density, _)) in used.iter().enumerate() {
+                    let body = body(density);
+                    turns |= scene.axes_of(body).is_some();
                     if let Some(free) = scene.free_of[body.frame] {
                         for (i, rows) in on_frames[free].iter_mut().enumerate() {
                             *rows = Vector::from_fn(|j, _| rows[j] + load_scale * result.rows[3 * i + j][lane]);
                         }
                     }
-                    if let Some(axes) = scene.axes_of(body) {
-                        let mut force: [f64; MAX_SIZE] =
-                            std::array::from_fn(|i| result.force.get(i).map_or(0.0, |force| force[lane]));
-                        let vectors = force[..of.units.size].chunks_exact_mut(axes.d);
-                        vectors.for_each(|vector| axes.vector(vector, false));
-                        for (&component, value) in body.connectivity.element(element).iter().zip(force) {
-                            forces[component] -= load_scale * value;
-                        }
-                    } else {
+                }
+                if !turns {
+                    let lanes = 0..used.len();
+                    return of.units.add(unit, lanes, -load_scale, result.force, &mut forces);
+                }
+                for (lane, &(density, element)) in used.iter().enumerate() {
+                    let body = body(density);
+                    let Some(axes) = scene.axes_of(body) else {
                         of.units
                             .add(unit, lane..lane + 1, -load_scale, result.force, &mut forces);
+                        continue;
+                    };
+                    let mut force: [f64; MAX_SIZE] =
+                        std::array::from_fn(|i| result.force.get(i).map_or(0.0, |force| force[lane]));
+                    let vectors = force[..of.units.size].chunks_exact_mut(axes.d);
+                    vectors.for_each(|vector| axes.vector(vector, false));
+                    for (&component, value) in body.connectivity.element(element).iter().zip(force) {
+                        forces[component] -= load_scale * value;
                     }
                 }
             };

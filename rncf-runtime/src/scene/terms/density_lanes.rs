@@ -82,10 +82,9 @@ impl Carried {
         }
     }
 
-    /// Components of vector `a` in three axes.
+    /// Components of vector `a` of `d` in three axes.
     #[inline(always)]
-    fn vector<R: Real>(&self, zero: R, a: usize, component: impl Fn(usize) -> R) -> [R; 3] {
-        let d = self.axes.len();
+    fn vector<R: Real>(&self, zero: R, d: usize, a: usize, component: impl Fn(usize) -> R) -> [R; 3] {
         if d == 3 {
             return [component(3 * a), component(3 * a + 1), component(3 * a + 2)];
         }
@@ -96,13 +95,19 @@ impl Carried {
         vector
     }
 
-    /// Force and moment of generalised forces.
+    /// Force and moment of generalised forces on vectors of `d` components, `n` in all.
     #[inline(always)]
-    fn rows<R: Real>(&self, zero: R, n: usize, q: impl Fn(usize) -> R, force: impl Fn(usize) -> R) -> [R; ROWS] {
+    fn rows<R: Real>(
+        &self,
+        zero: R,
+        (n, d): (usize, usize),
+        q: impl Fn(usize) -> R,
+        force: impl Fn(usize) -> R,
+    ) -> [R; ROWS] {
         let mut rows = [zero; ROWS];
-        for a in 0..n / self.axes.len() {
-            let at = self.vector(zero, a, &q);
-            let f = self.vector(zero, a, &force);
+        for a in 0..n / d {
+            let at = self.vector(zero, d, a, &q);
+            let f = self.vector(zero, d, a, &force);
             if self.positions[a] {
                 for i in 0..3 {
                     rows[i] = rows[i] + f[i];
@@ -143,22 +148,52 @@ impl Source<'_> {
     }
 
     #[inline(always)]
-    fn each<R: Real>(&self, zero: R, load: impl Fn(&Lanes) -> R + Copy, mut put: impl FnMut(usize, R)) {
-        let q = |i: usize| load(&self.q[i]);
-        let rows = self.carried.rows(zero, self.q.len(), q, |i| load(&self.force[i]));
+    fn each<R: Real>(&self, zero: R, load: impl Fn(&Lanes) -> R + Copy, put: impl FnMut(usize, R)) {
+        match (self.q.len(), self.carried.axes.len()) {
+            // Sizes of the library's elements are constants of the code.
+            (12, 3) => self.each_sized((12, 3), zero, load, put),
+            sizes => self.each_sized(sizes, zero, load, put),
+        }
+    }
+
+    #[inline(always)]
+    fn each_sized<R: Real>(
+        &self,
+        (n, d): (usize, usize),
+        zero: R,
+        load: impl Fn(&Lanes) -> R + Copy,
+        mut put: impl FnMut(usize, R),
+    ) {
+        let (q, force) = (&self.q[..n], &self.force[..n]);
+        let rows = self.carried.rows(zero, (n, d), |i| load(&q[i]), |i| load(&force[i]));
         rows.into_iter().enumerate().for_each(|(i, value)| put(i, value));
     }
 
     #[inline(always)]
-    fn each_derivative<R: Real>(&self, zero: R, load: impl Fn(&Lanes) -> R + Copy, mut put: impl FnMut(usize, R)) {
-        let (n, d) = (self.q.len(), self.carried.axes.len());
+    fn each_derivative<R: Real>(&self, zero: R, load: impl Fn(&Lanes) -> R + Copy, put: impl FnMut(usize, R)) {
         if self.by_q.is_empty() {
             return;
         }
-        let q = |i: usize| load(&self.q[i]);
+        match (self.q.len(), self.carried.axes.len()) {
+            (12, 3) => self.each_derivative_sized((12, 3), zero, load, put),
+            sizes => self.each_derivative_sized(sizes, zero, load, put),
+        }
+    }
+
+    #[inline(always)]
+    fn each_derivative_sized<R: Real>(
+        &self,
+        (n, d): (usize, usize),
+        zero: R,
+        load: impl Fn(&Lanes) -> R + Copy,
+        mut put: impl FnMut(usize, R),
+    ) {
+        let (q, force, by_q) = (&self.q[..n], &self.force[..n], &self.by_q[..n * n]);
+        let q = |i: usize| load(&q[i]);
         for column in 0..n {
-            let mut rows = self.carried.rows(zero, n, q, |i| load(&self.by_q[i * n + column]));
-            let f = self.carried.vector(zero, column / d, |i| load(&self.force[i]));
+            let by_q = |i: usize| load(&by_q[i * n + column]);
+            let mut rows = self.carried.rows(zero, (n, d), q, by_q);
+            let f = self.carried.vector(zero, d, column / d, |i| load(&force[i]));
             match self.carried.axes[column % d] {
                 0 => (rows[4], rows[5]) = (rows[4] - f[2], rows[5] + f[1]),
                 1 => (rows[3], rows[5]) = (rows[3] + f[2], rows[5] - f[0]),
@@ -170,7 +205,8 @@ impl Source<'_> {
         }
         let k = self.by_values.len() / n;
         for column in 0..k {
-            let rows = self.carried.rows(zero, n, q, |i| load(&self.by_values[i * k + column]));
+            let by_values = |i: usize| load(&self.by_values[i * k + column]);
+            let rows = self.carried.rows(zero, (n, d), q, by_values);
             for (row, value) in rows.into_iter().enumerate() {
                 put(ROWS * n + row * k + column, value);
             }

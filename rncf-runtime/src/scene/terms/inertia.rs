@@ -200,22 +200,24 @@ fn forces<const D: usize, const W: usize>(of: Forces<'_>, places: [usize; D], ax
     let (q, v, a, is_position) = (&q[..count], &v[..count], &a[..count], &mass.is_position[..count]);
     of.scratch.resize(W * count, 0.0);
     let (accelerations, _) = of.scratch.as_chunks_mut::<W>();
-    for (place, u) in accelerations[..count].iter_mut().enumerate() {
-        *u = spread(&places, &a[place]);
+    for (place, acceleration) in accelerations[..count].iter_mut().enumerate() {
+        let mut u = spread(&places, &a[place]);
         for j in 0..D {
-            add_scaled(u, q[place][j], &turning[j]);
+            add_scaled(&mut u, q[place][j], &turning[j]);
         }
         for j in 0..D {
-            add_scaled(u, v[place][j], &coriolis[j]);
+            add_scaled(&mut u, v[place][j], &coriolis[j]);
         }
         if is_position[place] {
-            add_scaled(u, 1.0, &e);
+            add_scaled(&mut u, 1.0, &e);
         }
+        *acceleration = u;
     }
     let (mut force, mut moment) = ([0.0; W], Vector::zeros());
     let (out, _) = of.out.as_chunks_mut::<D>();
+    let mut rows = mass.rows();
     for (place, out) in out[..count].iter_mut().enumerate() {
-        let g = mass.row_times(place, accelerations);
+        let g = rows.next_times(accelerations);
         for (out, &at) in out.iter_mut().zip(&places) {
             *out += g[at % W];
         }
@@ -230,14 +232,24 @@ fn forces<const D: usize, const W: usize>(of: Forces<'_>, places: [usize; D], ax
 }
 
 /// Columns of a matrix, those of the axes at `places`, along the axes.
-#[inline(never)]
+#[inline(always)]
 fn columns<const D: usize, const W: usize>(matrix: &Matrix, places: [usize; D], axes: [usize; W]) -> [[f64; W]; D] {
-    places.map(|place| along(matrix.column(axes[place]).into(), axes))
+    let mut columns = [[0.0; W]; D];
+    for j in 0..D {
+        for i in (0..W).filter(|&i| axes[i] < 3) {
+            columns[j][i] = matrix[(axes[i], axes[places[j]])];
+        }
+    }
+    columns
 }
 
 /// A vector along some axes, of which the fourth is zero.
 fn along<const W: usize>(vector: Vector, axes: [usize; W]) -> [f64; W] {
-    axes.map(|axis| vector.get(axis).copied().unwrap_or(0.0))
+    let mut components = [0.0; W];
+    for i in (0..W).filter(|&i| axes[i] < 3) {
+        components[i] = vector[axes[i]];
+    }
+    components
 }
 
 /// A vector at the places of its components.

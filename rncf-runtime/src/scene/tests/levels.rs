@@ -112,3 +112,39 @@ fn each_level_is_the_time_derivative_of_the_one_before() {
         }
     }
 }
+
+#[test]
+fn an_iteration_gets_at_once_what_it_would_get_one_by_one() {
+    for formulation in [Formulation::Rncf, Formulation::Ancf] {
+        let mut scene = everything_with_sections().scene(formulation);
+        let motion = Motion::new(&scene);
+        let (n, m, entries) = (
+            scene.unknowns(),
+            scene.constraints(),
+            scene.constraint_pattern().entries(),
+        );
+        let (state, other) = (motion.at(&scene, 0.1), motion.at(&scene, 0.3));
+        let (mut residual, mut constraint, mut jacobian) = (vec![0.0; n], vec![0.0; m], vec![0.0; entries]);
+        scene.residual(&state, &mut residual);
+        scene.constraint(ConstraintLevel::Position, &state, &mut constraint);
+        scene.constraint_jacobian(&state, &mut jacobian);
+        assert!(
+            [&residual, &constraint, &jacobian]
+                .iter()
+                .all(|all| all.iter().any(|value| *value != 0.0))
+        );
+        for with_jacobian in [true, false] {
+            let (mut found, mut values, mut derivatives) = (vec![1.0; n], vec![1.0; m], vec![1.0; entries]);
+            // What another state has left behind.
+            scene.equations(&other, &mut found, &mut values, Some(&mut derivatives));
+            scene.equations(
+                &state,
+                &mut found,
+                &mut values,
+                with_jacobian.then_some(&mut derivatives[..]),
+            );
+            assert!(found == residual && values == constraint, "{formulation:?}");
+            assert_eq!(derivatives == jacobian, with_jacobian, "{formulation:?}");
+        }
+    }
+}
