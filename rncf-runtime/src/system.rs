@@ -222,6 +222,13 @@ pub enum Branch {
     },
     /// `max`, `min` or `abs`: the law has a kink where this changes its sign.
     Kink(f64),
+    /// An exponential of what moves has a peak where the rate of its exponent changes its sign.
+    Peak {
+        /// Time, s.
+        t: f64,
+        /// Rate of the exponent, 1/s.
+        rate: f64,
+    },
 }
 
 /// Part of the size of a law by which it jumps for round-off.
@@ -230,6 +237,8 @@ const PERIODIC: f64 = 1e-9;
 const NEAR: f64 = 0.1;
 /// Part of its change over a step that is as good as at the kink.
 const AT_KINK: f64 = 1e-6;
+/// Rise of an exponent to its peak at whose beginning the peak is out of sight: there is 2 % of it.
+const OUT_OF_SIGHT: f64 = 4.0;
 
 impl Branch {
     /// rad, in (-pi, pi], where a law jumps with it.
@@ -259,11 +268,20 @@ impl Branch {
             .is_some_and(|angle| angle.abs() > std::f64::consts::PI - NEAR)
     }
 
-    /// Whether a step that ends here has passed a kink at which it did not begin.
+    /// Whether steps end where it changes over.
+    pub fn ends_steps(&self) -> bool {
+        matches!(self, Branch::Kink(_) | Branch::Peak { .. })
+    }
+
+    /// Whether a step that ends here has passed a kink at which it did not begin, or a peak that was out of sight there.
     pub fn is_kink_passed_from(&self, before: &Branch) -> bool {
         match (self, before) {
             (Branch::Kink(now), Branch::Kink(before)) => {
                 now * before < 0.0 && before.abs() > AT_KINK * (now - before).abs()
+            }
+            (Branch::Peak { t, rate: now }, Branch::Peak { t: from, rate: before }) => {
+                // The rise of a parabola with these slopes.
+                *before > 0.0 && *now < 0.0 && 0.5 * before * before * (t - from) > OUT_OF_SIGHT * (before - now)
             }
             _ => false,
         }

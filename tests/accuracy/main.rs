@@ -22,6 +22,7 @@ mod models;
 mod multibody;
 mod orbit;
 mod orders;
+mod peaks;
 mod pendulum;
 mod pictures;
 // The study uses the rest.

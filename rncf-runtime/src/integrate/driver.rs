@@ -139,7 +139,7 @@ impl Driver {
         if self.segments.is_at_end(t) {
             return Ok(Stop::End);
         }
-        let has_kinks = branches.iter().any(|branch| matches!(branch, Branch::Kink(_)));
+        let has_kinks = branches.iter().any(Branch::ends_steps);
         let before = has_kinks.then(|| self.state().clone());
         let fixed = matches!(self.options.step, StepSize::Fixed(_));
         loop {

@@ -1,19 +1,20 @@
 //! Where a law reads an angle by its sine and cosine: the angle is known up to whole turns, and jumps from pi to -pi.
 //! A law that is not periodic jumps with it; the runtime looks whether a step passes such a place. Kinks of a law, where `max`, `min` or `abs` of
-//! what moves changes over, are told in the same way; steps end there.
+//! what moves changes over, and peaks of exponentials are told in the same way; steps end there.
 
 use super::kernel::Kernel;
 use super::markers::Marked;
 use crate::model::{Binary, Expr, Function};
 use crate::symbolic::Id;
 
-/// Numbers that are written for each angle: sine, cosine, jump and size of the law; for each kink what changes its sign there, 0, -1, 0.
+/// Numbers that are written for each angle: sine, cosine, jump and size of the law; for each kink what changes its sign there, 0, -1, 0; for each peak
+/// (`peaks.rs`) what changes its sign there, 0, -2, 0.
 const NUMBERS: usize = 4;
 
 /// What such a function writes.
-pub const TITLE: &str = "writes, for each angle in it, sine and cosine, by how much it jumps half a turn away, and its size; for each kink what changes its sign, and 0, -1, 0.";
+pub const TITLE: &str = "writes, for each angle in it, sine and cosine, by how much it jumps half a turn away, and its size; for each kink what changes its sign, and 0, -1, 0; for each peak what is positive before it and negative behind, and 0, -2, 0.";
 
-/// Number of angles and kinks that a kernel writes about.
+/// Number of angles, kinks and peaks that a kernel writes about.
 pub fn count(kernel: Option<&Kernel>) -> usize {
     kernel.map_or(0, |kernel| kernel.outputs.len() / NUMBERS)
 }

@@ -4,6 +4,7 @@
 use super::branches;
 use super::kernel::{Kernel, derivatives};
 use super::markers::{Marked, describe, function_name, list, localise};
+use super::peaks;
 use crate::model::{Expr, Model};
 use crate::symbolic::Id;
 
@@ -18,7 +19,7 @@ pub struct ForceKernels {
     pub tangent: Option<Kernel>,
     /// Potential.
     pub energy: Option<Kernel>,
-    /// Where angles in it jump.
+    /// Where angles in it jump, and its kinks and peaks.
     pub branches: Option<Kernel>,
 }
 
@@ -145,7 +146,9 @@ impl Law<'_> {
 
     fn branches(&self) -> Option<Kernel> {
         let mut marked = Marked::values_and_rates(self.model, self.count);
-        let outputs = branches::outputs(&mut marked, self.components);
+        let mut outputs = branches::outputs(&mut marked, self.components);
+        let force = self.in_graph(&mut marked);
+        outputs.extend(peaks::outputs(&mut marked, &force, outputs.len()));
         let arguments = [
             "z: &[::rncf::emitted::Vector]",
             "velocity: &[::rncf::emitted::Vector]",

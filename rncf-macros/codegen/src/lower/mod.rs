@@ -19,6 +19,7 @@ pub mod loads;
 pub mod markers;
 pub mod material;
 pub mod motions;
+pub mod peaks;
 pub mod quadratic;
 mod signature;
 pub mod variant;

@@ -131,6 +131,35 @@ fn conditions_that_are_not_linear_in_time_are_written_as_gaps() {
 }
 
 #[test]
+fn peaks_of_exponentials_of_time_are_known() {
+    let binary = |operator, a: Expr, b: Expr| Expr::Binary(operator, Box::new(a), Box::new(b));
+    let away = binary(Binary::Subtract, Expr::Time, number(1.5));
+    let square = Expr::Power(
+        Box::new(binary(Binary::Divide, away, number(0.1))),
+        Box::new(number(2.0)),
+    );
+    let bell = Expr::Call(Function::Exp, vec![Expr::Negate(Box::new(square))]);
+    let mut model = moving();
+    let before = switches(&model, &Library::standard()).kinks.1;
+    model.forces.push(Force {
+        name: "blow".to_string(),
+        doc: String::new(),
+        markers: vec![MarkerId(0)],
+        components: vec![[number(0.0), bell, number(0.0)]],
+        energy: None,
+        is_load: true,
+    });
+    let (kernel, count) = switches(&model, &Library::standard()).kinks;
+    assert_eq!(count, before + 1);
+    let times = evaluate(&kernel, &Inputs::new());
+    assert!(times.values().any(|t| (t - 1.5).abs() < 1e-12), "{times:?}");
+    // What decays evenly has none.
+    let decay = Expr::Call(Function::Exp, vec![Expr::Negate(Box::new(Expr::Time))]);
+    model.forces.last_mut().unwrap().components = vec![[number(0.0), decay, number(0.0)]];
+    assert_eq!(switches(&model, &Library::standard()).kinks.1, before);
+}
+
+#[test]
 fn energy_is_conserved_where_nothing_drives_or_damps() {
     let conservative = |model: &Model| Equations::derive(model, &Library::standard()).conservative;
     let mut model = moving();

@@ -1,11 +1,14 @@
-//! Angles that forces and constraints read by their sines and cosines, and kinks of forces.
+//! Angles that forces and constraints read by their sines and cosines, and kinks and peaks of forces.
 
 use crate::scene::mesh_scene::MeshScene;
 use crate::scene::pieces::push::Law;
 use crate::system::{Branch, State};
 
+/// What is written in the place of the jump of an angle: -1 of a kink, -2 of a peak.
+const KINK: f64 = -1.0;
+
 impl MeshScene {
-    /// Number of these angles and kinks.
+    /// Number of these angles, kinks and peaks.
     pub(crate) fn angles_read(&self) -> usize {
         let of_forces: usize = self.forces.iter().map(|push| push.branches).sum();
         let of_constraints: usize = self.constraints.iter().map(|linked| linked.spec.branches).sum();
@@ -36,7 +39,9 @@ impl MeshScene {
             rest = others;
         }
         let branch = |&[sine, cosine, jump, size]: &[f64; 4]| {
-            if jump < 0.0 {
+            if jump < KINK {
+                Branch::Peak { t: state.t, rate: sine }
+            } else if jump < 0.0 {
                 Branch::Kink(sine)
             } else {
                 Branch::Angle {
