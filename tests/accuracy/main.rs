@@ -5,6 +5,7 @@ mod closed_forms;
 mod coarse_meshes;
 mod dense;
 mod determinism;
+mod divergence;
 mod energy;
 mod equilibria;
 mod esail;

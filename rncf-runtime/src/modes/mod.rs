@@ -25,7 +25,7 @@ pub use whirl::Whirl;
 
 use crate::equilibrium;
 use crate::error::{SolveError, SolveErrorKind};
-use crate::linalg::Pattern;
+use crate::linalg::{Lu, Pattern};
 use crate::model::{Scene, Uniform};
 use crate::system::{State, Tangent};
 use pair::{Failure, Pair};
@@ -65,6 +65,24 @@ pub fn unstable_directions(scene: &mut dyn Scene, at: &Uniform, state: &State) -
     dense::negative_stiffness(&pencil(scene, at, state)).map_err(|failure| error(scene, at, &failure))
 }
 
+/// Parity, 0 or 1, of the number of directions in which the co-rotating stiffness is negative, constraints kept and circulatory forces not left out. Where it
+/// changes with a parameter the stiffness is singular, as it is where an equilibrium at rest diverges; the symmetric part is so elsewhere.
+///
+/// # Errors
+/// [`SolveErrorKind::NoModes`] if the stiffness is singular in the whole neighbourhood of this state.
+pub fn divergence_parity(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Result<usize, SolveError> {
+    let pencil = pencil(scene, at, state);
+    let mut lu: Lu<f64> = pencil.lu();
+    // What is singular here is not negative yet.
+    lu.factor(&pencil.at(0.0))
+        .or_else(|_| lu.factor(&pencil.at(BESIDE * pencil.guess())))
+        .map_err(|_| error(scene, at, &Failure::Singular(None)))?;
+    // Every constraint has one negative direction of its own.
+    Ok(usize::from(
+        lu.is_determinant_negative() == pencil.constraints().is_multiple_of(2),
+    ))
+}
+
 /// Whether circulatory forces act, the skew part of the stiffness: then an equilibrium may be unstable in growing vibrations
 /// though its stiffness is positive, and [`unstable_directions`] does not tell.
 pub fn is_circulatory(scene: &mut dyn Scene, at: &Uniform, state: &State) -> bool {
@@ -91,6 +109,8 @@ pub fn is_circulatory(scene: &mut dyn Scene, at: &Uniform, state: &State) -> boo
         })
 }
 
+/// Growth, of a typical one, at which an equilibrium that is critical is looked at instead.
+const BESIDE: f64 = 1e-6;
 /// Part of the stiffness of their rows from which on two entries that differ count as different.
 const CIRCULATORY: f64 = 1e-9;
 

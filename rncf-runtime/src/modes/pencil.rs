@@ -11,6 +11,8 @@ const ROUNDED: f64 = 8.0;
 /// Round-off of a diagonal entry of the stiffness over one of the mass, relative to the largest such quotient: what
 /// has cancelled in the row of a frame that turns with its bodies tells no frequency.
 const CANCELLED: f64 = 64.0 * f64::EPSILON;
+/// Of a quotient that is negative: what nothing couples grows with its root, which is no shift.
+const BESIDE: f64 = 0.7;
 
 /// Part of a motion beside those that are known to have no stiffness, below which it is one of them.
 const KNOWN: f64 = 1e-4;
@@ -219,8 +221,10 @@ impl Pencil {
         let diagonal =
             |values: &[f64], index: usize| self.pattern.find(index, index).map_or(0.0, |entry| values[entry]);
         let quotient = |index: usize| {
-            let [k, c, m] = [&self.stiffness, &self.damping, &self.mass].map(|values| diagonal(values, index).abs());
+            let [signed, c, m] = [&self.stiffness, &self.damping, &self.mass].map(|values| diagonal(values, index));
+            let (k, c, m) = (signed.abs(), c.abs(), m.abs());
             let frequency = if k > 0.0 { (k / m).sqrt() } else { c / m };
+            let frequency = if signed < 0.0 { BESIDE * frequency } else { frequency };
             (frequency > 0.0 && frequency.is_finite()).then_some(frequency)
         };
         let quotients: Vec<f64> = (0..self.unknowns()).filter_map(quotient).collect();

@@ -9,7 +9,7 @@ use super::finer;
 use super::way::at_the_end;
 use crate::app::judged::finer::Judging;
 use crate::app::judged::marks::round_off;
-use crate::app::judged::{cautions, coarse};
+use crate::app::judged::{cautions, coarse, finer_modes};
 use crate::app::machine::clock::Clock;
 use crate::app::results::envelopes::Envelopes;
 use crate::app::results::equilibria::{Equilibria, EquilibriumSettings};
@@ -72,6 +72,23 @@ fn flutter(station: &mut Station, count: usize) -> Option<String> {
     ))
 }
 
+/// That the last relative equilibrium is unstable, of a system whose modes cost little: where something turns, the signs of the stiffness do not tell.
+fn grows(station: &mut Station, settings: &EquilibriumSettings) -> Option<String> {
+    let (scene, at, state) = (&mut *station.scene, &station.at, station.state);
+    if !finer_modes::is_asked(settings.judged, scene.unknowns()) {
+        return None;
+    }
+    let wanted = modes::Wanted { count: settings.count };
+    let found = modes::modes(scene, at, state, wanted).ok()?;
+    let seen: Vec<SeenMode> = found.iter().map(|mode| SeenMode::of(scene, at, state, mode)).collect();
+    growth(&seen).map(|growth| {
+        format!(
+            "The last equilibrium is unstable: a disturbance grows by the factor e in {} s (`modes` shows how)",
+            digits(1.0 / growth, 4)
+        )
+    })
+}
+
 /// As [`steady`] or [`static_equilibria`]; `watch` is called after every step, and ends the way by
 /// [`ControlFlow::Break`].
 ///
@@ -110,8 +127,11 @@ pub fn equilibria(
     let leaps = line.warnings();
     let mut unstable = (kind == Kind::Static).then(|| unstable(&line)).flatten();
     let mut station = line.station();
-    if kind == Kind::Static && incomplete.is_none() && unstable.is_none() {
-        unstable = flutter(&mut station, settings.count);
+    if incomplete.is_none() && unstable.is_none() {
+        unstable = match kind {
+            Kind::Static => flutter(&mut station, settings.count),
+            Kind::Steady => grows(&mut station, settings),
+        };
     }
     let cautions = at_the_end(model, settings).cautions(0.0);
     let mut warnings = cautions::sentences(model, &cautions);

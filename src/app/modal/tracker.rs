@@ -37,6 +37,8 @@ pub(in crate::app) struct Tracker {
     mesh_errors: Vec<Judged>,
     /// Negative directions of the stiffness at the last step.
     measured: Option<Measured>,
+    /// Whether nothing turned and circulatory forces acted at a step, so that parities of these directions are compared from there on.
+    diverges: bool,
 }
 
 /// By how much the meshes of the bodies make a frequency too high, rad/s, and the largest frequency at which that was looked at.
@@ -99,7 +101,8 @@ impl Tracker {
         let (at, key, spin) = (station.at, station.key, station.spin);
         let told = |error: SolveError| format!("at {} = {key} {}: {error}", diagram.key.name, diagram.key.unit);
         let found = Looked::at(station.scene, &at, station.state, count).map_err(told)?;
-        let measured = Some(measured(station.scene, &at, station.state, false).map_err(told)?);
+        self.diverges |= spin == 0.0 && modes::is_circulatory(station.scene, &at, station.state);
+        let measured = Some(measured(station.scene, &at, station.state, (false, self.diverges)).map_err(told)?);
         diagram.keys.push(key);
         diagram.spins.push(spin);
         let before = self.last.clone();
@@ -265,15 +268,19 @@ impl Tracker {
     /// The critical values in the last step.
     fn locate(&mut self, line: &mut Line<'_>, diagram: &mut Campbell, measured: Option<Measured>) {
         let before = std::mem::replace(&mut self.measured, measured.clone());
-        let (Some(before), Some(measured), (Some(first), last)) = (before, measured, line.last_two()) else {
+        let (Some(mut before), Some(measured), (Some(first), last)) = (before, measured, line.last_two()) else {
             return;
         };
+        let diverges = self.diverges;
+        if diverges {
+            before.negative %= 2;
+        }
         if before.negative == measured.negative {
             return;
         }
         let (first, last) = (first.clone(), last.clone());
         let mut measure = |scene: &mut dyn Scene, at: &Uniform, step: &Continued, with_values| {
-            self::measured(scene, at, &step.state, with_values).ok()
+            self::measured(scene, at, &step.state, (with_values, diverges)).ok()
         };
         diagram
             .critical
@@ -349,6 +356,9 @@ fn crossed(diagram: &Campbell) -> Vec<Crossing> {
         return found;
     };
     let spins = [diagram.spins[row], diagram.spins[row + 1]];
+    if spins == [0.0; 2] {
+        return found;
+    }
     let keys = [diagram.keys[row], diagram.keys[row + 1]];
     for (index, track) in diagram.tracks.iter().enumerate() {
         let (Some(before), Some(after)) = (track[row], track[row + 1]) else {
@@ -439,8 +449,21 @@ fn refined(
     })
 }
 
-/// The negative directions of the stiffness, and its values next to zero where they are asked for or tell the number.
-fn measured(scene: &mut dyn Scene, at: &Uniform, state: &State, with_values: bool) -> Result<Measured, SolveError> {
+/// The negative directions of the stiffness, and its values next to zero where they are asked for or tell the number; the parity of the directions alone
+/// where the stiffness `diverges`.
+fn measured(
+    scene: &mut dyn Scene,
+    at: &Uniform,
+    state: &State,
+    (with_values, diverges): (bool, bool),
+) -> Result<Measured, SolveError> {
+    if diverges {
+        let negative = modes::divergence_parity(scene, at, state)?;
+        return Ok(Measured {
+            negative,
+            values: Vec::new(),
+        });
+    }
     let is_large = state.x.len() > LARGEST;
     let mut values = Vec::new();
     if is_large || with_values {

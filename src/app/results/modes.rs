@@ -67,6 +67,8 @@ const ROUND: f64 = 0.999;
 
 /// Rates of growth below this part of the largest |s| are round-off.
 const NEUTRAL: f64 = 1e-9;
+/// Growth, of the frequency of the mode itself, that round-off makes of two equal ones: its root.
+const DOUBLE: f64 = 1e-7;
 
 impl SeenMode {
     /// The mode with its sense in the scene.
@@ -172,6 +174,7 @@ pub(in crate::app) fn neutral(modes: &[SeenMode]) -> f64 {
 
 /// The rate of growth of an unstable equilibrium, 1/s; `None` where it is stable, or neutral to round-off.
 pub(in crate::app) fn growth(modes: &[SeenMode]) -> Option<f64> {
-    let margin = modes.iter().map(|mode| mode.re).reduce(f64::max)?;
-    (margin > neutral(modes)).then_some(margin)
+    let neutral = neutral(modes);
+    let grows = |mode: &&SeenMode| mode.re > neutral && mode.re > DOUBLE * mode.re.hypot(mode.im);
+    modes.iter().filter(grows).map(|mode| mode.re).reduce(f64::max)
 }

@@ -137,7 +137,7 @@ impl MeshScene {
             let motion = &mut frames[frame.spec.frame];
             motion.spin = motion.direction_to_frame(spin.velocity);
         }
-        let variant = self.variant(&spin, at.t);
+        let variant = self.variant(&spin, at);
         (0..self.loads.len())
             .find_map(|index| self.load_obstacle(index, at.t, &frames))
             .or_else(|| {
@@ -151,8 +151,8 @@ impl MeshScene {
 
     /// A constraint or force on markers that changes when all that turns is turned on, what stands staying;
     /// at the loaded state.
-    fn variant(&mut self, spin: &Spin, t: f64) -> Option<String> {
-        let speed = spin.velocity.norm();
+    fn variant(&mut self, spin: &Spin, at: &Uniform) -> Option<String> {
+        let (t, speed) = (at.t, spin.velocity.norm());
         if speed == 0.0 || !self.is_coupled() {
             return None;
         }
@@ -171,8 +171,17 @@ impl MeshScene {
                 later: Some(later),
             };
             if let Some(name) = self.changed_by(t, &displacement) {
+                let motions = self.motions(t);
+                let is_prescribed = at.spin.is_some()
+                    || (0..motions.len())
+                        .any(|frame| self.free_of[frame].is_none() && motions[frame].spin != Vector::zeros());
+                let from = if is_prescribed {
+                    String::new()
+                } else {
+                    format!(" with the {speed:.3} rad/s in which it starts (`--spin \"0 rad/s\"` leaves it at rest)")
+                };
                 return Some(format!(
-                    "{name} does not stay the same while the system turns: let it act alike in all directions across the axis, on the axis, or between things that turn"
+                    "{name} does not stay the same while the system turns{from}: let it act alike in all directions across the axis, on the axis, or between things that turn"
                 ));
             }
         }
