@@ -280,3 +280,31 @@ fn frequencies_are_told_with_their_errors() {
         assert_told(&line, words, if is_told { 100.0 } else { 1.0 }, error);
     }
 }
+
+rncf::model! {
+    /// A blade in bending modes, which do not know that turning makes it stiffer.
+    pub model TurningModes {
+        param w = 100 rad/s;
+        material alu { density = 2700 kg/m^3; young = 70 GPa; }
+        section strip = rectangle(y = 6 mm, z = 40 mm);
+        frame hub = rotating(axis = z, angle = w * t);
+        body blade in hub { planar xy; line from [0.2, 0, 0] m to [1.2, 0, 0] m; mesh 8 * cable(strip, alu); modal(3); }
+        joint root = clamp(blade.start, hub);
+        output y = blade.end.y;
+    }
+}
+
+/// What is missing is not the mesh, and no finer one helps.
+#[test]
+fn frequencies_of_few_modes_are_told_as_those() {
+    let settings = EquilibriumSettings {
+        judged: Judging::Whole,
+        ..EquilibriumSettings::default()
+    };
+    let found = modes(&TurningModes { w: 25.0 }, &settings).unwrap();
+    let note = found.warnings.iter().find(|note| note.contains("for these modes"));
+    let note = note.unwrap_or_else(|| panic!("{:?}", found.warnings));
+    for words in ["or the modes are too few", "and without modes in `blade` (8, modal(3))"] {
+        assert!(note.contains(words), "{note}");
+    }
+}

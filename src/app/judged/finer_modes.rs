@@ -3,7 +3,7 @@
 //! The energy that is error (`coarse.rs`) knows most of what elements are too stiff by, and not what locks in all of them alike.
 
 use super::agreement;
-use super::finer::{FINER, Judging, Meshes};
+use super::finer::{Judging, Meshes};
 use super::marks::{TOLD, percent};
 use crate::Scene;
 use crate::app::writing::sentences::listed;
@@ -28,9 +28,9 @@ pub(in crate::app) fn is_asked(judged: Judging, unknowns: usize) -> bool {
     }
 }
 
-/// How far frequencies are off: ascending ones of vibrations, with the numbers of their modes, beside those of the finer scene. Stiffness that a mesh adds
+/// How far frequencies are off: ascending ones of vibrations, with the numbers of their modes, beside those of a finer one. Stiffness that a mesh adds
 /// raises every one of them, so that they are compared by their places. `None` without any.
-pub(in crate::app) fn compare(finer: &dyn Scene, own: &[(usize, f64)], there: &[(usize, f64)]) -> Option<Found> {
+pub(in crate::app) fn compare(scene: &dyn Scene, own: &[(usize, f64)], there: &[(usize, f64)]) -> Option<Found> {
     let mut off: Vec<(usize, f64)> = own
         .iter()
         .zip(there)
@@ -45,10 +45,10 @@ pub(in crate::app) fn compare(finer: &dyn Scene, own: &[(usize, f64)], there: &[
         .iter()
         .map(|&(mode, part)| format!("of mode {mode} by {}", percent(part)))
         .collect();
-    let Meshes { how, more, names, .. } = Meshes::of(finer, FINER);
+    let Meshes { too, how, more, names } = Meshes::of(scene, 1);
     listed(&named, MOST).map(|named| {
         Found::Much(format!(
-            "The mesh is too coarse for these modes: with twice as many elements{how} in {names} frequencies differ by parts of them, that {named}. Take more elements in `mesh` (twice as many make it some ten times less){more}."
+            "The mesh is too coarse for these modes{too}: with twice as many elements{how} in {names} frequencies differ by parts of them, that {named}. Take more elements in `mesh` (twice as many make it some ten times less){more}."
         ))
     })
 }

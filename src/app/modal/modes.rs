@@ -42,7 +42,7 @@ pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Mod
     warnings.extend(coarse::of_equilibrium(scene, &at, &state));
     let seconds = clock.seconds();
     let mut agreement = None;
-    match on_finer_meshes(model.as_ref(), settings, scene.unknowns(), &modes) {
+    match on_finer_meshes(model.as_ref(), settings, scene, &modes) {
         Some(Found::Much(told)) => warnings.push(told),
         Some(Found::Little(told)) => agreement = Some(told),
         // Less than the frequencies themselves say the energies of the modes.
@@ -76,9 +76,10 @@ pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Mod
 fn on_finer_meshes(
     model: &dyn AnyModel,
     settings: &EquilibriumSettings,
-    unknowns: usize,
+    scene: &dyn Scene,
     modes: &[SeenMode],
 ) -> Option<Found> {
+    let unknowns = scene.unknowns();
     if !finer_modes::is_asked(settings.judged, unknowns) {
         return None;
     }
@@ -94,7 +95,7 @@ fn on_finer_meshes(
         let all = modes.iter().enumerate().filter(|(_, mode)| mode.im > mode.re.abs());
         all.map(|(index, mode)| (index, mode.im)).collect()
     };
-    finer_modes::compare(&*there.scene, &vibrating(modes), &vibrating(&there.modes))
+    finer_modes::compare(scene, &vibrating(modes), &vibrating(&there.modes))
 }
 
 /// Time (s), spin (rad/s) and modes of [`modes`] alone, without how far the meshes are off and what else is told beside them.
