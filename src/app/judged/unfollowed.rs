@@ -49,6 +49,8 @@ struct Swing {
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Missed {
     output: usize,
+    /// Of its columns, among those of all outputs.
+    column: usize,
     swing: Swing,
     /// Amplitude over the largest value.
     part: f64,
@@ -63,6 +65,8 @@ pub(in crate::app) struct Followed<'r> {
     pub statistics: &'r Statistics,
     /// State at the end.
     pub end: &'r State,
+    /// Outputs at times, s.
+    pub rows: &'r [(f64, Vec<f64>)],
 }
 
 /// One sentence where outputs of a run from `start` miss vibrations.
@@ -101,6 +105,7 @@ pub(in crate::app) fn unfollowed(
         }
     }
     let mut found = missing(outputs, &rows, &last, &nothing, step);
+    found.retain(|missed| !shows(run.rows, rows[rows.len() - 1].0, missed));
     found.sort_by(|a, b| b.part.total_cmp(&a.part));
     let told = |missed: &Missed| {
         let name = outputs[missed.output].name;
@@ -164,21 +169,33 @@ fn missing(outputs: &[Output], rows: &[(f64, Vec<f64>)], last: &[f64], nothing: 
     for (index, columns) in columns.iter().enumerate() {
         let swings = columns.clone().filter_map(|column| {
             let values: Vec<(f64, f64)> = rows.iter().map(|(t, row)| (*t, row[column])).collect();
-            swing(&values).filter(|swing| swing.amplitude > nothing[column])
+            swing(&values)
+                .filter(|swing| swing.amplitude > nothing[column])
+                .map(|swing| (column, swing))
         });
-        let Some(swing) = swings.max_by(|a, b| a.amplitude.total_cmp(&b.amplitude)) else {
+        let Some((column, swing)) = swings.max_by(|a, b| a.1.amplitude.total_cmp(&b.1.amplitude)) else {
             continue;
         };
         let part = swing.amplitude / sizes[index];
         if part > TOLD && swing.period < FOLLOWED * step {
             found.push(Missed {
                 output: index,
+                column,
                 swing,
                 part,
             });
         }
     }
     found
+}
+
+/// Whether rows of the run show a swing until the end of the look: that of a magnitude is twice as quick as what it is of, which steps follow.
+fn shows(rows: &[(f64, Vec<f64>)], until: f64, missed: &Missed) -> bool {
+    let seen = rows.iter().take_while(|(t, _)| *t <= until);
+    let values: Vec<(f64, f64)> = seen.map(|(t, row)| (*t, row[missed.column])).collect();
+    let span = values.last().map_or(0.0, |last| last.0 - values[0].0);
+    let a_period = values.len() as f64 * missed.swing.period / span;
+    a_period >= FOLLOWED && swing(&values).is_some_and(|swing| swing.amplitude >= LASTING * missed.swing.amplitude)
 }
 
 /// What of values over time swings about a smooth mean, and lasts.
@@ -267,6 +284,7 @@ mod tests {
             rtol: settings.options.rtol,
             statistics: &result.statistics,
             end: &result.state,
+            rows: &result.marks.rows,
         };
         (
             row[2],
@@ -341,5 +359,26 @@ mod tests {
         // Of small things a small number is all.
         let found = missing(&outputs, &rows, &values(1.0), &[1e-5, 1e-8, 1e-5], 0.1);
         assert!(found.len() == 2 && found[1].output == 1, "{found:?}");
+    }
+
+    #[test]
+    fn what_the_run_shows_is_not_missed() {
+        let missed = Missed {
+            output: 0,
+            column: 0,
+            swing: swing(&seen(|t| (40.0 * t).cos().abs())).unwrap(),
+            part: 0.5,
+        };
+        let rows = |of: fn(f64) -> f64| -> Vec<(f64, Vec<f64>)> {
+            (0..=200)
+                .map(|k| f64::from(k) / 100.0)
+                .map(|t| (t, vec![of(t)]))
+                .collect()
+        };
+        assert!(shows(&rows(|t| (40.0 * t).cos().abs()), 1.0, &missed));
+        assert!(!shows(&rows(|t| 0.6 + 0.05 * (40.0 * t).cos()), 1.0, &missed));
+        // Rows far apart show nothing.
+        let few: Vec<_> = rows(|t| (40.0 * t).cos().abs()).into_iter().step_by(10).collect();
+        assert!(!shows(&few, 1.0, &missed));
     }
 }

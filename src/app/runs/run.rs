@@ -129,6 +129,7 @@ fn look_again(
             rtol: run.options.rtol,
             statistics: &result.statistics,
             end: &result.state,
+            rows: &result.marks.rows,
         };
         missed = unfollowed(scene, start.clone(), followed, model.outputs());
         let added = accumulated(scene, start.clone(), run, model.outputs(), &mut goes_on);
