@@ -63,7 +63,8 @@ pub const HOLD_NOT_REPEATED: &str =
 pub const SLOPE_SHEARS: &str = "the slope of a body with cross-sections shears against the section, and without limit where it is held: use the section's axes, `ey` and `ez`";
 pub const PLACE_EXPECTED: &str = "a place on a body is expected here: `beam.start`, `beam.end` or `beam.at(4 m)`";
 pub const TORSION: &str = "a moment along the axis would twist the body, and a centre line carries no torsion: use components across the axis";
-pub const OBSERVED_OUTSIDE_OUTPUT: &str = "only an `output` can observe bodies and joints";
+pub const OBSERVED_OUTSIDE_OUTPUT: &str =
+    "what bodies and joints do is known in outputs, constraints, springs and loads alone: write it there";
 pub const NOTHING_OBSERVED: &str =
     "this observes nothing: write e.g. `beam.end.x`, `beam.at(4 m).velocity.y` or `root.moment.z`";
 pub const PRODUCT_OF_VECTORS: &str = "both are vectors: write `dot(a, b)` or `cross(a, b)`";
