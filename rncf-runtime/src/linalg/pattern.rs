@@ -29,6 +29,13 @@ impl PartialEq for Pattern {
 
 impl Eq for Pattern {}
 
+impl Default for Pattern {
+    /// Of no rows and columns.
+    fn default() -> Self {
+        Self::new(0, 0, [])
+    }
+}
+
 impl Pattern {
     /// The pattern of the given entries `(row, column)`; duplicates are merged.
     ///

@@ -161,7 +161,7 @@ impl MeshScene {
 
     /// The unknowns of a free frame as seen from it, at the loaded state.
     fn seen_unknowns(&self, free: usize, axes: &[usize], gravity: Vector) -> Vec<Seen> {
-        let frame = &self.free[free];
+        let frame = &self.frames.free[free];
         let motion = &self.buffers.frames[frame.spec.frame];
         let e = motion.felt(gravity);
         let change = |place: usize| {
@@ -187,7 +187,7 @@ impl MeshScene {
         out: &mut Tangent,
     ) -> Option<Beside> {
         let body = &self.bodies[body];
-        let free = self.free_of[body.frame]?;
+        let free = self.frames.free_of[body.frame]?;
         let axes = body.spec.axes;
         let action = self.buffers.frames[body.frame].action(axes, gravity);
         let mut rows = [0.0; ROWS];
@@ -219,7 +219,7 @@ impl MeshScene {
         let first = self.first_unknown(free);
         for j in 0..k {
             // The rows of all frames are at the end of the column and dense.
-            let Some(start) = self.pattern.find(first, first + j) else {
+            let Some(start) = self.tabulated.pattern.find(first, first + j) else {
                 continue;
             };
             for i in 0..k {

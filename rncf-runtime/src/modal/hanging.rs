@@ -25,9 +25,9 @@ impl MeshScene {
             .conditions
             .iter()
             .any(|condition| self.joints[condition.joint].body == index);
-        let is_carried = self.free_of[spec.frame].is_some_and(|free| {
+        let is_carried = self.frames.free_of[spec.frame].is_some_and(|free| {
             let alone = self.bodies.iter().filter(|body| body.spec.frame == spec.frame).count() == 1;
-            !is_held || alone && !self.free[free].has_rigid_parts()
+            !is_held || alone && !self.frames.free[free].has_rigid_parts()
         });
         if is_carried || !nodal.is_loose() {
             return Ok(());

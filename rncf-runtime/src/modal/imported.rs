@@ -250,9 +250,9 @@ impl MeshScene {
             }
         }
         let is_held = held.iter().flatten().any(|held| *held);
-        let is_alone = self.free_of[spec.frame].is_some_and(|free| {
+        let is_alone = self.frames.free_of[spec.frame].is_some_and(|free| {
             let bodies = self.bodies.iter().filter(|body| body.spec.frame == spec.frame).count();
-            bodies == 1 && !self.free[free].has_rigid_parts()
+            bodies == 1 && !self.frames.free[free].has_rigid_parts()
         });
         if !is_held && !is_alone {
             let frame = self.parts.frame_name(spec.frame);
@@ -278,7 +278,7 @@ impl MeshScene {
             | MarkerSpec::SectionTurn { body, at } => Some((body, at)),
             _ => None,
         });
-        let read = self.observed.iter().filter_map(|observed| match *observed {
+        let read = self.observed.specs.iter().filter_map(|observed| match *observed {
             ObservedSpec::Point { body, at, what, .. }
                 if !matches!(what, PointQuantity::Position | PointQuantity::Velocity) =>
             {

@@ -114,7 +114,7 @@ impl ModalScene {
             all.push(modes);
             scene.check_loose(index)?;
         }
-        let whole_mass = scene.mass.clone();
+        let whole_mass = scene.tabulated.mass.clone();
         scene.in_modes = true;
         scene.assemble_mass();
         let reduction = Reduction::new(blocks, scene.unknowns());
@@ -215,7 +215,7 @@ impl ModalScene {
             let at = at.map(|values| &values[own.clone()]);
             modes.force(elements, action, at, &mut modal[own.clone()]);
             let body = &self.scene.bodies[index];
-            if let Some(free) = self.scene.free_of[body.frame] {
+            if let Some(free) = self.scene.frames.free_of[body.frame] {
                 let mut rows = vec![0.0; if body.spec.dimension() == 2 { 3 } else { 6 }];
                 modes.carried(action, at, &mut rows);
                 carried.push((free, body.spec.axes, rows));
@@ -377,13 +377,13 @@ impl System for ModalScene {
     }
 
     fn levers(&mut self) -> Vec<Lever> {
-        if self.scene.free.is_empty() {
+        if self.scene.frames.free.is_empty() {
             return Vec::new();
         }
         let start = self.restricted(&self.scene.rest(0.0));
         let mut mass = vec![0.0; self.pattern.entries()];
         self.mass(&start, &mut mass);
-        Inertia::new(self, &start.x, &mass).levers(&self.scene.free)
+        Inertia::new(self, &start.x, &mass).levers(&self.scene.frames.free)
     }
 
     fn mass(&mut self, state: &State, values: &mut [f64]) {
@@ -500,9 +500,9 @@ impl System for ModalScene {
             return None;
         }
         self.expand(state);
-        std::mem::swap(&mut self.scene.mass, &mut self.whole_mass);
+        std::mem::swap(&mut self.scene.tabulated.mass, &mut self.whole_mass);
         let energy = self.in_elements(|scene, full| scene.energy(full));
-        std::mem::swap(&mut self.scene.mass, &mut self.whole_mass);
+        std::mem::swap(&mut self.scene.tabulated.mass, &mut self.whole_mass);
         energy
     }
 }

@@ -112,7 +112,7 @@ impl MeshScene {
             ObservedSpec::Reaction { joint, .. } => self.joints[joint].body == index,
             _ => false,
         };
-        if !loose || !self.observed.iter().any(reads) {
+        if !loose || !self.observed.specs.iter().any(reads) {
             return Ok(());
         }
         if matches!(body.spec.line, Line::Nodes(_)) {

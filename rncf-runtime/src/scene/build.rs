@@ -1,6 +1,6 @@
 //! Building a scene: checks, numbering, patterns, constant matrices.
 
-use std::sync::{Arc, OnceLock};
+use std::sync::OnceLock;
 
 use super::mesh_scene::MeshScene;
 use super::sound::{check_absolute, check_body, check_instances, check_joint};
@@ -12,6 +12,7 @@ use crate::scene::bodies::fidelity::describe;
 use crate::scene::bodies::mesh_body::MeshBody;
 use crate::scene::bodies::nodal_mass::NodalMass;
 use crate::scene::bodies::place::PlaceVector;
+use crate::scene::frames::all::SceneFrames;
 use crate::scene::frames::free_frames::{Frames, FreeFrame, declared_free};
 use crate::scene::frames::lean::References;
 use crate::scene::frames::ties::{self, ChordEnds, Tie, ends};
@@ -22,10 +23,13 @@ use crate::scene::numbering::shared::{Shared, numbering};
 use crate::scene::numbering::turned::TurnedColumns;
 use crate::scene::pieces::batches::groups;
 use crate::scene::pieces::buffers::Buffers;
+use crate::scene::pieces::density::Densities;
 use crate::scene::pieces::fixture::{Fixture, declare_normals};
+use crate::scene::pieces::links::Links;
 use crate::scene::pieces::marker::{Linked, MarkedLoad, Marker};
 use crate::scene::pieces::push::Push;
 use crate::scene::pieces::rows::Rows;
+use crate::scene::pieces::tabulated::Tabulated;
 use crate::scene::terms::kinds::{CONSTRAINTS, FORCES};
 use crate::scene::terms::linked::markers;
 use crate::scene::terms::moments::turned_by_moments;
@@ -149,48 +153,39 @@ impl MeshScene {
         let turns = turns.map(|frame| first_turn + frame.first + frame.shifts()).collect();
         let markers = markers(&*parts, &specs, &free_of)?;
         let constraints = linked(&*parts, &specs, absolute, &fixed);
-        let mut scene = Self {
-            formulation,
-            declared: joints,
-            joints: joint_specs,
-            loads: parts.loads(),
-            load_points: Vec::new(),
-            observed: parts.observed(),
-            observed_points: Vec::new(),
-            constraint_pattern: Pattern::new(layout.unknowns(), 0, []),
-            rows: Rows::default(),
-            sizes: Vec::new(),
-            mass: Vec::new(),
-            remarks: Vec::new(),
-            in_modes: false,
-            buffers: Buffers::new(layout.components(), motions),
-            bodies,
-            constraints,
-            markers,
+        let frames = SceneFrames {
             free,
             free_of,
             fixed,
             turns,
-            turned: Arc::new([]),
+            ..SceneFrames::default()
+        };
+        let links = Links {
+            markers,
+            constraints,
             forces: parts.forces().into_iter().enumerate().map(Push::from).collect(),
-            spread: Vec::new(),
-            force_anchors: Vec::new(),
-            marked_loads: Vec::new(),
-            densities: Vec::new(),
-            density_batches: Vec::new(),
-            fixtures: Vec::new(),
-            ties: Vec::new(),
-            rigid_sections: Vec::new(),
-            taken: Vec::new(),
-            followed: Vec::new(),
-            followed_shape: Vec::new(),
-            settled: Vec::new(),
-            borders: Vec::new(),
-            groups: Vec::new(),
-            pattern: Pattern::new(0, 0, []),
-            parts,
+            ..Links::default()
+        };
+        let mut scene = Self {
+            formulation,
+            declared: joints,
+            bodies,
+            frames,
+            joints: joint_specs,
             conditions,
+            links,
+            dead_loads: parts.loads().into(),
+            distributed: Densities::default(),
+            fixtures: Vec::new(),
+            rigid_sections: Vec::new(),
+            observed: parts.observed().into(),
+            settled: Vec::new(),
+            remarks: Vec::new(),
+            in_modes: false,
+            buffers: Buffers::new(layout.components(), motions),
             layout,
+            tabulated: Tabulated::default(),
+            parts,
         };
         scene.remarks = scene.check_initial()?;
         scene.remarks.extend(scene.thick_sections());
@@ -203,7 +198,7 @@ impl MeshScene {
         scene.load_rest();
         scene.resolve_markers()?;
         scene.refer_rigid_sections();
-        scene.sizes = scene.unknown_sizes();
+        scene.tabulated.sizes = scene.unknown_sizes();
         scene.follow_far_starts();
         scene.find_anchors();
         Ok(scene)
@@ -211,16 +206,17 @@ impl MeshScene {
 
     /// Finds the places of loads, fixtures and outputs.
     fn place(&mut self) -> Result<(), ModelError> {
-        self.load_points = self
-            .loads
+        self.dead_loads.points = self
+            .dead_loads
+            .specs
             .iter()
             .map(|load| self.load_point(load))
             .collect::<Result<_, _>>()?;
-        let observed = self.observed.iter().map(|observed| self.observed_point(observed));
-        self.observed_points = observed.collect::<Result<_, _>>()?;
-        for (index, load) in self.loads.iter().enumerate() {
-            let turned = self.free_of[load.frame].is_some();
-            match (load.kind, &self.load_points[index]) {
+        let observed = self.observed.specs.iter().map(|observed| self.observed_point(observed));
+        self.observed.points = observed.collect::<Result<_, _>>()?;
+        for (index, load) in self.dead_loads.specs.iter().enumerate() {
+            let turned = self.frames.free_of[load.frame].is_some();
+            match (load.kind, &self.dead_loads.points[index]) {
                 (LoadKind::Gravity, _) if turned => {
                     return Err(ModelError::new(format!(
                         "gravity `{}` is along the axes of frame `{}`, which is free: give it in the inertial frame",
@@ -228,7 +224,7 @@ impl MeshScene {
                         self.parts.frame_name(load.frame)
                     )));
                 }
-                (kind, Some(point)) if turned || self.free_of[self.bodies[point.body].frame].is_some() => {
+                (kind, Some(point)) if turned || self.frames.free_of[self.bodies[point.body].frame].is_some() => {
                     let vectors = match kind {
                         LoadKind::Moment { .. } => turned_by_moments(&self.bodies[point.body].spec),
                         _ => &[PlaceVector::Position],
@@ -237,7 +233,7 @@ impl MeshScene {
                         point: point.clone(),
                         of,
                     };
-                    self.marked_loads.push(MarkedLoad {
+                    self.links.marked_loads.push(MarkedLoad {
                         load: index,
                         markers: vectors.iter().map(marker).collect(),
                     });
@@ -259,14 +255,15 @@ impl MeshScene {
     /// Refuses constraints and forces on frames that stay at their start.
     fn check_fixed(&self) -> Result<(), ModelError> {
         let users = self
+            .links
             .constraints
             .iter()
             .map(|linked| (linked.spec.name, linked.spec.markers));
-        let users = users.chain(self.forces.iter().map(|force| (force.name, &force.markers[..])));
+        let users = users.chain(self.links.forces.iter().map(|force| (force.name, &force.markers[..])));
         for (name, markers) in users {
             for &marker in markers {
-                let frame = self.marker_frame(&self.markers[marker]);
-                if self.fixed.iter().any(|fixed| fixed.spec.frame == frame) {
+                let frame = self.marker_frame(&self.links.markers[marker]);
+                if self.frames.fixed.iter().any(|fixed| fixed.spec.frame == frame) {
                     let frame = self.parts.frame_name(frame);
                     return Err(ModelError::new(format!(
                         "`{name}` acts on frame `{frame}`, which follows a body and has no unknown pose in absolute coordinates: use the referenced formulation, or let `{name}` act on the body"
@@ -279,10 +276,10 @@ impl MeshScene {
 
     /// Patterns, places on them, and constant matrices.
     fn tabulate(&mut self, chords: &[(usize, [bool; 2])]) -> Result<(), ModelError> {
-        self.pattern = Pattern::new(self.layout.unknowns(), self.layout.unknowns(), self.entries());
+        self.tabulated.pattern = Pattern::new(self.layout.unknowns(), self.layout.unknowns(), self.entries());
         for index in 0..self.bodies.len() {
             let body = &mut self.bodies[index];
-            body.scatter = Scatter::new(&body.connectivity, &self.layout, &self.pattern);
+            body.scatter = Scatter::new(&body.connectivity, &self.layout, &self.tabulated.pattern);
             let (size, several) = (body.spec.nodal.len().pow(2), self.parts.varies(index));
             body.mass = vec![0.0; size * if several { body.spec.count } else { 1 }];
             for (element, mass) in body.mass.chunks_exact_mut(size).enumerate() {
@@ -292,13 +289,14 @@ impl MeshScene {
             (self.bodies[index].whole_mass, self.bodies[index].fixed_mass) = (whole, fixed);
         }
         self.tabulate_densities();
-        self.groups = groups(&self.bodies);
-        self.turned = self
+        self.tabulated.groups = groups(&self.bodies);
+        self.frames.turned = self
+            .frames
             .turns
             .iter()
-            .map(|&turn| TurnedColumns::new(turn, &self.pattern))
+            .map(|&turn| TurnedColumns::new(turn, &self.tabulated.pattern))
             .collect();
-        self.borders = (0..self.bodies.len()).map(|body| self.border_of(body)).collect();
+        self.tabulated.borders = (0..self.bodies.len()).map(|body| self.border_of(body)).collect();
         self.set_held(chords);
         self.find_ties(chords)?;
         self.number_constraints();
@@ -339,26 +337,31 @@ impl MeshScene {
             if body.spec.tie == FrameTie::Joints {
                 continue;
             }
-            if let Some(free) = self.free_of[body.frame] {
+            if let Some(free) = self.frames.free_of[body.frame] {
                 let eliminated = chords.iter().find(|(chord, _)| *chord == index);
                 let eliminated = eliminated.map_or([false; 2], |&(_, ends)| ends);
                 let frame = self.parts.frame_name(body.frame);
                 let tie = Tie::new(index, body, &self.layout, &initial, eliminated, frame)?;
-                self.ties.push(tie);
+                self.frames.ties.push(tie);
                 let whole = Tie::new(index, body, &self.layout, &initial, [false; 2], frame)?;
                 if let Some([velocity, spin]) = ties::taken(&whole, body, &initial, &rates) {
-                    let start = &mut self.free[free].start;
+                    let start = &mut self.frames.free[free].start;
                     let moved = matrix(&start.rotation) * velocity;
                     (start.velocity, start.spin) = (start.velocity + moved, start.spin + spin);
-                    self.taken.push((body.frame, [velocity, spin]));
+                    self.frames.taken.push((body.frame, [velocity, spin]));
                 }
-            } else if self.fixed.iter().any(|frame| frame.spec.frame == body.spec.frame) {
+            } else if self
+                .frames
+                .fixed
+                .iter()
+                .any(|frame| frame.spec.frame == body.spec.frame)
+            {
                 let frame = self.parts.frame_name(body.spec.frame);
                 let tie = Tie::new(index, body, &self.layout, &initial, [false; 2], frame)?;
-                self.followed.push(tie);
+                self.frames.followed.push(tie);
             }
         }
-        self.followed_shape = initial;
+        self.frames.followed_shape = initial;
         Ok(())
     }
 
@@ -370,14 +373,14 @@ impl MeshScene {
             condition.components = condition.vectors.iter().flat_map(|&vector| of(vector)).collect();
         }
         let rows = CONSTRAINTS.map(|constraint| constraint.rows(self));
-        self.rows = Rows::new(std::array::from_fn(|kind| rows[kind].len()));
+        self.tabulated.rows = Rows::new(std::array::from_fn(|kind| rows[kind].len()));
         let columns = rows.into_iter().flatten().enumerate();
         let entries = columns.flat_map(|(column, row)| row.into_iter().map(move |unknown| (unknown, column)));
-        self.constraint_pattern = Pattern::new(self.layout.unknowns(), self.rows.count(), entries);
+        self.tabulated.constraint_pattern = Pattern::new(self.layout.unknowns(), self.tabulated.rows.count(), entries);
     }
 
     pub(crate) fn assemble_mass(&mut self) {
-        self.mass = vec![0.0; self.pattern.entries()];
+        self.tabulated.mass = vec![0.0; self.tabulated.pattern.entries()];
         for body in self
             .bodies
             .iter()
@@ -388,20 +391,21 @@ impl MeshScene {
                 if !body.is_even() {
                     local = spread_mass(body.mass_of(element), &body.spec);
                 }
-                body.scatter.add(element, &local, &mut self.mass);
+                body.scatter.add(element, &local, &mut self.tabulated.mass);
             }
         }
         for fixture in &self.fixtures {
             let body = &self.bodies[fixture.point.body];
             let local = spread_mass(fixture.mass(), &body.spec);
-            body.scatter.add(fixture.point.element, &local, &mut self.mass);
+            body.scatter
+                .add(fixture.point.element, &local, &mut self.tabulated.mass);
         }
         for (body, [row, column], value) in self.masses_of_normals() {
             for component in 0..self.bodies[body].spec.dimension() {
                 let entries: Vec<_> = self.entries_of(row + component, column + component).collect();
                 entries
                     .into_iter()
-                    .for_each(|(entry, factor)| self.mass[entry] += factor * value);
+                    .for_each(|(entry, factor)| self.tabulated.mass[entry] += factor * value);
             }
         }
     }

@@ -29,14 +29,14 @@ impl MeshScene {
         self.layout.expand(v, &mut buffers.v);
         self.layout.expand(a, &mut buffers.a);
         let border = self.layout.vector_components();
-        for frame in &self.free {
+        for frame in &self.frames.free {
             let own = border + frame.first..border + frame.first + frame.count();
             let turn = frame.turn.and_then(|turn| turns.get(turn)).copied().unwrap_or_default();
             let unknowns = [&buffers.q, &buffers.v, &buffers.a].map(|full| &full[own.clone()]);
             let parent = buffers.frames[frame.spec.parent];
             buffers.frames[frame.spec.frame] = frame.motion(t, &parent, turn, unknowns);
         }
-        for frame in &self.fixed {
+        for frame in &self.frames.fixed {
             buffers.frames[frame.spec.frame] = frame.fixed();
         }
         self.set_prescribed(t, regime);
@@ -91,7 +91,7 @@ impl MeshScene {
     /// Sum of all gravity loads, inertial axes.
     pub(crate) fn gravity(&self, t: f64) -> Vector {
         let mut sum = Vector::zeros();
-        for (index, load) in self.loads.iter().enumerate() {
+        for (index, load) in self.dead_loads.specs.iter().enumerate() {
             if load.kind == LoadKind::Gravity {
                 sum += self.buffers.frames[load.frame].direction_to_inertial(self.parts.load(index, t).into());
             }
@@ -121,10 +121,10 @@ impl MeshScene {
     /// Derivatives of [`MeshScene::full_force`] at the loaded state, on the pattern.
     pub(crate) fn full_tangent(&mut self, t: f64, load_scale: f64, out: &mut Tangent) {
         let at = self.at(t, load_scale);
-        out.mass.clone_from(&self.mass);
+        out.mass.clone_from(&self.tabulated.mass);
         for values in [&mut out.stiffness, &mut out.damping] {
             values.clear();
-            values.resize(self.mass.len(), 0.0);
+            values.resize(self.tabulated.mass.len(), 0.0);
         }
         for force in FORCES {
             force.add_tangent(self, &at, out);
@@ -141,12 +141,12 @@ impl MeshScene {
     /// A combination of mass, damping and stiffness at the loaded state, that of constraints included.
     pub(crate) fn full_combination(&mut self, t: f64, lambda: &[f64], combination: &Combination, values: &mut [f64]) {
         let at = self.at(t, 1.0);
-        for (value, mass) in values.iter_mut().zip(&self.mass) {
+        for (value, mass) in values.iter_mut().zip(&self.tabulated.mass) {
             *value = combination.factors[0] * mass;
         }
         let mut sums = Combined {
             combination,
-            turned: Arc::clone(&self.turned),
+            turned: Arc::clone(&self.frames.turned),
             values,
         };
         for force in FORCES {

@@ -47,7 +47,7 @@ impl MeshScene {
                 q.extend(spec.axes.iter().map(|&axis| values[place][axis]));
                 v.extend(spec.axes.iter().map(|&axis| rates[place][axis]));
             }
-            for &(_, motion) in self.taken.iter().filter(|(frame, _)| *frame == spec.frame) {
+            for &(_, motion) in self.frames.taken.iter().filter(|(frame, _)| *frame == spec.frame) {
                 add_rigid(spec, &q[first..], motion, -1.0, &mut v[first..]);
             }
         }

@@ -13,7 +13,7 @@ const FAR: f64 = 1e-12;
 impl MeshScene {
     /// The first frame that jumps, else the first constraint; positions before velocities.
     pub(crate) fn jumps_between(&mut self, state: &State, behind: f64) -> Vec<Jump> {
-        let size = self.sizes.iter().copied().fold(0.0, f64::max);
+        let size = self.tabulated.sizes.iter().copied().fold(0.0, f64::max);
         let frame = self.jump_of_frames(state.t, behind, size);
         if frame.as_ref().is_some_and(|jump| jump.of_position) {
             return frame.into_iter().collect();

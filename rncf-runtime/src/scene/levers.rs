@@ -24,13 +24,13 @@ pub(crate) struct Inertia<'s> {
 impl MeshScene {
     /// Poses whose unknowns stand in no constraint, and the centres of mass that they have at t = 0.
     pub(crate) fn free_levers(&mut self) -> Vec<Lever> {
-        if self.free.is_empty() {
+        if self.frames.free.is_empty() {
             return Vec::new();
         }
         let start = self.rest(0.0);
-        let mut mass = vec![0.0; self.pattern.entries()];
+        let mut mass = vec![0.0; self.tabulated.pattern.entries()];
         self.mass(&start, &mut mass);
-        Inertia::new(self, &start.x, &mass).levers(&self.free)
+        Inertia::new(self, &start.x, &mass).levers(&self.frames.free)
     }
 }
 

@@ -1,28 +1,21 @@
 //! The scene of a model: what it consists of, sizes, and places on bodies.
 
-use crate::scene::bodies::mesh_body::MeshBody;
-use crate::scene::bodies::place::{MeshPoint, PlaceVector, place_on};
-use crate::scene::pieces::buffers::Buffers;
-use std::sync::Arc;
-
 use crate::emitted::{JointSpec, LoadKind, LoadSpec, ObservedSpec, Parts, Place, label};
 use crate::error::ModelError;
-use crate::linalg::Pattern;
 use crate::model::{Formulation, Joints, Warning};
-use crate::scene::bodies::place::weighted;
-use crate::scene::frames::free_frames::FreeFrame;
-use crate::scene::frames::ties::Tie;
+use crate::scene::bodies::mesh_body::MeshBody;
+use crate::scene::bodies::place::{MeshPoint, PlaceVector, place_on, weighted};
+use crate::scene::frames::all::SceneFrames;
 use crate::scene::numbering::conditions::Condition;
 use crate::scene::numbering::layout::Layout;
-use crate::scene::numbering::turned::TurnedColumns;
-use crate::scene::pieces::batches::Group;
-use crate::scene::pieces::border::Border;
-use crate::scene::pieces::density::{Batches, Density};
+use crate::scene::pieces::buffers::Buffers;
+use crate::scene::pieces::density::Densities;
 use crate::scene::pieces::fixture::Fixture;
-use crate::scene::pieces::marker::{Linked, MarkedLoad, Marker};
-use crate::scene::pieces::push::{Push, Spread};
+use crate::scene::pieces::links::Links;
+use crate::scene::pieces::placed::Placed;
 use crate::scene::pieces::rigid_section::RigidSection;
-use crate::scene::pieces::rows::{LINKS, RIGID_SECTIONS, Rows};
+use crate::scene::pieces::rows::{LINKS, RIGID_SECTIONS};
+use crate::scene::pieces::tabulated::Tabulated;
 use crate::space::Vector;
 
 /// The scene of a model with emitted parts. They stand behind a pointer, so that the runtime is compiled once and
@@ -33,61 +26,23 @@ pub struct MeshScene {
     /// What becomes of linear joints.
     pub(crate) declared: Joints,
     pub(crate) bodies: Vec<MeshBody>,
+    pub(crate) frames: SceneFrames,
     pub(crate) joints: Vec<JointSpec>,
     pub(crate) conditions: Vec<Condition>,
-    pub(crate) loads: Vec<LoadSpec>,
-    pub(crate) load_points: Vec<Option<MeshPoint>>,
-    pub(crate) observed: Vec<ObservedSpec>,
-    pub(crate) observed_points: Vec<Option<MeshPoint>>,
-    /// Free frames whose poses are unknown, ascending.
-    pub(crate) free: Vec<FreeFrame>,
-    /// For every frame its index among the free ones.
-    pub(crate) free_of: Vec<Option<usize>>,
-    /// Frames that are no unknowns where the bodies are absolute: those that follow bodies, and those that nothing needs.
-    /// They stay at their start, but where outputs find their poses.
-    pub(crate) fixed: Vec<FreeFrame>,
-    /// What such frames follow, and the shape of all bodies that this refers to, in their declared frames.
-    pub(crate) followed: Vec<Tie>,
-    pub(crate) followed_shape: Vec<f64>,
-    /// Unknown frames that took over velocity and angular velocity (frame axes) of a body as a whole from its initial
-    /// velocity.
-    pub(crate) taken: Vec<(usize, [Vector; 2])>,
-    /// First unknowns of orientations.
-    pub(crate) turns: Vec<usize>,
-    /// Their columns on the pattern.
-    pub(crate) turned: Arc<[TurnedColumns]>,
-    pub(crate) markers: Vec<Marker>,
-    pub(crate) constraints: Vec<Linked>,
-    /// Forces on markers: declared ones, then those at points of loads per length and of masses.
-    pub(crate) forces: Vec<Push>,
-    /// Those that are spread over elements, by body and element.
-    pub(crate) spread: Vec<Spread>,
-    /// For every force the free frame near which differences of its points are taken.
-    pub(crate) force_anchors: Vec<Option<usize>>,
-    pub(crate) marked_loads: Vec<MarkedLoad>,
-    pub(crate) densities: Vec<Density>,
-    pub(crate) density_batches: Vec<Batches>,
+    pub(crate) links: Links,
+    pub(crate) dead_loads: Placed<LoadSpec>,
+    pub(crate) distributed: Densities,
     pub(crate) fixtures: Vec<Fixture>,
-    pub(crate) ties: Vec<Tie>,
     pub(crate) rigid_sections: Vec<RigidSection>,
+    pub(crate) observed: Placed<ObservedSpec>,
     /// For every body that starts in relative equilibrium the components of its vectors, frame axes; else nothing.
     pub(crate) settled: Vec<Vec<f64>>,
-    /// For every body the places beside its free frame.
-    pub(crate) borders: Vec<Border>,
-    /// Elements that are evaluated side by side.
-    pub(crate) groups: Vec<Group>,
-    pub(crate) layout: Layout,
-    pub(crate) pattern: Pattern,
-    pub(crate) constraint_pattern: Pattern,
-    /// Where the rows of every kind of constraint stand.
-    pub(crate) rows: Rows,
-    pub(crate) sizes: Vec<f64>,
-    /// Mass matrix of the nodal vectors.
-    pub(crate) mass: Vec<f64>,
     /// What is to be told of how the scene starts.
     pub(crate) remarks: Vec<Warning>,
     /// Whether inertia and elasticity of bodies with modes are left to the modes.
     pub(crate) in_modes: bool,
+    pub(crate) layout: Layout,
+    pub(crate) tabulated: Tabulated,
     pub(crate) buffers: Buffers,
 }
 
@@ -112,12 +67,12 @@ impl MeshScene {
 
     /// Place of the first row of the sections below rigid fixtures.
     pub(crate) fn first_rigid(&self) -> usize {
-        self.rows.first(RIGID_SECTIONS)
+        self.tabulated.rows.first(RIGID_SECTIONS)
     }
 
     /// Place of the first row of the constraints on markers.
     pub(crate) fn first_linked(&self) -> usize {
-        self.rows.first(LINKS)
+        self.tabulated.rows.first(LINKS)
     }
 
     /// Body, node and local number (of the start node) of a nodal vector.

@@ -38,7 +38,7 @@ impl MeshScene {
         let coordinates = places.iter().map(|place| place.at.norm()).fold(0.0, f64::max);
         let round_off = ROUND_OFF * coordinates;
         let scene = self.scene_length(&places, round_off);
-        for frame in &self.free {
+        for frame in &self.frames.free {
             let turns = frame.count() - frame.shifts();
             sizes.extend(std::iter::repeat_n(
                 self.size_of(frame, scene, round_off),
@@ -67,7 +67,7 @@ impl MeshScene {
     fn is_length(&self, unknown: usize) -> bool {
         let Some(&(vector, _)) = self.layout.origins().get(unknown) else {
             let place = unknown - (self.layout.unknowns() - self.layout.border());
-            let frame = &self.free[self.free.partition_point(|frame| frame.first <= place) - 1];
+            let frame = &self.frames.free[self.frames.free.partition_point(|frame| frame.first <= place) - 1];
             return place - frame.first < frame.shifts();
         };
         let (body, _, local) = self.locate(vector);
@@ -77,8 +77,8 @@ impl MeshScene {
     /// Lets the positions of frames that start far away count from moving points.
     pub(crate) fn follow_far_starts(&mut self) {
         let border = self.layout.unknowns() - self.layout.border();
-        for frame in self.free.iter_mut().filter(|frame| frame.shifts() > 0) {
-            frame.follow(self.sizes[border + frame.first]);
+        for frame in self.frames.free.iter_mut().filter(|frame| frame.shifts() > 0) {
+            frame.follow(self.tabulated.sizes[border + frame.first]);
         }
     }
 
@@ -100,7 +100,7 @@ impl MeshScene {
     /// to; else the distance from the origin, as of a point in an orbit; else 1 m. Lengths of round-off do not count.
     fn scene_length(&self, places: &[Spot], round_off: f64) -> f64 {
         let lines = self.bodies.iter().map(|body| body.spec.line.length());
-        let levers = self.free.iter().map(|frame| self.longest_lever(frame));
+        let levers = self.frames.free.iter().map(|frame| self.longest_lever(frame));
         let carried = lines.chain(levers).fold(0.0, f64::max);
         let moving: Vec<Vector> = places
             .iter()
@@ -108,7 +108,7 @@ impl MeshScene {
             .map(|place| place.at)
             .collect();
         let all: Vec<Vector> = places.iter().map(|place| place.at).collect();
-        let by_inertia = self.free.iter().map(size_by_inertia).fold(0.0, f64::max);
+        let by_inertia = self.frames.free.iter().map(size_by_inertia).fold(0.0, f64::max);
         let distance = moving.iter().map(|&at| at.norm()).fold(0.0, f64::max);
         let moving = extent(&moving);
         let known = |length: &f64| *length > round_off.max(NOTHING * moving) && length.is_finite();
@@ -123,7 +123,7 @@ impl MeshScene {
 
     /// Largest distance of a point in a free frame from its origin, m.
     fn longest_lever(&self, frame: &FreeFrame) -> f64 {
-        let points = self.markers.iter().map(|marker| match marker {
+        let points = self.links.markers.iter().map(|marker| match marker {
             Marker::Fixed {
                 frame: other,
                 at,
@@ -138,6 +138,7 @@ impl MeshScene {
     fn places(&self) -> Vec<Spot> {
         let frames = &self.buffers.frames;
         let mut places: Vec<Spot> = self
+            .frames
             .free
             .iter()
             .map(|frame| Spot {
@@ -158,9 +159,9 @@ impl MeshScene {
                 });
             }
         }
-        for marker in self.markers.iter().filter(|marker| marker.is_point()) {
+        for marker in self.links.markers.iter().filter(|marker| marker.is_point()) {
             let moves = match marker {
-                Marker::Fixed { frame, .. } => self.free_of[*frame].is_some(),
+                Marker::Fixed { frame, .. } => self.frames.free_of[*frame].is_some(),
                 _ => true,
             };
             places.push(Spot {

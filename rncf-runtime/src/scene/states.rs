@@ -59,7 +59,7 @@ impl MeshScene {
     fn motions_with(&self, t: f64, poses: &[Pose]) -> Vec<FrameMotion> {
         let mut frames = vec![FrameMotion::INERTIAL; self.parts.frame_count()];
         self.parts.frames(t, &mut frames);
-        for frame in &self.free {
+        for frame in &self.frames.free {
             let (mut x, mut v) = (vec![0.0; frame.count()], vec![0.0; frame.count()]);
             let a = x.clone();
             let pose = poses.get(frame.place).unwrap_or(&frame.start);
@@ -67,7 +67,7 @@ impl MeshScene {
             let parent = frames[frame.spec.parent];
             frames[frame.spec.frame] = frame.motion(t, &parent, pose.rotation, [&x, &v, &a]);
         }
-        for frame in &self.fixed {
+        for frame in &self.frames.fixed {
             let pose = poses.get(frame.place).unwrap_or(&frame.start);
             frames[frame.spec.frame] = FrameMotion {
                 position: pose.position,
@@ -83,13 +83,13 @@ impl MeshScene {
     /// Poses of all declared free frames at the loaded state; those that are no unknowns are where they follow
     /// bodies, or at rest at their start.
     pub(crate) fn poses(&self) -> Vec<Pose> {
-        let mut poses = vec![Pose::default(); self.free.len() + self.fixed.len()];
+        let mut poses = vec![Pose::default(); self.frames.free.len() + self.frames.fixed.len()];
         let border = self.layout.vector_components();
-        for frame in &self.free {
+        for frame in &self.frames.free {
             let motion = &self.buffers.frames[frame.spec.frame];
             poses[frame.place] = frame.pose(motion, &self.buffers.q[border + frame.first..]);
         }
-        for frame in &self.fixed {
+        for frame in &self.frames.fixed {
             let motion = &self.buffers.frames[frame.spec.frame];
             poses[frame.place] = Pose {
                 angle: frame.start.angle,
@@ -125,7 +125,7 @@ impl MeshScene {
         self.layout.unknowns_of(&full_q, &mut state.x);
         self.layout.unknowns_of(&full_v, &mut state.v);
         let border = self.layout.unknowns() - self.layout.border();
-        for frame in &self.free {
+        for frame in &self.frames.free {
             let own = border + frame.first..border + frame.first + frame.count();
             let pose = poses.get(frame.place).unwrap_or(&frame.start);
             frame.unknowns(t, pose, &mut state.x[own.clone()], &mut state.v[own]);

@@ -17,19 +17,19 @@ impl System for MeshScene {
     }
 
     fn constraints(&self) -> usize {
-        self.rows.count()
+        self.tabulated.rows.count()
     }
 
     fn pattern(&self) -> &Pattern {
-        &self.pattern
+        &self.tabulated.pattern
     }
 
     fn constraint_pattern(&self) -> &Pattern {
-        &self.constraint_pattern
+        &self.tabulated.constraint_pattern
     }
 
     fn turns(&self) -> &[usize] {
-        &self.turns
+        &self.frames.turns
     }
 
     fn border(&self) -> usize {
@@ -41,8 +41,8 @@ impl System for MeshScene {
     }
 
     fn mass(&mut self, state: &State, values: &mut [f64]) {
-        values.copy_from_slice(&self.mass);
-        if !self.free.is_empty() {
+        values.copy_from_slice(&self.tabulated.mass);
+        if !self.frames.free.is_empty() {
             self.load_state(state);
             self.add_inertia_borders(self.gravity(state.t), &Combination::only(0), values);
         }
@@ -62,7 +62,7 @@ impl System for MeshScene {
 
     fn iteration_matrix(&mut self, state: &State, factors: [f64; 3], values: &mut [f64]) {
         self.load_state(state);
-        let combination = Combination::of_increments(factors, &self.turns, state);
+        let combination = Combination::of_increments(factors, &self.frames.turns, state);
         self.full_combination(state.t, &state.lambda, &combination, values);
     }
 
@@ -77,7 +77,7 @@ impl System for MeshScene {
     fn constraint_noise(&mut self, state: &State, out: &mut [f64]) {
         if CONSTRAINTS.iter().any(|constraint| constraint.is_curved(self)) {
             self.load_state(state);
-            for (constraint, rows) in CONSTRAINTS.iter().zip(self.rows.ranges()) {
+            for (constraint, rows) in CONSTRAINTS.iter().zip(self.tabulated.rows.ranges()) {
                 constraint.noise(self, state.t, &mut out[rows]);
             }
         }
@@ -106,20 +106,20 @@ impl System for MeshScene {
         if CONSTRAINTS.iter().any(|constraint| constraint.is_curved(self)) {
             self.load_state(state);
         }
-        for (constraint, rows) in CONSTRAINTS.iter().zip(self.rows.ranges()) {
+        for (constraint, rows) in CONSTRAINTS.iter().zip(self.tabulated.rows.ranges()) {
             constraint.add_rate_tangent(self, state.t, rows.start, values);
         }
     }
 
     fn sizes(&self) -> &[f64] {
-        &self.sizes
+        &self.tabulated.sizes
     }
 
     fn describe_unknown(&self, index: usize) -> String {
         let border = self.layout.unknowns() - self.layout.border();
         if index >= border {
-            let place = self.free.partition_point(|frame| frame.first <= index - border) - 1;
-            let frame = &self.free[place];
+            let place = self.frames.free.partition_point(|frame| frame.first <= index - border) - 1;
+            let frame = &self.frames.free[place];
             return frame.describe(self.parts.frame_name(frame.spec.frame), index - border - frame.first);
         }
         let (vector, component) = self.layout.origins()[index];
@@ -146,7 +146,7 @@ impl System for MeshScene {
     }
 
     fn describe_constraint(&self, index: usize) -> String {
-        let (kind, row) = self.rows.locate(index);
+        let (kind, row) = self.tabulated.rows.locate(index);
         CONSTRAINTS[kind].describe(self, row)
     }
 
@@ -201,7 +201,7 @@ impl System for MeshScene {
 impl MeshScene {
     /// Values of all constraints at the loaded state.
     fn constraint_values(&self, level: ConstraintLevel, t: f64, out: &mut [f64]) {
-        for (constraint, rows) in CONSTRAINTS.iter().zip(self.rows.ranges()) {
+        for (constraint, rows) in CONSTRAINTS.iter().zip(self.tabulated.rows.ranges()) {
             constraint.values(self, level, t, &mut out[rows]);
         }
     }
@@ -209,7 +209,7 @@ impl MeshScene {
     /// `C_x^T` at the loaded state.
     fn constraint_derivatives(&self, t: f64, values: &mut [f64]) {
         values.fill(0.0);
-        for (constraint, rows) in CONSTRAINTS.iter().zip(self.rows.ranges()) {
+        for (constraint, rows) in CONSTRAINTS.iter().zip(self.tabulated.rows.ranges()) {
             constraint.add_jacobian(self, t, rows.start, values);
         }
     }

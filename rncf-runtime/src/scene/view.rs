@@ -15,7 +15,7 @@ impl Scene for MeshScene {
     }
 
     fn outputs_need_acceleration(&self) -> bool {
-        self.observed.iter().any(|observed| {
+        self.observed.specs.iter().any(|observed| {
             matches!(
                 observed,
                 ObservedSpec::Reaction { .. } | ObservedSpec::Marker { derivative: 2, .. }
@@ -156,7 +156,7 @@ impl Scene for MeshScene {
         self.load_uniform(at, state);
         self.uniform_tangent(at, state, out);
         for corotation in self.corotations(at) {
-            corotation.apply(&self.pattern, out);
+            corotation.apply(&self.tabulated.pattern, out);
         }
     }
 
@@ -189,8 +189,8 @@ impl Scene for MeshScene {
     fn spin(&self, t: f64) -> f64 {
         let frames = self.motions(t);
         let prescribed = self.bodies.iter().map(|body| body.spec.frame);
-        let prescribed = prescribed.filter(|&frame| self.free_of[frame].is_none());
-        let free = self.free.iter().map(|_| self.rotation(&Uniform::steady(t)));
+        let prescribed = prescribed.filter(|&frame| self.frames.free_of[frame].is_none());
+        let free = self.frames.free.iter().map(|_| self.rotation(&Uniform::steady(t)));
         let free = free.map(|spin| spin.unwrap_or_default().velocity.norm());
         prescribed
             .map(|frame| frames[frame].spin.norm())

@@ -26,6 +26,14 @@ pub(crate) struct Density {
     pub square: Vec<Option<usize>>,
 }
 
+/// All loads per length of a scene.
+#[derive(Default)]
+pub(crate) struct Densities {
+    pub all: Vec<Density>,
+    /// Their elements, side by side.
+    pub batches: Vec<Batches>,
+}
+
 /// Rows of force and moment, frame axes.
 pub(crate) const ROWS: usize = 6;
 

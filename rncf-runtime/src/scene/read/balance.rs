@@ -87,7 +87,7 @@ impl MeshScene {
             BalanceQuantity::AngularMomentum(about) => {
                 let reference = match about {
                     About::Origin => origin,
-                    About::Marker(marker) => self.jet(&self.markers[marker])[0],
+                    About::Marker(marker) => self.jet(&self.links.markers[marker])[0],
                     About::CenterOf(of) => self.center_of(of),
                 };
                 self.balance(of, reference).spin[component]
@@ -109,7 +109,7 @@ impl MeshScene {
             sum = sum.plus(self.balance_of_body(body, reference));
         }
         let counts = |frame: usize| of == Owner::All || of == Owner::Frame(frame);
-        for frame in self.free.iter().filter(|frame| counts(frame.spec.frame)) {
+        for frame in self.frames.free.iter().filter(|frame| counts(frame.spec.frame)) {
             let (rigid, motion) = (&frame.spec.rigid, &self.buffers.frames[frame.spec.frame]);
             let moment = motion.direction_to_inertial(rigid.moment);
             let spin = motion.direction_to_inertial(motion.spin);

@@ -25,9 +25,9 @@ impl MeshScene {
             points: body.spec.count * pieces(body.spec.count) + 1,
             is_flexible: true,
         });
-        let fixed = (0..self.free.len()).map(|free| Curve {
-            name: self.parts.frame_name(self.free[free].spec.frame).to_string(),
-            frame: self.free[free].spec.frame,
+        let fixed = (0..self.frames.free.len()).map(|free| Curve {
+            name: self.parts.frame_name(self.frames.free[free].spec.frame).to_string(),
+            frame: self.frames.free[free].spec.frame,
             points: self.attached(free).len(),
             is_flexible: false,
         });
@@ -36,9 +36,9 @@ impl MeshScene {
 
     /// Places that joints, springs and outputs use of a free frame, each with the origin before and behind it.
     fn attached(&self, free: usize) -> Vec<Vector> {
-        let frame = self.free[free].spec.frame;
+        let frame = self.frames.free[free].spec.frame;
         let mut places: Vec<Vector> = Vec::new();
-        for marker in &self.markers {
+        for marker in &self.links.markers {
             match *marker {
                 Marker::Fixed {
                     frame: of,
@@ -73,7 +73,7 @@ impl MeshScene {
                 }
             }
         }
-        for free in 0..self.free.len() {
+        for free in 0..self.frames.free.len() {
             out.points.extend(self.attached(free));
         }
         out.poses.clear();

@@ -10,9 +10,9 @@ use crate::space::{Matrix, Rotation, Vector, exp, from_rows, matrix, perpendicul
 impl MeshScene {
     /// Sets the frames that follow bodies at the loaded state.
     pub(crate) fn follow(&mut self) {
-        for place in 0..self.followed.len() {
-            let frame = self.bodies[self.followed[place].body].spec.frame;
-            let tie = &self.followed[place];
+        for place in 0..self.frames.followed.len() {
+            let frame = self.bodies[self.frames.followed[place].body].spec.frame;
+            let tie = &self.frames.followed[place];
             if let Some(motion) = self.pose_of(tie).and_then(|pose| self.moving(tie, pose)) {
                 self.buffers.frames[frame] = motion;
             }
@@ -26,7 +26,7 @@ impl MeshScene {
         let normal = spec.plane_normal();
         let at = |full: &[f64], place: usize| self.vector_at(body, full, tie.first + place);
         let moved = |place: usize| at(&self.buffers.q, place) + body.offset;
-        let own = &self.followed_shape[tie.first..];
+        let own = &self.frames.followed_shape[tie.first..];
         let declared = |place: usize| {
             let mut vector = Vector::zeros();
             for (value, &axis) in own[place..].iter().zip(spec.axes) {
@@ -80,7 +80,11 @@ impl MeshScene {
     /// The pose with the velocities for which the rates of the conditions vanish.
     fn moving(&self, tie: &Tie, pose: FrameMotion) -> Option<FrameMotion> {
         let body = &self.bodies[tie.body];
-        let frame = self.fixed.iter().find(|frame| frame.spec.frame == body.spec.frame)?;
+        let frame = self
+            .frames
+            .fixed
+            .iter()
+            .find(|frame| frame.spec.frame == body.spec.frame)?;
         let rates = |motion: &FrameMotion| -> Vec<f64> {
             let mut local = vec![0.0; body.spec.vectors() * body.spec.dimension()];
             for vector in 0..body.spec.vectors() {

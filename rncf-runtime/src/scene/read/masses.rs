@@ -58,7 +58,10 @@ impl MeshScene {
     pub(crate) fn masses_loaded(&self) -> Vec<MassProperties> {
         // A point among the bodies: far from the origin nothing cancels.
         let frames = self.bodies.iter().map(|body| body.frame);
-        let reference = match frames.chain(self.free.iter().map(|frame| frame.spec.frame)).next() {
+        let reference = match frames
+            .chain(self.frames.free.iter().map(|frame| frame.spec.frame))
+            .next()
+        {
             Some(frame) => self.buffers.frames[frame].position,
             None => return Vec::new(),
         };
@@ -73,7 +76,7 @@ impl MeshScene {
         for (index, body) in self.bodies.iter().enumerate() {
             meet(body.spec.label(), self.moments_of_body(index, reference));
         }
-        for frame in &self.free {
+        for frame in &self.frames.free {
             let (rigid, motion) = (&frame.spec.rigid, &self.buffers.frames[frame.spec.frame]);
             let axes = motion.rotation;
             let second = turned(rigid.inertia, 0.5);

@@ -299,7 +299,7 @@ impl MeshScene {
         let thin = thin.filter(|radius| *radius > 0.0).fold(size, f64::min);
         let relative = shape
             .iter()
-            .zip(&self.sizes)
+            .zip(&self.tabulated.sizes)
             .map(|(value, size)| value[0].hypot(value[1]) / size);
         (SMALL * size).min(THIN * thin) / (size * relative.fold(0.0, f64::max))
     }
@@ -314,7 +314,7 @@ impl MeshScene {
         let place = real(factor);
         let rate = real(times(factor, s));
         let second = real(times(times(factor, s), s));
-        let turns = self.turns.clone();
+        let turns = self.frames.turns.clone();
         moved.rebase(&turns);
         for (unknown, value) in moved.x.iter_mut().enumerate() {
             *value += place[unknown];

@@ -51,7 +51,11 @@ impl MeshScene {
         let columns = out.len();
         self.evaluate_outputs(state.t, 1.0, &state.lambda, out);
         let values = out.to_vec();
-        let rates = state.v.iter().zip(&self.sizes).map(|(v, size)| (v / size).abs());
+        let rates = state
+            .v
+            .iter()
+            .zip(&self.tabulated.sizes)
+            .map(|(v, size)| (v / size).abs());
         let everything = self.balance_of(Owner::All, BalanceQuantity::KineticEnergy, state.t, 0);
         let mass = self.balance_of(Owner::All, BalanceQuantity::Mass, state.t, 0);
         let sizes = Sizes {
@@ -87,14 +91,14 @@ impl MeshScene {
     /// Size of what is read; forces must be evaluated.
     fn size_of_observed(&self, index: usize, value: f64, state: &State, sizes: &Sizes) -> f64 {
         let two = |[force, moment]: [Vector; 2], is_moment: bool| sizes.of(is_moment, force.norm(), moment.norm());
-        match self.observed[index] {
+        match self.observed.specs[index] {
             ObservedSpec::Point { what, .. } => match what {
                 PointQuantity::Position => sizes.of_place(0, value.abs()),
                 PointQuantity::Velocity => sizes.of_place(1, value.abs()),
                 PointQuantity::Slope | PointQuantity::SectionY | PointQuantity::SectionZ => value.abs().max(1.0),
             },
             ObservedSpec::Marker { marker, derivative, .. } => {
-                let marker = &self.markers[marker];
+                let marker = &self.links.markers[marker];
                 let norm = self.jet(marker)[derivative].norm();
                 if marker.is_point() {
                     sizes.of_place(derivative, norm)
@@ -103,7 +107,11 @@ impl MeshScene {
                 }
             }
             ObservedSpec::ConstraintReaction { constraint, moment, .. } => {
-                let linked = self.constraints.iter().position(|linked| linked.index == constraint);
+                let linked = self
+                    .links
+                    .constraints
+                    .iter()
+                    .position(|linked| linked.index == constraint);
                 let reaction = linked.map(|linked| self.constraint_reaction(linked, state.t, &state.lambda));
                 two(reaction.unwrap_or_default(), moment)
             }
@@ -111,7 +119,7 @@ impl MeshScene {
                 let of = |moment| self.reaction(joint, moment, state.t, &state.lambda);
                 two([of(false), of(true)], moment)
             }
-            ObservedSpec::Section { what, .. } => match &self.observed_points[index] {
+            ObservedSpec::Section { what, .. } => match &self.observed.points[index] {
                 Some(point) => {
                     let mut reaches = self.buffers.reaches.clone();
                     let section = self.section_at(point, &mut reaches[point.body]);

@@ -52,14 +52,14 @@ impl MeshScene {
             let origin = self.origin(self.bodies[fixture.point.body].frame);
             energy += self.fixture_potential(fixture, gravity) - fixture.spec.constants[0] * gravity.dot(&origin);
         }
-        for frame in &self.free {
+        for frame in &self.frames.free {
             let rigid = &frame.spec.rigid;
             let motion = &self.buffers.frames[frame.spec.frame];
             let moment = motion.direction_to_inertial(rigid.moment);
             energy -= rigid.mass * gravity.dot(&motion.position) + gravity.dot(&moment);
         }
-        for (index, load) in self.loads.iter().enumerate() {
-            if let (LoadKind::Force { .. }, Some(point)) = (load.kind, &self.load_points[index]) {
+        for (index, load) in self.dead_loads.specs.iter().enumerate() {
+            if let (LoadKind::Force { .. }, Some(point)) = (load.kind, &self.dead_loads.points[index]) {
                 let body = &self.bodies[point.body];
                 let force = self.parts.load(index, state.t);
                 let position = self.at_point(point, PlaceVector::Position, &self.buffers.q);
@@ -74,16 +74,16 @@ impl MeshScene {
 
     /// Kinetic energy, J.
     fn kinetic(&mut self, state: &State) -> f64 {
-        let mut mass = vec![0.0; self.pattern.entries()];
+        let mut mass = vec![0.0; self.tabulated.pattern.entries()];
         self.mass(state, &mut mass);
         let mut momentum = vec![0.0; state.v.len()];
-        self.pattern.multiply_add(1.0, &mass, &state.v, &mut momentum);
+        self.tabulated.pattern.multiply_add(1.0, &mass, &state.v, &mut momentum);
         0.5 * momentum.iter().zip(&state.v).map(|(p, v)| p * v).sum::<f64>()
     }
 
     /// Origin of a free frame, inertial axes; prescribed ones add a constant to an energy at most.
     fn origin(&self, frame: usize) -> Vector {
-        match self.free_of[frame] {
+        match self.frames.free_of[frame] {
             Some(_) => self.buffers.frames[frame].position,
             None => Vector::zeros(),
         }
@@ -112,11 +112,11 @@ impl MeshScene {
 
     /// Value of something observed at the loaded state; forces must be evaluated for reactions.
     fn observe(&self, index: usize, t: f64, lambda: &[f64], reaches: &mut [Reaches]) -> f64 {
-        match self.observed[index] {
+        match self.observed.specs[index] {
             ObservedSpec::Point {
                 body, what, component, ..
             } => {
-                let Some(point) = &self.observed_points[index] else {
+                let Some(point) = &self.observed.points[index] else {
                     return f64::NAN;
                 };
                 let body = &self.bodies[body];
@@ -124,7 +124,7 @@ impl MeshScene {
                 self.in_declared(body, what, [at(&self.buffers.q), at(&self.buffers.v)])[component]
             }
             ObservedSpec::Section { what, .. } => {
-                let point = self.observed_points[index].as_ref();
+                let point = self.observed.points[index].as_ref();
                 let value = point.and_then(|point| self.section_at(point, &mut reaches[point.body]).value(what));
                 // Sections without stress are refused when the scene is built.
                 value.unwrap_or(f64::NAN)
@@ -133,7 +133,7 @@ impl MeshScene {
                 marker,
                 derivative,
                 component,
-            } => self.jet(&self.markers[marker])[derivative][component],
+            } => self.jet(&self.links.markers[marker])[derivative][component],
             ObservedSpec::Balance { of, what, component } => self.balance_of(of, what, t, component),
             ObservedSpec::ConstraintReaction {
                 constraint,
@@ -157,7 +157,10 @@ impl MeshScene {
 
     /// Place among the constraints that are there of a declared one.
     fn linked(&self, constraint: usize) -> Option<usize> {
-        self.constraints.iter().position(|linked| linked.index == constraint)
+        self.links
+            .constraints
+            .iter()
+            .position(|linked| linked.index == constraint)
     }
 
     /// What a joint exerts on its body, in the joint's frame: the unbalanced generalised force on
@@ -209,7 +212,7 @@ impl MeshScene {
     /// free frame in absolute coordinates.
     fn reaction_of_substitute(&self, joint: &JointSpec, moment: bool, t: f64, lambda: &[f64]) -> Vector {
         let stands = |linked: &Linked| linked.spec.when == When::Absolute(joint.body) && linked.spec.name == joint.name;
-        match self.constraints.iter().position(stands) {
+        match self.links.constraints.iter().position(stands) {
             Some(linked) => {
                 let reaction = self.constraint_reaction(linked, t, lambda)[usize::from(moment)];
                 self.buffers.frames[joint.frame].direction_to_frame(reaction)
@@ -260,7 +263,7 @@ impl MeshScene {
     /// Output columns at the loaded state.
     pub(crate) fn evaluate_outputs(&mut self, t: f64, load_scale: f64, lambda: &[f64], out: &mut [f64]) {
         let is_section = |observed: &ObservedSpec| matches!(observed, ObservedSpec::Section { .. });
-        let has_sections = self.observed.iter().any(is_section);
+        let has_sections = self.observed.specs.iter().any(is_section);
         if self.outputs_need_acceleration() || has_sections && self.has_modes() {
             self.evaluate_reactions(t, load_scale, lambda);
         }
@@ -274,7 +277,7 @@ impl MeshScene {
     /// What outputs read at the loaded state; forces must be evaluated for reactions.
     pub(crate) fn observed_values(&mut self, t: f64, lambda: &[f64]) -> Vec<f64> {
         let mut reaches = self.taken_reaches();
-        let observed = (0..self.observed.len())
+        let observed = (0..self.observed.specs.len())
             .map(|index| self.observe(index, t, lambda, &mut reaches))
             .collect();
         self.buffers.reaches = reaches;

@@ -53,13 +53,16 @@ impl MeshScene {
                 act(point, of, force);
             }
         });
-        for index in 0..self.loads.len() {
-            let Some(point) = self.load_points[index].as_ref().filter(|_| !self.is_marked(index)) else {
+        for index in 0..self.dead_loads.specs.len() {
+            let Some(point) = self.dead_loads.points[index]
+                .as_ref()
+                .filter(|_| !self.is_marked(index))
+            else {
                 continue;
             };
             let body = &self.bodies[point.body];
             let value = self.load_in_body(index, t, body).map(|x| load_scale * x);
-            match self.loads[index].kind {
+            match self.dead_loads.specs[index].kind {
                 LoadKind::Gravity | LoadKind::Around | LoadKind::Field { .. } => {}
                 LoadKind::Force { .. } => act(point, PlaceVector::Position, body.spread(value)),
                 LoadKind::Moment { .. } => {

@@ -49,14 +49,20 @@ impl MeshScene {
     fn shown(&self) -> Vec<Shown<'_>> {
         let joints = self.joints.iter().map(Shown::Joint);
         let is_own = |linked: &&Linked| linked.spec.when == When::Always && self.held_at(linked).is_some();
-        let linked = self.constraints.iter().filter(is_own).map(Shown::Linked);
-        let has_arrow = |&load: &usize| !matches!(self.loads[load].kind, LoadKind::Around | LoadKind::Field { .. });
-        let loads = (0..self.loads.len()).filter(has_arrow).map(Shown::Load);
-        let pushes = (0..self.forces.len())
-            .filter(|&index| matches!(self.forces[index].law, Law::Force(_)) && self.forces[index].element.is_none());
+        let linked = self.links.constraints.iter().filter(is_own).map(Shown::Linked);
+        let has_arrow = |&load: &usize| {
+            !matches!(
+                self.dead_loads.specs[load].kind,
+                LoadKind::Around | LoadKind::Field { .. }
+            )
+        };
+        let loads = (0..self.dead_loads.specs.len()).filter(has_arrow).map(Shown::Load);
+        let pushes = (0..self.links.forces.len()).filter(|&index| {
+            matches!(self.links.forces[index].law, Law::Force(_)) && self.links.forces[index].element.is_none()
+        });
         let pushes = pushes.flat_map(|index| {
-            let markers = self.forces[index].markers.iter().enumerate();
-            let has_place = move |&(_, &marker): &(usize, &usize)| self.place_of(&self.markers[marker]).is_some();
+            let markers = self.links.forces[index].markers.iter().enumerate();
+            let has_place = move |&(_, &marker): &(usize, &usize)| self.place_of(&self.links.markers[marker]).is_some();
             markers.filter(has_place).map(move |(at, _)| Shown::Push(index, at))
         });
         let spread = self.names_of_spread().into_iter().map(Shown::Spread);
@@ -67,7 +73,7 @@ impl MeshScene {
 
     /// Names of gravity that is not uniform, each once.
     fn names_of_spread(&self) -> Vec<&str> {
-        let fields = self.loads.iter();
+        let fields = self.dead_loads.specs.iter();
         let fields = fields.filter(|load| matches!(load.kind, LoadKind::Around | LoadKind::Field { .. }));
         let mut names = Vec::new();
         for name in fields.map(|load| load.name) {
@@ -80,7 +86,7 @@ impl MeshScene {
 
     /// Loads per length, element by element, as many of each as a picture shows.
     fn lines(&self) -> Vec<Line<'_>> {
-        let densities = self.densities.iter().enumerate().flat_map(|(index, density)| {
+        let densities = self.distributed.all.iter().enumerate().flat_map(|(index, density)| {
             let line = move |element| Line {
                 name: density.spec.name,
                 from: Source::Density(index),
@@ -89,9 +95,9 @@ impl MeshScene {
             };
             (0..self.bodies[density.spec.body].spec.count).map(line)
         });
-        let points = self.spread.iter().flat_map(|spread| {
+        let points = self.links.spread.iter().flat_map(|spread| {
             let mut lines: Vec<(usize, Line<'_>)> = Vec::new();
-            for force in &self.forces[spread.forces.clone()] {
+            for force in &self.links.forces[spread.forces.clone()] {
                 if let Law::Distributed { load, .. } = force.law
                     && lines.iter().all(|&(other, _)| other != load)
                 {
@@ -137,18 +143,20 @@ impl MeshScene {
             }
             Source::Points(load) => {
                 let spread = self
+                    .links
                     .spread
                     .iter()
                     .filter(|spread| (spread.body, spread.element) == (line.body, line.element));
                 let pushes = spread.flat_map(|spread| spread.forces.clone());
-                let own = pushes
-                    .filter(|&index| matches!(self.forces[index].law, Law::Distributed { load: of, .. } if of == load));
+                let own = pushes.filter(
+                    |&index| matches!(self.links.forces[index].law, Law::Distributed { load: of, .. } if of == load),
+                );
                 own.map(|index| {
                     let (z, velocity) = self.force_arguments(index);
                     let mut forces = vec![0.0; 3 * z.len()];
                     self.push(index, t, &z, &velocity, &mut forces);
-                    let markers = self.forces[index].markers.iter().enumerate();
-                    let points = markers.filter(|&(_, &marker)| self.markers[marker].is_point());
+                    let markers = self.links.forces[index].markers.iter().enumerate();
+                    let points = markers.filter(|&(_, &marker)| self.links.markers[marker].is_point());
                     points.map(|(at, _)| three(&forces, 3 * at)).sum::<Vector>()
                 })
                 .sum()
@@ -184,17 +192,17 @@ impl MeshScene {
                 place: Some(self.on_element(line.body, line.element, 0.5)),
             },
             Shown::Load(load) => Sign {
-                name: self.loads[load].name.to_owned(),
-                kind: match self.loads[load].kind {
+                name: self.dead_loads.specs[load].name.to_owned(),
+                kind: match self.dead_loads.specs[load].kind {
                     LoadKind::Force { .. } => SignKind::Force,
                     LoadKind::Moment { .. } => SignKind::Moment,
                     _ => SignKind::Gravity,
                 },
-                place: self.load_points[load].as_ref().map(|point| self.on_curve(point)),
+                place: self.dead_loads.points[load].as_ref().map(|point| self.on_curve(point)),
             },
             Shown::Push(index, at) => {
-                let (name, markers) = (self.forces[index].name, &self.forces[index].markers);
-                let marker = &self.markers[markers[at]];
+                let (name, markers) = (self.links.forces[index].name, &self.links.forces[index].markers);
+                let marker = &self.links.markers[markers[at]];
                 Sign {
                     name: name.to_owned(),
                     kind: if marker.is_point() {
@@ -219,7 +227,7 @@ impl MeshScene {
                 Shown::Joint(_) | Shown::Linked(_) | Shown::Spread(_) => {}
                 Shown::Line(line) => out.push(self.per_length(line, t, &values)),
                 Shown::Load(load) => {
-                    let frame = &self.buffers.frames[self.loads[load].frame];
+                    let frame = &self.buffers.frames[self.dead_loads.specs[load].frame];
                     out.push(frame.direction_to_inertial(self.parts.load(load, t).into()));
                 }
                 Shown::Push(index, at) => {
@@ -234,7 +242,7 @@ impl MeshScene {
 
     /// The first point that a constraint is about.
     fn held_at(&self, linked: &Linked) -> Option<SignPlace> {
-        let markers = linked.spec.markers.iter().map(|&marker| &self.markers[marker]);
+        let markers = linked.spec.markers.iter().map(|&marker| &self.links.markers[marker]);
         markers
             .filter(|marker| marker.is_point())
             .find_map(|marker| self.place_of(marker))

@@ -150,7 +150,7 @@ impl MeshScene {
             let still = rate(&none[..width]);
             for (place, &component) in condition.components.iter().enumerate() {
                 for (unknown, factor) in self.layout.unknowns_at(component) {
-                    if let Some(entry) = self.constraint_pattern.find(unknown, column) {
+                    if let Some(entry) = self.tabulated.constraint_pattern.find(unknown, column) {
                         let mut unit = none;
                         unit[place] = 1.0;
                         values[entry] += factor * (rate(&unit[..width]) - still);

@@ -16,7 +16,10 @@ impl MeshScene {
                 "energy-momentum integration does not suit this model: {why}; take another integrator"
             ));
         }
-        let turning = self.bodies.iter().find(|body| self.free_of[body.frame].is_some());
+        let turning = self
+            .bodies
+            .iter()
+            .find(|body| self.frames.free_of[body.frame].is_some());
         if let Some(body) = turning {
             return Some(format!(
                 "energy-momentum integration needs a constant mass, and body `{}` has its nodal vectors in the free frame \
@@ -25,7 +28,7 @@ impl MeshScene {
                 self.parts.frame_name(body.frame)
             ));
         }
-        for frame in &self.free {
+        for frame in &self.frames.free {
             let rigid = &frame.spec.rigid;
             if rigid.mass != 0.0 || rigid.inertia != Matrix::zeros() {
                 return Some(format!(
@@ -35,14 +38,18 @@ impl MeshScene {
                 ));
             }
         }
-        let marked = self.marked_loads.first().map(|marked| self.loads[marked.load].name);
-        if let Some(name) = self.forces.first().map(|force| force.name).or(marked) {
+        let marked = self
+            .links
+            .marked_loads
+            .first()
+            .map(|marked| self.dead_loads.specs[marked.load].name);
+        if let Some(name) = self.links.forces.first().map(|force| force.name).or(marked) {
             return Some(format!(
                 "energy-momentum integration has no conserving form of force `{name}`: take another integrator"
             ));
         }
         if self.constraints() - self.first_linked() != self.layout.border() {
-            let name = self.constraints.first().map_or("", |linked| linked.spec.name);
+            let name = self.links.constraints.first().map_or("", |linked| linked.spec.name);
             return Some(format!(
                 "energy-momentum integration has no multipliers for constraints between bodies, as `{name}` is: let ends \
                  `share` a node, or take another integrator"
@@ -103,7 +110,7 @@ impl Conserving for MeshScene {
 
     fn matrix(&mut self, from: &State, to: &State, factors: [f64; 2], values: &mut [f64]) {
         self.load_ends(from, to);
-        for (value, mass) in values.iter_mut().zip(&self.mass) {
+        for (value, mass) in values.iter_mut().zip(&self.tabulated.mass) {
             *value = factors[0] * mass;
         }
         self.add_rigid_section_curvature(&to.lambda, |entry, value| values[entry] += factors[1] * value);

@@ -41,7 +41,7 @@ impl MeshScene {
     /// Adds to the derivative of a row (a column of the constraints' pattern) by a component.
     pub(crate) fn add_to_row(&self, component: usize, column: usize, value: f64, values: &mut [f64]) {
         for (unknown, factor) in self.layout.unknowns_at(component) {
-            if let Some(entry) = self.constraint_pattern.find(unknown, column) {
+            if let Some(entry) = self.tabulated.constraint_pattern.find(unknown, column) {
                 values[entry] += factor * value;
             }
         }

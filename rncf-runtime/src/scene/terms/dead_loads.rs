@@ -33,12 +33,12 @@ impl Force for DeadLoads {
 impl MeshScene {
     /// Whether a load acts through a marker, since a free frame feels it.
     pub(crate) fn is_marked(&self, load: usize) -> bool {
-        self.marked_loads.iter().any(|marked| marked.load == load)
+        self.links.marked_loads.iter().any(|marked| marked.load == load)
     }
 
     /// Force or moment of a load in the axes of its body, in their order.
     pub(crate) fn load_in_body(&self, index: usize, t: f64, body: &MeshBody) -> [f64; 3] {
-        let load = &self.loads[index];
+        let load = &self.dead_loads.specs[index];
         let mut value = Vector::from(self.parts.load(index, t));
         if load.frame != body.frame {
             let frames = &self.buffers.frames;
@@ -58,15 +58,18 @@ impl MeshScene {
 
     /// Adds constant and follower loads on bodies.
     pub(crate) fn add_loads(&mut self, t: f64, load_scale: f64) {
-        for index in 0..self.loads.len() {
-            let Some(point) = self.load_points[index].as_ref().filter(|_| !self.is_marked(index)) else {
+        for index in 0..self.dead_loads.specs.len() {
+            let Some(point) = self.dead_loads.points[index]
+                .as_ref()
+                .filter(|_| !self.is_marked(index))
+            else {
                 continue;
             };
             let body = &self.bodies[point.body];
             let dimension = body.spec.dimension();
             let value = self.load_in_body(index, t, body).map(|x| load_scale * x);
             let components = body.connectivity.element(point.element);
-            match self.loads[index].kind {
+            match self.dead_loads.specs[index].kind {
                 LoadKind::Gravity | LoadKind::Around | LoadKind::Field { .. } => {}
                 LoadKind::Force { .. } => {
                     for (place, &component) in components.iter().enumerate() {
@@ -88,8 +91,8 @@ impl MeshScene {
     }
 
     fn add_load_tangents(&self, t: f64, load_scale: f64, out: &mut impl Sums) {
-        for (index, point) in self.load_points.iter().enumerate() {
-            let (Some(point), LoadKind::Moment { .. }) = (point, self.loads[index].kind) else {
+        for (index, point) in self.dead_loads.points.iter().enumerate() {
+            let (Some(point), LoadKind::Moment { .. }) = (point, self.dead_loads.specs[index].kind) else {
                 continue;
             };
             if self.is_marked(index) {

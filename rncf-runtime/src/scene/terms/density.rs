@@ -69,8 +69,8 @@ impl MeshScene {
                 )));
             }
             for &marker in spec.markers {
-                let frame = self.marker_frame(&self.markers[marker]);
-                if self.fixed.iter().any(|fixed| fixed.spec.frame == frame) {
+                let frame = self.marker_frame(&self.links.markers[marker]);
+                if self.frames.fixed.iter().any(|fixed| fixed.spec.frame == frame) {
                     return Err(ModelError::new(format!(
                         "load `{name}` depends on frame `{}`, which follows mean axes and has no pose in absolute coordinates: use the referenced formulation",
                         self.parts.frame_name(frame)
@@ -82,7 +82,7 @@ impl MeshScene {
             components.dedup();
             let places = body.connectivity.components.iter();
             let places = places.map(|component| components.partition_point(|other| other < component));
-            self.densities.push(Density {
+            self.distributed.all.push(Density {
                 places: places.collect(),
                 components,
                 factors: Vec::new(),
@@ -95,16 +95,16 @@ impl MeshScene {
                 spec,
             });
         }
-        for index in 0..self.densities.len() {
-            let outer = self.outer_unknowns(&self.densities[index].spec);
-            (self.densities[index].outer, self.densities[index].driving) = outer;
+        for index in 0..self.distributed.all.len() {
+            let outer = self.outer_unknowns(&self.distributed.all[index].spec);
+            (self.distributed.all[index].outer, self.distributed.all[index].driving) = outer;
         }
-        self.density_batches = self.batches();
+        self.distributed.batches = self.batches();
         Ok(())
     }
 
     fn is_free_or_fixed(&self, frame: usize) -> bool {
-        self.free_of[frame].is_some() || self.fixed.iter().any(|fixed| fixed.spec.frame == frame)
+        self.frames.free_of[frame].is_some() || self.frames.fixed.iter().any(|fixed| fixed.spec.frame == frame)
     }
 
     /// Unknowns that the values depend on, then the others of the body's frame; and the number of the first.
@@ -112,7 +112,7 @@ impl MeshScene {
         let markers: &[usize] = if spec.values > 0 { spec.markers } else { &[] };
         let components = markers
             .iter()
-            .flat_map(|&marker| self.marker_components(&self.markers[marker]));
+            .flat_map(|&marker| self.marker_components(&self.links.markers[marker]));
         let unknowns = components.flat_map(|component| self.layout.unknowns_at(component));
         let mut outer: Vec<usize> = unknowns.map(|(unknown, _)| unknown).collect();
         outer.sort_unstable();
@@ -128,36 +128,36 @@ impl MeshScene {
 
     /// Unknowns of the free frame that a body's vectors live in.
     fn frame_unknowns(&self, body: usize) -> std::ops::Range<usize> {
-        match self.free_of[self.bodies[body].frame] {
+        match self.frames.free_of[self.bodies[body].frame] {
             Some(free) => {
-                let first = self.layout.unknowns() - self.layout.border() + self.free[free].first;
-                first..first + self.free[free].count()
+                let first = self.layout.unknowns() - self.layout.border() + self.frames.free[free].first;
+                first..first + self.frames.free[free].count()
             }
             None => 0..0,
         }
     }
 
     fn batches(&self) -> Vec<Batches> {
-        let mut kinds: Vec<usize> = self.densities.iter().map(|density| density.spec.kind).collect();
+        let mut kinds: Vec<usize> = self.distributed.all.iter().map(|density| density.spec.kind).collect();
         kinds.sort_unstable();
         kinds.dedup();
         let mut all = Vec::new();
         for kind in kinds {
-            let of_kind = |index: &usize| self.densities[*index].spec.kind == kind;
-            let densities = (0..self.densities.len()).filter(of_kind);
+            let of_kind = |index: &usize| self.distributed.all[*index].spec.kind == kind;
+            let densities = (0..self.distributed.all.len()).filter(of_kind);
             let elements: Vec<(usize, usize)> = densities
                 .flat_map(|index| {
-                    let body = &self.bodies[self.densities[index].spec.body];
+                    let body = &self.bodies[self.distributed.all[index].spec.body];
                     (0..body.spec.count).map(move |element| (index, element))
                 })
                 .collect();
             let Some(&(first, _)) = elements.first() else {
                 continue;
             };
-            let spec = &self.densities[first].spec;
+            let spec = &self.distributed.all[first].spec;
             let size = self.bodies[spec.body].spec.element_size();
             let components = |(density, element): (usize, usize)| {
-                let body: usize = self.densities[density].spec.body;
+                let body: usize = self.distributed.all[density].spec.body;
                 self.bodies[body].connectivity.element(element)
             };
             all.push(Batches {
@@ -169,7 +169,7 @@ impl MeshScene {
     }
 
     fn couple_densities(&self, entries: &mut Vec<(usize, usize)>) {
-        for density in &self.densities {
+        for density in &self.distributed.all {
             let components = density.components.iter();
             let own = components.flat_map(|&component| self.layout.unknowns_at(component));
             let rows = own
@@ -183,15 +183,15 @@ impl MeshScene {
 
     /// Looks up all places on the pattern.
     pub(crate) fn tabulate_densities(&mut self) {
-        let mut densities = std::mem::take(&mut self.densities);
+        let mut densities = std::mem::take(&mut self.distributed.all);
         densities.iter_mut().for_each(|density| self.tabulate_density(density));
-        self.densities = densities;
+        self.distributed.all = densities;
     }
 
     fn tabulate_density(&self, density: &mut Density) {
         let frame = self.frame_unknowns(density.spec.body);
         let driving = &density.outer[..density.driving];
-        let find = |i: usize, j: usize| self.pattern.find(i, j).map_or(NOWHERE, |entry| entry as u32);
+        let find = |i: usize, j: usize| self.tabulated.pattern.find(i, j).map_or(NOWHERE, |entry| entry as u32);
         let (mut factors, mut upper, mut lower) = (Vec::new(), Vec::new(), Vec::new());
         let (dependences, doubled) = self.layout.dependences(density.components.iter().copied());
         for own in dependences {
@@ -204,7 +204,12 @@ impl MeshScene {
             // The rows of a frame stand together at the end of a column.
             lower.push(own.map_or(NOWHERE, |(column, _)| find(frame.start, column)));
         }
-        let square = frame.flat_map(|row| density.outer.iter().map(move |&outer| self.pattern.find(row, outer)));
+        let square = frame.flat_map(|row| {
+            density
+                .outer
+                .iter()
+                .map(move |&outer| self.tabulated.pattern.find(row, outer))
+        });
         density.square = square.collect();
         (density.factors, density.upper, density.lower) = (factors, upper, lower);
         density.doubled = doubled;
@@ -212,14 +217,14 @@ impl MeshScene {
 
     /// Values and velocities of the markers of a density at the loaded state.
     fn density_arguments(&self, spec: &DensitySpec) -> [Vec<Vector>; 2] {
-        let jets = spec.markers.iter().map(|&marker| self.jet(&self.markers[marker]));
+        let jets = spec.markers.iter().map(|&marker| self.jet(&self.links.markers[marker]));
         let (z, velocity) = jets.map(|jet| (jet[0], jet[1])).unzip();
         [z, velocity]
     }
 
     /// Values of a density at the loaded state.
     pub(crate) fn density_values(&self, index: usize, t: f64) -> Vec<f64> {
-        let spec = &self.densities[index].spec;
+        let spec = &self.distributed.all[index].spec;
         let [z, velocity] = self.density_arguments(spec);
         let mut values = vec![0.0; spec.values];
         self.parts.density_values(index, t, &z, &velocity, &mut values);
@@ -231,7 +236,7 @@ impl MeshScene {
         let mut changes = Vec::new();
         let driving = &density.outer[..density.driving];
         for (place, &marker) in density.spec.markers.iter().enumerate() {
-            for column in self.columns(&self.markers[marker]) {
+            for column in self.columns(&self.links.markers[marker]) {
                 for (unknown, factor) in self.layout.unknowns_at(column.component) {
                     if let Ok(at) = driving.binary_search(&unknown) {
                         changes.push((place, at, factor * column.value));
@@ -244,8 +249,8 @@ impl MeshScene {
 
     /// Their derivatives by the unknowns that they depend on: values x unknowns, rows first.
     fn driven(&self, index: usize, t: f64, shared: &mut Shared) {
-        let spec = &self.densities[index].spec;
-        let width = self.densities[index].driving;
+        let spec = &self.distributed.all[index].spec;
+        let width = self.distributed.all[index].driving;
         shared.by_unknowns.clear();
         shared.by_unknowns.resize(spec.values * width, 0.0);
         if shared.by_unknowns.is_empty() {
@@ -254,7 +259,7 @@ impl MeshScene {
         if shared.markers != Some(spec.markers) {
             shared.markers = Some(spec.markers);
             shared.arguments = self.density_arguments(spec);
-            shared.changes = self.driving(&self.densities[index]);
+            shared.changes = self.driving(&self.distributed.all[index]);
         }
         let [z, velocity] = &shared.arguments;
         let gradient = &mut shared.gradient;
@@ -304,7 +309,7 @@ impl MeshScene {
     /// Values of all densities at the loaded state.
     pub(crate) fn all_values(&self, t: f64) -> Vec<Vec<f64>> {
         let (mut of, mut arguments) = (None, [Vec::new(), Vec::new()]);
-        let values = self.densities.iter().enumerate().map(|(index, density)| {
+        let values = self.distributed.all.iter().enumerate().map(|(index, density)| {
             let spec = &density.spec;
             if of != Some(spec.markers) {
                 of = Some(spec.markers);
@@ -321,24 +326,24 @@ impl MeshScene {
     /// Adds the densities at the loaded state (to the left side, where they are negative) to the forces of nodal
     /// vectors and free frames.
     fn add_density_forces(&mut self, t: f64, load_scale: f64) {
-        if self.densities.is_empty() {
+        if self.distributed.all.is_empty() {
             return;
         }
         let values = self.all_values(t);
-        let mut on_frames = vec![[Vector::zeros(); 2]; self.free.len()];
+        let mut on_frames = vec![[Vector::zeros(); 2]; self.frames.free.len()];
         let mut results = std::mem::take(&mut self.buffers.lanes);
         let mut forces = std::mem::take(&mut self.buffers.force);
         let scene = &*self;
-        for of in &scene.density_batches {
+        for of in &scene.distributed.batches {
             let evaluate = |unit: usize, result: &mut [[f64; LANES]]| scene.evaluate_density(of, unit, &values, result);
             let add_unit = |unit: usize, result: &[[f64; LANES]]| {
                 let (result, used) = (of.evaluated(result), of.units.used(unit));
-                let body = |density: usize| &scene.bodies[scene.densities[density].spec.body];
+                let body = |density: usize| &scene.bodies[scene.distributed.all[density].spec.body];
                 let mut turns = false;
                 for (lane, &(density, _)) in used.iter().enumerate() {
                     let body = body(density);
                     turns |= scene.axes_of(body).is_some();
-                    if let Some(free) = scene.free_of[body.frame] {
+                    if let Some(free) = scene.frames.free_of[body.frame] {
                         for (i, rows) in on_frames[free].iter_mut().enumerate() {
                             *rows = Vector::from_fn(|j, _| rows[j] + load_scale * result.rows[3 * i + j][lane]);
                         }
@@ -380,8 +385,8 @@ impl MeshScene {
 
     /// Whether there are densities or other loads along a body.
     pub(crate) fn has_loads_along(&self, body: usize) -> bool {
-        self.densities.iter().any(|density| density.spec.body == body)
-            || self.spread.iter().any(|spread| spread.body == body)
+        self.distributed.all.iter().any(|density| density.spec.body == body)
+            || self.links.spread.iter().any(|spread| spread.body == body)
     }
 
     /// Generalised forces of all densities and other loads that are spread over it on the nodal vectors of one element, axes of the frame that they live in;
@@ -391,7 +396,7 @@ impl MeshScene {
         let scale = self.buffers.density_scale;
         let mut add = |of: [f64; MAX_SIZE]| sum.iter_mut().zip(of).for_each(|(sum, value)| *sum += scale * value);
         for (index, values) in self.buffers.density_values.iter().enumerate() {
-            if self.densities[index].spec.body == body {
+            if self.distributed.all[index].spec.body == body {
                 add(self.density_on(index, element, values));
             }
         }
@@ -401,7 +406,7 @@ impl MeshScene {
 
     /// Generalised forces of one density on the nodal vectors of an element of its body, axes of the frame that they live in.
     pub(crate) fn density_on(&self, index: usize, element: usize, values: &[f64]) -> [f64; MAX_SIZE] {
-        let body = self.densities[index].spec.body;
+        let body = self.distributed.all[index].spec.body;
         let (at, n) = (&self.bodies[body], self.bodies[body].spec.element_size());
         let of_all: Vec<[f64; LANES]> = values.iter().map(|&value| [value; LANES]).collect();
         let q = self.in_body_axes(at, element).map(|value| [value; LANES]);
@@ -420,13 +425,13 @@ impl MeshScene {
 
     /// Adds the derivatives of [`MeshScene::add_density_forces`] at the loaded state.
     fn add_density_tangents(&mut self, t: f64, load_scale: f64, out: &mut impl Sums) {
-        if self.densities.is_empty() {
+        if self.distributed.all.is_empty() {
             return;
         }
         let values = self.all_values(t);
         let mut results = std::mem::take(&mut self.buffers.lanes);
         let (scene, mut shared) = (&*self, Shared::default());
-        for of in &scene.density_batches {
+        for of in &scene.distributed.batches {
             // Elements of one density follow each other: one sum at a time.
             let (mut total, mut summed) = (Total::default(), None);
             let evaluate = |unit: usize, result: &mut [[f64; LANES]]| scene.evaluate_density(of, unit, &values, result);
@@ -438,11 +443,11 @@ impl MeshScene {
                             scene.add_total(before, t, &total, &mut shared, out);
                         }
                         summed = Some(density);
-                        total.clear(scene.densities[density].components.len(), of.values);
+                        total.clear(scene.distributed.all[density].components.len(), of.values);
                     }
-                    let body = &scene.bodies[scene.densities[density].spec.body];
+                    let body = &scene.bodies[scene.distributed.all[density].spec.body];
                     let places =
-                        &scene.densities[density].places[element * of.units.size..(element + 1) * of.units.size];
+                        &scene.distributed.all[density].places[element * of.units.size..(element + 1) * of.units.size];
                     if let Some(axes) = scene.axes_of(body) {
                         let own = |all: &[[f64; LANES]]| -> Vec<f64> { all.iter().map(|all| all[lane]).collect() };
                         let (mut by_q, mut by_values) = (own(result.by_q), own(result.by_values));
@@ -453,7 +458,7 @@ impl MeshScene {
                         let factor = -factor * load_scale;
                         body.scatter.add_by(element, &by_q, |value| factor * value, stiffness);
                     } else {
-                        if scene.free_of[body.frame].is_some() {
+                        if scene.frames.free_of[body.frame].is_some() {
                             total.add_frame(places, &result, load_scale, lane);
                         }
                         total.add_values(places, load_scale, |entry| result.by_values[entry][lane]);
@@ -474,7 +479,7 @@ impl MeshScene {
 
     /// Adds what a density does between its body, its frame, and what its values depend on.
     fn add_total(&self, index: usize, t: f64, total: &Total, shared: &mut Shared, out: &mut (impl Sums + ?Sized)) {
-        let density = &self.densities[index];
+        let density = &self.distributed.all[index];
         let (k, width) = (density.spec.values, density.driving);
         self.driven(index, t, shared);
         let by_unknowns = &shared.by_unknowns[..];
@@ -505,8 +510,8 @@ impl MeshScene {
             }
         }
         let frame = self.bodies[density.spec.body].frame;
-        let Some(free) = self.free_of[frame] else { return };
-        let (motion, directions) = (&self.buffers.frames[frame], &self.free[free].directions);
+        let Some(free) = self.frames.free_of[frame] else { return };
+        let (motion, directions) = (&self.buffers.frames[frame], &self.frames.free[free].directions);
         let first = self.frame_unknowns(density.spec.body).start;
         let seen: Vec<[Vector; 2]> = directions
             .iter()

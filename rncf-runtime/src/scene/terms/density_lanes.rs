@@ -36,7 +36,7 @@ impl MeshScene {
         let (rows, rest) = rest.split_at_mut(ROWS);
         let (values, q, density) = (&*own_values, &*q, lanes[0].0);
         self.parts.density_force4(density, &elements, values, q, force);
-        let carried = self.free_of[body.frame].map(|_| Carried::new(body));
+        let carried = self.frames.free_of[body.frame].map(|_| Carried::new(body));
         let (mut by_q, mut by_values, mut of_derivatives) = (&mut [][..], &mut [][..], &mut [][..]);
         if !rest.is_empty() {
             let rest = rest.split_at_mut(n * n);
@@ -58,7 +58,7 @@ impl MeshScene {
     }
 
     fn density_body(&self, density: usize) -> usize {
-        self.densities[density].spec.body
+        self.distributed.all[density].spec.body
     }
 }
 

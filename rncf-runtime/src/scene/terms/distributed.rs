@@ -63,7 +63,7 @@ impl MeshScene {
                 }
             }
         }
-        let around = self.loads.iter().enumerate();
+        let around = self.dead_loads.specs.iter().enumerate();
         let around: Vec<(usize, &'static str)> = around
             .filter(|(_, load)| load.kind == LoadKind::Around)
             .map(|(index, load)| (index, load.name))
@@ -76,22 +76,22 @@ impl MeshScene {
         // What acts at one place first, then element after element.
         pushes.sort_by_key(|(.., element)| *element);
         for (name, law, markers, element) in pushes {
-            let first = self.markers.len();
-            self.markers.extend(markers);
-            let index = self.forces.len();
+            let first = self.links.markers.len();
+            self.links.markers.extend(markers);
+            let index = self.links.forces.len();
             if let Some((body, number)) = element {
-                match self.spread.last_mut() {
+                match self.links.spread.last_mut() {
                     Some(last) if (last.body, last.element) == (body, number) => last.forces.end = index + 1,
-                    _ => self.spread.push(Spread {
+                    _ => self.links.spread.push(Spread {
                         body,
                         element: number,
                         forces: index..index + 1,
                     }),
                 }
             }
-            self.forces.push(Push {
+            self.links.forces.push(Push {
                 name,
-                markers: (first..self.markers.len()).collect(),
+                markers: (first..self.links.markers.len()).collect(),
                 conservative: false,
                 branches: 0,
                 law,
@@ -141,7 +141,7 @@ impl MeshScene {
                 masses.push((mass, at(fixture.point.combined([1.0, x, y, z])), None));
             }
         }
-        for free in &self.free {
+        for free in &self.frames.free {
             let (spec, rigid) = (&free.spec, &free.spec.rigid);
             let (mass, first) = (rigid.mass, rigid.moment);
             let trace: f64 = (0..3).map(|i| rigid.inertia[(i, i)]).sum();

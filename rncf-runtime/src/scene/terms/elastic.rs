@@ -70,7 +70,7 @@ impl Force for Elasticity {
 impl MeshScene {
     fn add_elastic_forces(&mut self) {
         let Buffers { q, v, force, lanes, .. } = &mut self.buffers;
-        for group in &self.groups {
+        for group in &self.tabulated.groups {
             let body = &self.bodies[group.body];
             match &body.modes {
                 Some(_) if self.in_modes => {}
@@ -98,7 +98,7 @@ impl MeshScene {
         let Buffers {
             q, v, frames, lanes, ..
         } = &mut self.buffers;
-        for group in &self.groups {
+        for group in &self.tabulated.groups {
             let body = &self.bodies[group.body];
             if self.in_modes && body.modes.is_some() {
                 continue;

@@ -20,7 +20,7 @@ impl MeshScene {
     /// # Errors
     /// A field on a frame that carries bodies in absolute coordinates, by name.
     pub(crate) fn check_fields(&self) -> Result<(), ModelError> {
-        for load in &self.loads {
+        for load in &self.dead_loads.specs {
             let LoadKind::Field { .. } = load.kind else { continue };
             let is_absolute = |body: &&MeshBody| body.spec.frame == load.frame && body.frame != load.frame;
             if let Some(body) = self.bodies.iter().find(is_absolute) {
@@ -38,13 +38,13 @@ impl MeshScene {
     fn field_arguments(&self, markers: &[usize]) -> Vec<Vector> {
         markers
             .iter()
-            .map(|&marker| self.jet(&self.markers[marker])[0])
+            .map(|&marker| self.jet(&self.links.markers[marker])[0])
             .collect()
     }
 
     /// Gravity of a field load at the loaded state, m/s^2, inertial axes.
     fn field(&self, load: usize, t: f64) -> Option<Vector> {
-        let LoadKind::Field { markers } = self.loads[load].kind else {
+        let LoadKind::Field { markers } = self.dead_loads.specs[load].kind else {
             return None;
         };
         Some(self.parts.field(load, t, &self.field_arguments(markers)).into())
@@ -55,22 +55,22 @@ impl MeshScene {
         for frame in &mut self.buffers.frames {
             frame.field = Vector::zeros();
         }
-        for load in 0..self.loads.len() {
+        for load in 0..self.dead_loads.specs.len() {
             if let Some(field) = self.field(load, t) {
-                let frame = &mut self.buffers.frames[self.loads[load].frame];
+                let frame = &mut self.buffers.frames[self.dead_loads.specs[load].frame];
                 frame.field += load_scale * field;
             }
         }
-        let changes = (0..self.free.len()).map(|free| self.field_changes(free, t, load_scale));
+        let changes = (0..self.frames.free.len()).map(|free| self.field_changes(free, t, load_scale));
         self.buffers.field_changes = changes.collect();
     }
 
     /// How the field on a free frame changes with each of the frame's unknowns at the loaded state, inertial axes.
     fn field_changes(&self, free: usize, t: f64, load_scale: f64) -> Vec<Vector> {
-        let frame = &self.free[free];
+        let frame = &self.frames.free[free];
         let mut changes = vec![Vector::zeros(); frame.count()];
         let first = self.layout.vector_components() + frame.first;
-        for (index, load) in self.loads.iter().enumerate() {
+        for (index, load) in self.dead_loads.specs.iter().enumerate() {
             let LoadKind::Field { markers } = load.kind else {
                 continue;
             };
@@ -82,7 +82,7 @@ impl MeshScene {
             let mut gradient = vec![0.0; 3 * width];
             self.parts.field_gradient(index, t, &z, &mut gradient);
             for (place, &marker) in markers.iter().enumerate() {
-                for column in self.columns(&self.markers[marker]) {
+                for column in self.columns(&self.links.markers[marker]) {
                     let Some(change) = column.component.checked_sub(first).and_then(|own| changes.get_mut(own)) else {
                         continue;
                     };
@@ -99,12 +99,12 @@ impl MeshScene {
     /// Names and values, at the loaded state, of the loads that depend on markers: those of densities, and fields in
     /// the axes of their frames.
     pub(crate) fn marked_values(&self, t: f64) -> Vec<(&'static str, Vec<f64>)> {
-        let densities = self.densities.iter().enumerate();
+        let densities = self.distributed.all.iter().enumerate();
         let densities = densities.map(|(index, density)| (density.spec.name, self.density_values(index, t)));
-        let fields = (0..self.loads.len()).filter_map(|load| {
-            let frame = &self.buffers.frames[self.loads[load].frame];
+        let fields = (0..self.dead_loads.specs.len()).filter_map(|load| {
+            let frame = &self.buffers.frames[self.dead_loads.specs[load].frame];
             let field = frame.direction_to_frame(self.field(load, t)?);
-            Some((self.loads[load].name, field.as_slice().to_vec()))
+            Some((self.dead_loads.specs[load].name, field.as_slice().to_vec()))
         });
         densities.chain(fields).collect()
     }
@@ -112,14 +112,14 @@ impl MeshScene {
     /// Frames that the loads of [`MeshScene::marked_values`] belong to or depend on.
     fn marked_frames(&self) -> Vec<Vec<usize>> {
         let of = |own: usize, markers: &[usize]| {
-            let frame = |marker: &usize| self.marker_frame(&self.markers[*marker]);
+            let frame = |marker: &usize| self.marker_frame(&self.links.markers[*marker]);
             markers.iter().map(frame).chain([own]).collect()
         };
-        let densities = self.densities.iter().map(|density| {
+        let densities = self.distributed.all.iter().map(|density| {
             let own = self.bodies[density.spec.body].spec.frame;
             of(own, density.spec.markers)
         });
-        let fields = self.loads.iter().filter_map(|load| match load.kind {
+        let fields = self.dead_loads.specs.iter().filter_map(|load| match load.kind {
             LoadKind::Field { markers } => Some(of(load.frame, markers)),
             _ => None,
         });

@@ -34,13 +34,13 @@ impl Force for Inertia {
         let border = layout.unknowns() - layout.border()..layout.unknowns();
         couple_all(&border.clone().collect::<Vec<_>>(), entries);
         for body in &scene.bodies {
-            let Some(free) = scene.free_of[body.frame] else {
+            let Some(free) = scene.frames.free_of[body.frame] else {
                 continue;
             };
-            let first = border.start + scene.free[free].first;
+            let first = border.start + scene.frames.free[free].first;
             let own = layout.offset(body.first_vector)..layout.offset(body.first_vector + body.spec.vectors());
             for unknown in scene.unknowns_of(own) {
-                let frame = first..first + scene.free[free].count();
+                let frame = first..first + scene.frames.free[free].count();
                 entries.extend(frame.flat_map(|border| [(unknown, border), (border, unknown)]));
             }
         }
@@ -87,7 +87,7 @@ impl MeshScene {
     /// Adds the inertia forces of elements, fixtures and rigid parts at the loaded state, on nodal vectors and on
     /// free frames.
     pub(crate) fn add_inertia_forces(&mut self, gravity: Vector) {
-        let rigid = self.free.iter().map(|frame| {
+        let rigid = self.frames.free.iter().map(|frame| {
             let motion = &self.buffers.frames[frame.spec.frame];
             Transport::new(motion, SPATIAL, gravity).of_rigid(&frame.spec.rigid)
         });
@@ -117,7 +117,7 @@ impl MeshScene {
                     axes,
                     transport: &transport,
                     at,
-                    summed: self.free_of[body.frame].is_some(),
+                    summed: self.frames.free_of[body.frame].is_some(),
                     scratch: &mut *nodal,
                     out,
                 };
@@ -136,7 +136,7 @@ impl MeshScene {
                 }
                 None => forces_of(mass, [places, rates, accelerations], &mut force[own.clone()]),
             };
-            if let Some(free) = self.free_of[body.frame] {
+            if let Some(free) = self.frames.free_of[body.frame] {
                 for (sum, value) in on_frames[free].iter_mut().zip(sums) {
                     *sum += value;
                 }
@@ -149,7 +149,7 @@ impl MeshScene {
 
     /// Adds force and moment (frame axes) on a free frame to the forces of its unknowns.
     pub(crate) fn add_to_unknowns(&mut self, free: usize, [force, moment]: [Vector; 2]) {
-        let frame = &self.free[free];
+        let frame = &self.frames.free[free];
         let force = self.buffers.frames[frame.spec.frame].direction_to_inertial(force);
         let first = self.layout.vector_components() + frame.first;
         for (place, direction) in frame.directions.iter().enumerate() {

@@ -165,10 +165,10 @@ impl MeshScene {
     pub(crate) fn border_of(&self, body: usize) -> Border {
         let body = &self.bodies[body];
         let mut border = Border::default();
-        let Some(free) = self.free_of[body.frame] else {
+        let Some(free) = self.frames.free_of[body.frame] else {
             return border;
         };
-        let frame = &self.free[free];
+        let frame = &self.frames.free[free];
         let first = self.layout.offset(body.first_vector);
         let count = body.spec.vectors() * body.spec.dimension();
         let unknown = self.first_unknown(free);
@@ -177,8 +177,8 @@ impl MeshScene {
         border.doubled = doubled;
         for own in dependences {
             // The rows of all frames are at the end of a column, and those of one frame are all there.
-            let lower = own.and_then(|(row, _)| self.pattern.find(unknown, row));
-            let upper = (0..width).map(|i| own.and_then(|(row, _)| self.pattern.find(row, unknown + i)));
+            let lower = own.and_then(|(row, _)| self.tabulated.pattern.find(unknown, row));
+            let upper = (0..width).map(|i| own.and_then(|(row, _)| self.tabulated.pattern.find(row, unknown + i)));
             let upper: Option<Vec<usize>> = upper.collect();
             let (factor, lower, upper) = match (own, lower, upper) {
                 (Some((_, factor)), Some(lower), Some(upper)) => (factor, lower, upper),
@@ -193,12 +193,12 @@ impl MeshScene {
 
     /// First unknown of a free frame.
     pub(crate) fn first_unknown(&self, free: usize) -> usize {
-        self.layout.unknowns() - self.layout.border() + self.free[free].first
+        self.layout.unknowns() - self.layout.border() + self.frames.free[free].first
     }
 
     /// The unknowns of a free frame as seen from it, at the loaded state.
     fn seen(&self, free: usize, gravity: Vector, maps: &[Matrix]) -> Vec<Seen> {
-        let frame = &self.free[free];
+        let frame = &self.frames.free[free];
         let motion = &self.buffers.frames[frame.spec.frame];
         let e = motion.felt(gravity);
         let field = |place: usize| {
@@ -232,7 +232,7 @@ impl MeshScene {
     /// Adds what the inertia of elements, fixtures and rigid parts makes in the rows and columns of free frames, at the
     /// loaded state.
     pub(crate) fn add_inertia_borders(&mut self, gravity: Vector, combination: &Combination, values: &mut [f64]) {
-        let rigid = self.free.iter().map(|frame| {
+        let rigid = self.frames.free.iter().map(|frame| {
             let (rigid, motion) = (&frame.spec.rigid, &self.buffers.frames[frame.spec.frame]);
             Sums {
                 mass: rigid.mass,
@@ -243,7 +243,7 @@ impl MeshScene {
             }
         });
         let mut carried: Vec<Sums> = rigid.collect();
-        let seen: Vec<Vec<Seen>> = (0..self.free.len())
+        let seen: Vec<Vec<Seen>> = (0..self.frames.free.len())
             .map(|free| self.seen(free, gravity, &combination.maps))
             .collect();
         let Buffers {
@@ -254,9 +254,9 @@ impl MeshScene {
             nodal_rates: scratch,
             ..
         } = &mut self.buffers;
-        for (body, border) in self.bodies.iter().zip(&self.borders) {
+        for (body, border) in self.bodies.iter().zip(&self.tabulated.borders) {
             let mass = body.nodal_mass(self.in_modes);
-            let Some(free) = self.free_of[body.frame].filter(|_| !mass.is_empty()) else {
+            let Some(free) = self.frames.free_of[body.frame].filter(|_| !mass.is_empty()) else {
                 continue;
             };
             let axes = body.spec.axes;
@@ -284,7 +284,7 @@ impl MeshScene {
             dispatch(Arch::new(), beside);
         }
         for (free, sums) in carried.iter().enumerate() {
-            let motion = &self.buffers.frames[self.free[free].spec.frame];
+            let motion = &self.buffers.frames[self.frames.free[free].spec.frame];
             let transport = Transport::new(motion, SPATIAL, gravity);
             self.add_square(free, &seen[free], &transport, sums, combination.factors, values);
         }
@@ -303,7 +303,7 @@ impl MeshScene {
         let first = self.first_unknown(free);
         for (j, column) in seen.iter().enumerate() {
             // The rows of all frames are at the end of the column and dense.
-            let Some(start) = self.pattern.find(first, first + j) else {
+            let Some(start) = self.tabulated.pattern.find(first, first + j) else {
                 continue;
             };
             let by_rate = sums.by_acceleration(column.rate);

@@ -227,7 +227,7 @@ impl MeshScene {
             .collect();
         let is_given = |component: usize| self.layout.unknowns_at(component).next().is_none();
         let by_joint = own.peek().is_some() && own.all(|component| is_given(component) || held.contains(&component));
-        let is_here = |marker: &usize| match &self.markers[*marker] {
+        let is_here = |marker: &usize| match &self.links.markers[*marker] {
             Marker::Body { point, of } => {
                 *of == PlaceVector::SectionY
                     && (point.body, point.element, point.xi)
@@ -237,7 +237,7 @@ impl MeshScene {
         };
         // Beside the position the rotation alone, or both axes.
         let rotation = if dimension == 2 { 1 } else { 3 };
-        let by_constraint = self.constraints.iter().any(|linked| {
+        let by_constraint = self.links.constraints.iter().any(|linked| {
             matches!(linked.spec.kind, "clamp" | "clamp_full")
                 && linked.spec.rows.len() > dimension + rotation
                 && linked.spec.markers.iter().any(is_here)

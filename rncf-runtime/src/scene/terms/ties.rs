@@ -17,14 +17,18 @@ impl Constraint for Ties {
             let unknowns = rows.map(|row| scene.unknowns_of(tie.entries(row).map(|(component, _)| component)));
             unknowns.collect::<Vec<_>>()
         };
-        scene.ties.iter().flat_map(rows).collect()
+        scene.frames.ties.iter().flat_map(rows).collect()
     }
 
     /// Nothing: they are linear.
     fn couple(&self, _: &MeshScene, _: &mut Vec<(usize, usize)>) {}
 
     fn describe(&self, scene: &MeshScene, row: usize) -> String {
-        let mut bodies = scene.ties.iter().flat_map(|tie| tie.rows.iter().map(|_| tie.body));
+        let mut bodies = scene
+            .frames
+            .ties
+            .iter()
+            .flat_map(|tie| tie.rows.iter().map(|_| tie.body));
         let spec = bodies.nth(row).map(|body| &scene.bodies[body].spec);
         spec.map_or(String::new(), |spec| {
             format!("body `{}`, {}", spec.label(), spec.tie.describe())
@@ -44,7 +48,7 @@ impl Constraint for Ties {
             ConstraintLevel::Jerk => &buffers.jerks,
         };
         let mut rows = rows.iter_mut();
-        for tie in &scene.ties {
+        for tie in &scene.frames.ties {
             for ((value, reference), out) in tie.values(full).zip(&tie.reference).zip(&mut rows) {
                 *out = if level == ConstraintLevel::Position {
                     value - reference
@@ -57,6 +61,7 @@ impl Constraint for Ties {
 
     fn add_jacobian(&self, scene: &MeshScene, _: f64, first: usize, values: &mut [f64]) {
         let rows = scene
+            .frames
             .ties
             .iter()
             .flat_map(|tie| tie.rows.iter().map(move |row| tie.entries(row)));
@@ -85,7 +90,7 @@ impl MeshScene {
     pub(crate) fn loose_joint(&self, worst: &str) -> Option<String> {
         self.joints.iter().enumerate().find_map(|(index, joint)| {
             let spec = &self.bodies[joint.body].spec;
-            let frame = &self.free[self.free_of[joint.frame]?];
+            let frame = &self.frames.free[self.frames.free_of[joint.frame]?];
             let is_own = joint.frame == spec.frame && spec.fidelity == Fidelity::Full;
             let turns = match joint.kind {
                 JointKind::Clamp | JointKind::ClampFull => true,

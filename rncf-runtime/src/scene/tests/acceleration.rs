@@ -500,7 +500,7 @@ fn a_joint_carries_the_weight_and_its_moment_vanishes_at_its_point() {
 #[test]
 fn normals_are_a_triad() {
     let scene = everything().scene(Formulation::Rncf);
-    let [along, second] = [3, 9].map(|marker| scene.jet(&scene.markers[marker])[0]);
+    let [along, second] = [3, 9].map(|marker| scene.jet(&scene.links.markers[marker])[0]);
     let first = crate::space::perpendicular(1.0 / along.norm() * along);
     let expected = (1.0 / along.norm() * along).cross(&first);
     assert!((second - expected).norm() < 1e-15);
@@ -515,6 +515,6 @@ fn normals_are_a_triad() {
         along: [1.0, 0.0, 0.0],
     });
     let scene = hand.scene(Formulation::Rncf);
-    let [along, first] = [15, 9].map(|marker| scene.jet(&scene.markers[marker])[0]);
+    let [along, first] = [15, 9].map(|marker| scene.jet(&scene.links.markers[marker])[0]);
     assert!((first - Vector::new(-along[1], along[0], 0.0)).norm() < 1e-15);
 }

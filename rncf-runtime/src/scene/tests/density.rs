@@ -253,7 +253,7 @@ fn power_of_a_density_is_that_on_its_particles() {
     let power: f64 = generalised.map(|((with, without), v)| -(with - without) * v).sum();
     // What is prescribed does work, too: the clamped start stays at rest in its frame, so that none is missing.
     scene.load_state(&state);
-    let z: Vec<Vector> = [0, 1].iter().map(|&m| scene.jet(&scene.markers[m])[0]).collect();
+    let z: Vec<Vector> = [0, 1].iter().map(|&m| scene.jet(&scene.links.markers[m])[0]).collect();
     let values = values(0.3, &z);
     let frame = scene.buffers.frames[3];
     let velocity = frame.direction_to_frame(frame.velocity);

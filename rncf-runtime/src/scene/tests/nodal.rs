@@ -48,7 +48,7 @@ fn add_local(scene: &mut MeshScene, index: usize, element: usize, mass: &[f64], 
     });
     let mut force = vec![0.0; components.len()];
     inertia.force(&action, &q, &v, &a, &mut force);
-    let (axes, free) = (body.spec.axes, scene.free_of[body.frame]);
+    let (axes, free) = (body.spec.axes, scene.frames.free_of[body.frame]);
     for (&component, value) in components.iter().zip(force) {
         scene.buffers.force[component] += value;
     }
@@ -110,8 +110,8 @@ fn by_loops(scene: &mut MeshScene, gravity: [f64; 3]) -> Vec<f64> {
             add_local(scene, body, element, &products, gravity);
         }
     }
-    for free in 0..scene.free.len() {
-        let spec = scene.free[free].spec.clone();
+    for free in 0..scene.frames.free.len() {
+        let spec = scene.frames.free[free].spec.clone();
         let action = scene.buffers.frames[spec.frame].action(&[0, 1, 2], gravity.into());
         let mut rows = [0.0; 6];
         rigid(&spec.rigid, &action, &mut rows);
@@ -287,7 +287,7 @@ fn elastic_forces_do_not_move_the_frame() {
     scene.full_force(0.0, 1.0);
     let force = |scene: &MeshScene, first: usize, vector: usize| three(&scene.buffers.force, first + 3 * vector);
     let motion = &scene.buffers.frames[1];
-    let mut sums = Transport::new(motion, &[0, 1, 2], Vector::zeros()).of_rigid(&scene.free[0].spec.rigid);
+    let mut sums = Transport::new(motion, &[0, 1, 2], Vector::zeros()).of_rigid(&scene.frames.free[0].spec.rigid);
     for body in &scene.bodies {
         let first = scene.layout.offset(body.first_vector);
         for vector in 0..body.spec.vectors() {
@@ -300,7 +300,7 @@ fn elastic_forces_do_not_move_the_frame() {
         }
     }
     let first = scene.layout.vector_components();
-    for (place, direction) in scene.free[0].directions.iter().enumerate() {
+    for (place, direction) in scene.frames.free[0].directions.iter().enumerate() {
         let expected = direction.shift.dot(&motion.direction_to_inertial(sums[0])) + direction.turn.dot(&sums[1]);
         let found = scene.buffers.force[first + place];
         assert!(

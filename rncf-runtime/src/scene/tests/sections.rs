@@ -340,21 +340,21 @@ fn markers_of_sections_are_their_axes() {
     let mut wanted = (1.0 - 3.0 * xi + 2.0 * xi * xi) * at(0.0);
     wanted += 4.0 * xi * (1.0 - xi) * at(0.25);
     wanted += xi * (2.0 * xi - 1.0) * at(0.5);
-    let found = scene.jet(&scene.markers[0])[0];
+    let found = scene.jet(&scene.links.markers[0])[0];
     assert!((found - wanted).norm() < 1e-15, "{found:?} {wanted:?}");
     // A direction that turns with a section is where it starts.
-    let found = scene.jet(&scene.markers[2])[0];
+    let found = scene.jet(&scene.links.markers[2])[0];
     let direction = Vector::new(0.3, -2.0, 0.7);
     let wanted = 1.0 / direction.norm() * direction;
     assert!((found - wanted).norm() < 1e-14, "{found:?} {wanted:?}");
-    assert!(!scene.marker_components(&scene.markers[2]).is_empty());
+    assert!(!scene.marker_components(&scene.links.markers[2]).is_empty());
 }
 
 #[test]
 fn a_planar_section_has_components_in_its_plane_and_along_the_normal() {
     let body = beam("strip", 0, &[0, 1], Vector::new(0.3, 0.4, 0.0));
     let scene = alone(body, &[JointKind::Clamp], Joints::Eliminated).unwrap();
-    let Marker::Section { along: found, .. } = scene.markers[2] else {
+    let Marker::Section { along: found, .. } = scene.links.markers[2] else {
         panic!("a direction in a section");
     };
     let direction = Vector::new(0.3, -2.0, 0.7);

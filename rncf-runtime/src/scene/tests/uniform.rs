@@ -111,7 +111,7 @@ fn small_motions_are_derivatives_in_corotating_axes() {
 fn coriolis(scene: &MeshScene, state: &State, rotation: Vector, unknown: usize) -> Vec<f64> {
     let mut result = vec![0.0; state.x.len()];
     let border = scene.layout.unknowns() - scene.layout.border();
-    for frame in &scene.free {
+    for frame in &scene.frames.free {
         let own = border + frame.first..border + frame.first + frame.count();
         if !own.contains(&unknown) {
             continue;

@@ -61,7 +61,7 @@ impl MeshScene {
     /// Directions of the unknowns that change nothing in the uniform motion at the state.
     pub(crate) fn neutral(&mut self, at: &Uniform, state: &State) -> Vec<Vec<f64>> {
         let mut found: Vec<Vec<f64>> = Vec::new();
-        if self.free.is_empty() {
+        if self.frames.free.is_empty() {
             return found;
         }
         self.load_uniform(at, state);
@@ -70,20 +70,20 @@ impl MeshScene {
         for frames in self.groups() {
             let mut moved = vec![false; self.buffers.frames.len()];
             for &free in &frames {
-                moved[self.free[free].spec.frame] = true;
+                moved[self.frames.free[free].spec.frame] = true;
             }
             for screw in self.screws(&spin, &frames, at.t) {
                 self.try_screw(at, screw, &moved, false, &mut found);
             }
         }
-        for free in 0..self.free.len() {
+        for free in 0..self.frames.free.len() {
             let mut moved = vec![false; self.buffers.frames.len()];
-            moved[self.free[free].spec.frame] = true;
+            moved[self.frames.free[free].spec.frame] = true;
             for screw in self.own_screws(free) {
                 self.try_screw(at, screw, &moved, true, &mut found);
             }
         }
-        let sizes = &self.sizes;
+        let sizes = &self.tabulated.sizes;
         found
             .iter()
             .map(|motion| motion.iter().zip(sizes).map(|(x, size)| x * size).collect())
@@ -98,7 +98,11 @@ impl MeshScene {
         if whole == 0.0 || !whole.is_finite() || reduce(&mut direction, found) < 1e-6 * whole {
             return;
         }
-        let size = self.sizes.iter().fold(0.0, |size: f64, other| size.max(*other));
+        let size = self
+            .tabulated
+            .sizes
+            .iter()
+            .fold(0.0, |size: f64, other| size.max(*other));
         for displacement in screw.displacements(moved, is_own, size) {
             let is_free = self.follows(&displacement)
                 && (is_own || !self.is_pulled(at, &displacement))
@@ -113,14 +117,19 @@ impl MeshScene {
 
     /// Groups of free frames that act on each other.
     fn groups(&self) -> Vec<Vec<usize>> {
-        let mut group: Vec<usize> = (0..self.free.len()).collect();
-        let constraints = self.constraints.iter().map(|linked| linked.spec.markers);
-        for markers in constraints.chain(self.forces.iter().map(|force| &force.markers[..])) {
-            let frames = markers.iter().map(|&marker| self.marker_frame(&self.markers[marker]));
+        let mut group: Vec<usize> = (0..self.frames.free.len()).collect();
+        let constraints = self.links.constraints.iter().map(|linked| linked.spec.markers);
+        for markers in constraints.chain(self.links.forces.iter().map(|force| &force.markers[..])) {
+            let frames = markers
+                .iter()
+                .map(|&marker| self.marker_frame(&self.links.markers[marker]));
             self.join(frames, &mut group);
         }
-        for marked in &self.marked_loads {
-            let frames = [self.marker_frame(&marked.markers[0]), self.loads[marked.load].frame];
+        for marked in &self.links.marked_loads {
+            let frames = [
+                self.marker_frame(&marked.markers[0]),
+                self.dead_loads.specs[marked.load].frame,
+            ];
             self.join(frames.into_iter(), &mut group);
         }
         let firsts = (0..group.len()).filter(|&free| group[free] == free);
@@ -131,7 +140,7 @@ impl MeshScene {
 
     fn join(&self, frames: impl Iterator<Item = usize>, group: &mut [usize]) {
         let free: Vec<usize> = frames
-            .filter_map(|frame| self.free_of[frame])
+            .filter_map(|frame| self.frames.free_of[frame])
             .map(|free| group[free])
             .collect();
         if let Some(&first) = free.iter().min() {
@@ -156,17 +165,17 @@ impl MeshScene {
             axes.push(1.0 / gravity.norm() * gravity);
         }
         axes.extend((0..3).map(unit));
-        let frames: Vec<usize> = group.iter().map(|&free| self.free[free].spec.frame).collect();
-        let constraints = self.constraints.iter().map(|linked| linked.spec.markers);
-        for markers in constraints.chain(self.forces.iter().map(|force| &force.markers[..])) {
-            let markers = markers.iter().map(|&marker| &self.markers[marker]);
+        let frames: Vec<usize> = group.iter().map(|&free| self.frames.free[free].spec.frame).collect();
+        let constraints = self.links.constraints.iter().map(|linked| linked.spec.markers);
+        for markers in constraints.chain(self.links.forces.iter().map(|force| &force.markers[..])) {
+            let markers = markers.iter().map(|&marker| &self.links.markers[marker]);
             if !markers
                 .clone()
                 .any(|marker| frames.contains(&self.marker_frame(marker)))
             {
                 continue;
             }
-            for marker in markers.filter(|marker| self.free_of[self.marker_frame(marker)].is_none()) {
+            for marker in markers.filter(|marker| self.frames.free_of[self.marker_frame(marker)].is_none()) {
                 let value = self.jet(marker)[0];
                 match marker {
                     _ if marker.is_point() => points.push(value),
@@ -185,7 +194,7 @@ impl MeshScene {
 
     /// Turning of a rigid body about its own axes of symmetry.
     fn own_screws(&self, free: usize) -> Vec<Screw> {
-        let frame = &self.free[free];
+        let frame = &self.frames.free[free];
         let carries = self.bodies.iter().any(|body| body.spec.frame == frame.spec.frame);
         if carries || frame.turn.is_none() {
             return Vec::new();
@@ -213,10 +222,14 @@ impl MeshScene {
         let (frames, q) = (self.buffers.frames.clone(), self.buffers.q.clone());
         let pull = |scene: &Self| -> Vec<(usize, Vector)> {
             let gravity = scene.gravity(at.t);
-            let heavy = scene.free.iter().filter(|frame| scene.is_heavy(frame.spec.frame));
+            let heavy = scene
+                .frames
+                .free
+                .iter()
+                .filter(|frame| scene.is_heavy(frame.spec.frame));
             let gravity = heavy.map(|frame| (frame.spec.frame, gravity));
-            let marked = scene.marked_loads.iter().map(|marked| {
-                let load = &scene.loads[marked.load];
+            let marked = scene.links.marked_loads.iter().map(|marked| {
+                let load = &scene.dead_loads.specs[marked.load];
                 let value =
                     scene.buffers.frames[load.frame].direction_to_inertial(scene.parts.load(marked.load, at.t).into());
                 (scene.marker_frame(&marked.markers[0]), value)
@@ -238,8 +251,8 @@ impl MeshScene {
     }
 
     fn is_heavy(&self, frame: usize) -> bool {
-        let rigid = self.free_of[frame].is_some_and(|free| self.free[free].has_rigid_parts());
-        let gravity = self.loads.iter().any(|load| load.kind == LoadKind::Gravity);
+        let rigid = self.frames.free_of[frame].is_some_and(|free| self.frames.free[free].has_rigid_parts());
+        let gravity = self.dead_loads.specs.iter().any(|load| load.kind == LoadKind::Gravity);
         gravity && (rigid || self.bodies.iter().any(|body| body.spec.frame == frame))
     }
 
@@ -247,7 +260,7 @@ impl MeshScene {
     fn direction(&self, screw: Screw, moved: &[bool]) -> Vec<f64> {
         let mut result = vec![0.0; self.layout.unknowns()];
         let border = self.layout.unknowns() - self.layout.border();
-        for frame in self.free.iter().filter(|frame| moved[frame.spec.frame]) {
+        for frame in self.frames.free.iter().filter(|frame| moved[frame.spec.frame]) {
             let motion = &self.buffers.frames[frame.spec.frame];
             let (shift, turn) = match screw {
                 Screw::Turn { axis, point } => {
@@ -257,7 +270,8 @@ impl MeshScene {
             };
             for (place, direction) in frame.directions.iter().enumerate() {
                 let unknown = border + frame.first + place;
-                result[unknown] = (direction.shift.dot(&shift) + direction.turn.dot(&turn)) / self.sizes[unknown];
+                result[unknown] =
+                    (direction.shift.dot(&shift) + direction.turn.dot(&turn)) / self.tabulated.sizes[unknown];
             }
         }
         // Round-off is not a part of the motion.

@@ -43,7 +43,7 @@ impl MeshScene {
             return Ok(Spin::default());
         }
         let frames = self.motions(at.t);
-        let is_free = |&frame: &usize| self.free_of[frame].is_some();
+        let is_free = |&frame: &usize| self.frames.free_of[frame].is_some();
         let prescribed = (0..frames.len()).filter(|frame| !is_free(frame));
         if let Some(spin) = self.common(prescribed, &frames, at.spin)? {
             return Ok(at.spin.unwrap_or(spin));
@@ -97,11 +97,11 @@ impl MeshScene {
         if at.kind == Kind::Static {
             return None;
         }
-        let load = (0..self.loads.len()).find(|&index| self.parts.load_varies(index));
+        let load = (0..self.dead_loads.specs.len()).find(|&index| self.parts.load_varies(index));
         if let Some(index) = load {
             return Some(format!(
                 "load `{}` varies with time: give it a constant value",
-                self.loads[index].name
+                self.dead_loads.specs[index].name
             ));
         }
         if let Some(name) = self.parts.timed_energy() {
@@ -124,7 +124,7 @@ impl MeshScene {
         let mut frames = self.buffers.frames.clone();
         let later = self.motions(at.t + A_WHILE);
         for (index, motion) in self.motions(at.t).into_iter().enumerate() {
-            if self.free_of[index].is_none() {
+            if self.frames.free_of[index].is_none() {
                 frames[index] = motion;
             }
         }
@@ -133,12 +133,12 @@ impl MeshScene {
             return obstacle;
         }
         // What only shifts is carried about the axis, too.
-        for frame in &self.free {
+        for frame in &self.frames.free {
             let motion = &mut frames[frame.spec.frame];
             motion.spin = motion.direction_to_frame(spin.velocity);
         }
         let variant = self.variant(&spin, at);
-        (0..self.loads.len())
+        (0..self.dead_loads.specs.len())
             .find_map(|index| self.load_obstacle(index, at.t, &frames))
             .or_else(|| {
                 let conditions = self.conditions.iter();
@@ -156,7 +156,8 @@ impl MeshScene {
         if speed == 0.0 || !self.is_coupled() {
             return None;
         }
-        let turns = |index: usize| self.free_of[index].is_some() || self.buffers.frames[index].spin != Vector::zeros();
+        let turns =
+            |index: usize| self.frames.free_of[index].is_some() || self.buffers.frames[index].spin != Vector::zeros();
         let moved: Vec<bool> = (0..self.buffers.frames.len()).map(turns).collect();
         // Of drives the rate must be that of the rotation, of all else nothing may change at any angle.
         let angles = [0.7, 2.1, 4.4].map(|angle| (angle, 0.0));
@@ -174,7 +175,7 @@ impl MeshScene {
                 let motions = self.motions(t);
                 let is_prescribed = at.spin.is_some()
                     || (0..motions.len())
-                        .any(|frame| self.free_of[frame].is_none() && motions[frame].spin != Vector::zeros());
+                        .any(|frame| self.frames.free_of[frame].is_none() && motions[frame].spin != Vector::zeros());
                 let from = if is_prescribed {
                     String::new()
                 } else {
@@ -190,23 +191,32 @@ impl MeshScene {
 
     /// Whether things in different frames act on each other, or frames move freely: all must turn alike.
     fn is_coupled(&self) -> bool {
-        let constraints = self.constraints.iter().map(|linked| linked.spec.markers);
-        let mut users = constraints.chain(self.forces.iter().map(|force| &force.markers[..]));
-        let frame = |marker: usize| self.marker_frame(&self.markers[marker]);
+        let constraints = self.links.constraints.iter().map(|linked| linked.spec.markers);
+        let mut users = constraints.chain(self.links.forces.iter().map(|force| &force.markers[..]));
+        let frame = |marker: usize| self.marker_frame(&self.links.markers[marker]);
         // Loads at points depend on places and velocities in space.
-        !self.free.is_empty()
+        !self.frames.free.is_empty()
             || self.is_marked_elsewhere()
-            || self.forces.iter().any(|force| !matches!(force.law, Law::Force(_)))
+            || self
+                .links
+                .forces
+                .iter()
+                .any(|force| !matches!(force.law, Law::Force(_)))
             || users.any(|markers| markers.iter().any(|&marker| frame(marker) != frame(markers[0])))
     }
 
     /// A prescribed frame whose motion is not uniform.
     fn unsteady(&self, frames: &[FrameMotion], later: &[FrameMotion]) -> Option<String> {
         let coupled = self.is_coupled();
-        let marked = |index: usize| self.markers.iter().any(|marker| self.marker_frame(marker) == index);
+        let marked = |index: usize| {
+            self.links
+                .markers
+                .iter()
+                .any(|marker| self.marker_frame(marker) == index)
+        };
         let used = |index: usize| self.bodies.iter().any(|body| body.spec.frame == index) || coupled && marked(index);
         let pull = |frame: &FrameMotion| frame.direction_to_frame(frame.acceleration);
-        let prescribed = (0..frames.len()).filter(|&index| self.free_of[index].is_none() && used(index));
+        let prescribed = (0..frames.len()).filter(|&index| self.frames.free_of[index].is_none() && used(index));
         for index in prescribed {
             let (frame, next) = (&frames[index], &later[index]);
             if coupled && frame.spin == Vector::zeros() && frame.velocity != Vector::zeros() {
@@ -227,7 +237,7 @@ impl MeshScene {
 
     /// A free frame that cannot turn with the system.
     fn unable(&self, spin: &Spin, frames: &[FrameMotion]) -> Option<String> {
-        for frame in &self.free {
+        for frame in &self.frames.free {
             let (motion, name) = (&frames[frame.spec.frame], self.parts.frame_name(frame.spec.frame));
             let needed = spin.velocity.cross(&(motion.position - spin.point));
             if differs(needed, motion.velocity) {
@@ -249,7 +259,7 @@ impl MeshScene {
 
     /// A load that keeps its direction in a frame which turns relative to a body that it acts on.
     fn load_obstacle(&self, index: usize, t: f64, frames: &[FrameMotion]) -> Option<String> {
-        let load = &self.loads[index];
+        let load = &self.dead_loads.specs[index];
         let value = frames[load.frame].direction_to_inertial(self.parts.load(index, t).into());
         let acts_on = |body: usize| match load.kind {
             LoadKind::Gravity => true,
@@ -269,7 +279,7 @@ impl MeshScene {
                 spec.label()
             ));
         }
-        let mut pulled = self.free.iter().filter(|_| load.kind == LoadKind::Gravity);
+        let mut pulled = self.frames.free.iter().filter(|_| load.kind == LoadKind::Gravity);
         let frame = pulled.find(|frame| frame.has_rigid_parts() && turned(frame.spec.frame))?;
         let name = self.parts.frame_name(frame.spec.frame);
         Some(format!(

@@ -36,7 +36,8 @@ impl MeshScene {
     /// Whether the moved free frames can follow a displacement at the loaded state.
     pub(crate) fn follows(&self, displacement: &Displacement) -> bool {
         let turn = displacement.turn;
-        self.free
+        self.frames
+            .free
             .iter()
             .filter(|frame| displacement.moved[frame.spec.frame])
             .all(|frame| {
@@ -63,15 +64,15 @@ impl MeshScene {
         let is_looked_at = |is_timed: bool| displacement.later.is_none_or(|later| (later != 0.0) == is_timed);
         let later = t + A_WHILE;
         let touches = |scene: &Self, markers: &[usize]| {
-            let moved = |&marker: &usize| displacement.moved[scene.marker_frame(&scene.markers[marker])];
+            let moved = |&marker: &usize| displacement.moved[scene.marker_frame(&scene.links.markers[marker])];
             markers.iter().any(moved)
         };
-        let constraints: Vec<usize> = (0..self.constraints.len())
-            .filter(|&index| touches(self, self.constraints[index].spec.markers))
+        let constraints: Vec<usize> = (0..self.links.constraints.len())
+            .filter(|&index| touches(self, self.links.constraints[index].spec.markers))
             .filter(|&index| is_looked_at(self.constraining(index, t).values != self.constraining(index, later).values))
             .collect();
-        let forces: Vec<usize> = (0..self.forces.len())
-            .filter(|&index| touches(self, &self.forces[index].markers))
+        let forces: Vec<usize> = (0..self.links.forces.len())
+            .filter(|&index| touches(self, &self.links.forces[index].markers))
             .filter(|&index| is_looked_at(self.forcing(index, t).values != self.forcing(index, later).values))
             .collect();
         let look = |scene: &Self, t: f64| -> [Vec<Acting>; 2] {
@@ -88,7 +89,7 @@ impl MeshScene {
         let mut names = Vec::new();
         for (place, &index) in constraints.iter().enumerate() {
             if self.is_constraint_changed(displacement, &before[0][place], &after[0][place]) {
-                let spec = &self.constraints[index].spec;
+                let spec = &self.links.constraints[index].spec;
                 names.push(match spec.kind {
                     "constraint" => format!("constraint `{}`", spec.name),
                     kind => format!("joint `{}` ({kind})", spec.name),
@@ -97,7 +98,7 @@ impl MeshScene {
         }
         for (place, &index) in forces.iter().enumerate() {
             if self.is_force_changed(index, displacement, &before[1][place], &after[1][place]) {
-                names.push(format!("force `{}`", self.forces[index].name));
+                names.push(format!("force `{}`", self.links.forces[index].name));
             }
         }
         names.extend(self.changed_loads(t, displacement, &loads, &timed));
@@ -109,7 +110,7 @@ impl MeshScene {
     pub(crate) fn displace(&mut self, displacement: &Displacement) {
         let border = self.layout.vector_components();
         for index in (0..self.buffers.frames.len()).filter(|&index| displacement.moved[index]) {
-            let free = self.free_of[index].map(|free| &self.free[free]);
+            let free = self.frames.free_of[index].map(|free| &self.frames.free[free]);
             let turns = free.is_none_or(|frame| frame.count() > frame.shifts());
             let frame = &mut self.buffers.frames[index];
             if let Some(free) = free
@@ -124,7 +125,7 @@ impl MeshScene {
 
     /// Rows of a constraint, and their derivatives by all components.
     fn constraining(&self, index: usize, t: f64) -> Acting {
-        let linked = &self.constraints[index];
+        let linked = &self.links.constraints[index];
         let jets: Vec<[Vector; 4]> = self.of_markers(linked, |marker| self.jet(marker));
         let z: Vec<Vector> = jets.iter().map(|jet| jet[0]).collect();
         let mut values = vec![0.0; linked.spec.rows.len()];
@@ -153,13 +154,13 @@ impl MeshScene {
 
     fn of_markers<T>(&self, linked: &Linked, call: impl Fn(&Marker) -> T) -> Vec<T> {
         let markers = linked.spec.markers.iter();
-        markers.map(|&marker| call(&self.markers[marker])).collect()
+        markers.map(|&marker| call(&self.links.markers[marker])).collect()
     }
 
     /// A force on its markers, and its derivatives by their values and velocities.
     fn forcing(&self, index: usize, t: f64) -> Acting {
-        let markers = &self.forces[index].markers;
-        let jets = markers.iter().map(|&marker| self.jet(&self.markers[marker]));
+        let markers = &self.links.forces[index].markers;
+        let jets = markers.iter().map(|&marker| self.jet(&self.links.markers[marker]));
         let (z, velocity): (Vec<Vector>, Vec<Vector>) = jets.map(|jet| (jet[0], jet[1])).unzip();
         let count = 3 * z.len();
         let zeros = |count: usize| vec![0.0; count];
@@ -177,10 +178,10 @@ impl MeshScene {
         let back = matrix(&by.rotation().inverse());
         let border = self.layout.vector_components();
         let sized = |row: &[f64]| -> Vec<f64> {
-            let mut result = vec![0.0; self.sizes.len()];
+            let mut result = vec![0.0; self.tabulated.sizes.len()];
             for (component, value) in row.iter().enumerate() {
                 for (unknown, factor) in self.layout.unknowns_at(component) {
-                    result[unknown] += factor * value * self.sizes[unknown];
+                    result[unknown] += factor * value * self.tabulated.sizes[unknown];
                 }
             }
             result
@@ -200,7 +201,7 @@ impl MeshScene {
         }
         after.derivatives.iter().any(|row| {
             let mut row = row.clone();
-            for frame in self.free.iter().filter(|frame| by.moved[frame.spec.frame]) {
+            for frame in self.frames.free.iter().filter(|frame| by.moved[frame.spec.frame]) {
                 let first = border + frame.first;
                 let own = &mut row[first..first + frame.count()];
                 let (mut along, mut about) = (Vector::zeros(), Vector::zeros());
@@ -228,7 +229,11 @@ impl MeshScene {
     /// Whether a force or its derivatives change in displaced axes; forces on what is held do not count.
     fn is_force_changed(&self, index: usize, by: &Displacement, before: &Acting, after: &Acting) -> bool {
         let matrix = matrix(&by.rotation());
-        let markers: Vec<&Marker> = self.forces[index].markers.iter().map(|&m| &self.markers[m]).collect();
+        let markers: Vec<&Marker> = self.links.forces[index]
+            .markers
+            .iter()
+            .map(|&m| &self.links.markers[m])
+            .collect();
         let movable: Vec<bool> = markers
             .iter()
             .map(|marker| {
@@ -248,7 +253,11 @@ impl MeshScene {
         // What is 0 at the state, as of a spring without force, is round-off of its derivatives.
         let frames = self.buffers.frames.iter();
         let rate = frames.fold(1.0, |rate: f64, frame| rate.max(frame.spin.norm()));
-        let length = self.sizes.iter().fold(0.0, |length: f64, size| length.max(*size));
+        let length = self
+            .tabulated
+            .sizes
+            .iter()
+            .fold(0.0, |length: f64, size| length.max(*size));
         let stiffness = before
             .derivatives
             .iter()

@@ -81,7 +81,7 @@ impl MeshScene {
         let turning = at.speed() * spin.velocity;
         self.load_uniform(at, state);
         let border = self.layout.unknowns() - self.layout.border();
-        for frame in &self.free {
+        for frame in &self.frames.free {
             let motion = &self.buffers.frames[frame.spec.frame];
             let velocity = turning.cross(&(motion.position - spin.point));
             let acceleration = turning.cross(&velocity);
@@ -102,7 +102,7 @@ impl MeshScene {
             return Vec::new();
         }
         let border = self.layout.unknowns() - self.layout.border();
-        let frames = self.free.iter().map(|frame| {
+        let frames = self.frames.free.iter().map(|frame| {
             let within = self.buffers.frames[frame.spec.frame].direction_to_frame(turning);
             let k = frame.count();
             let product = |shifts: &dyn Fn(Vector) -> Vector, turns: &dyn Fn(Vector) -> Vector| -> Vec<f64> {
@@ -137,9 +137,9 @@ impl MeshScene {
     /// the prescribed frames since t = 0.
     pub(crate) fn guess(&self, at: &Uniform) -> State {
         let [q, v] = self.initial_shape();
-        let mut poses = vec![Pose::default(); self.free.len() + self.fixed.len()];
+        let mut poses = vec![Pose::default(); self.frames.free.len() + self.frames.fixed.len()];
         let carrier = self.carrier(at);
-        for frame in self.free.iter().chain(&self.fixed) {
+        for frame in self.frames.free.iter().chain(&self.frames.fixed) {
             let axis = angle_axis(frame.spec.motions).unwrap_or_default();
             poses[frame.place] = carrier.pose(&frame.start, axis);
         }
@@ -150,14 +150,14 @@ impl MeshScene {
     /// time of motions with different parameters are next to each other.
     pub(crate) fn carried_state(&mut self, at: &Uniform, state: &State, back: bool) -> State {
         let mut carrier = self.carrier(at);
-        if self.free.is_empty() || carrier.is_still() {
+        if self.frames.free.is_empty() || carrier.is_still() {
             return state.clone();
         }
         if back {
             carrier = carrier.inverse();
         }
         let FrameState { t, q, v, mut poses } = self.frame_state(state);
-        for frame in self.free.iter().chain(&self.fixed) {
+        for frame in self.frames.free.iter().chain(&self.frames.fixed) {
             let axis = angle_axis(frame.spec.motions).unwrap_or_default();
             poses[frame.place] = carrier.pose(&poses[frame.place], axis);
         }
@@ -187,7 +187,7 @@ impl MeshScene {
         }
         let turned = at.t * spin.velocity;
         let [before, after] = [0.0, at.t].map(|t| self.motions(t));
-        let prescribed = (0..before.len()).filter(|&frame| self.free_of[frame].is_none());
+        let prescribed = (0..before.len()).filter(|&frame| self.frames.free_of[frame].is_none());
         let rotation = |frame: &FrameMotion| from_matrix(&frame.rotation);
         for frame in prescribed {
             let (before, after) = (&before[frame], &after[frame]);

@@ -96,7 +96,7 @@ impl MeshScene {
         for index in 0..self.bodies.len() {
             self.body_energies(index, axis, &full, &mut energies);
         }
-        for free in 0..self.free.len() {
+        for free in 0..self.frames.free.len() {
             self.frame_energies(free, axis.map(|axis| (axis, spin.point)), &full, &mut energies);
         }
         energies
@@ -104,7 +104,7 @@ impl MeshScene {
 
     /// Shift (inertial axes) and turn (its own axes) of a free frame.
     fn moved(&self, free: usize, full: &[Vec<f64>; 2]) -> [Displaced; 2] {
-        let frame = &self.free[free];
+        let frame = &self.frames.free[free];
         let first = self.layout.vector_components() + frame.first;
         let sum = |part: usize, pick: fn(&Direction) -> Vector| {
             let own = &full[part][first..][..frame.count()];
@@ -123,7 +123,7 @@ impl MeshScene {
         let body = &self.bodies[index];
         let (mass, spec) = (&body.whole_mass, &body.spec);
         let frame = &self.buffers.frames[body.frame];
-        let moved = self.free_of[body.frame].map(|free| self.moved(free, full));
+        let moved = self.frames.free_of[body.frame].map(|free| self.moved(free, full));
         let [shift, turn] = moved.unwrap_or([[Vector::zeros(); 2]; 2]);
         let first = self.layout.offset(body.first_vector);
         let vector = |values: &[f64], place: usize| -> Vector {
@@ -222,7 +222,7 @@ impl MeshScene {
         full: &[Vec<f64>; 2],
         energies: &mut Energies,
     ) {
-        let frame = &self.free[free];
+        let frame = &self.frames.free[free];
         let (rigid, motion) = (&frame.spec.rigid, &self.buffers.frames[frame.spec.frame]);
         let has_inertia = rigid.inertia != Matrix::zeros();
         if rigid.mass == 0.0 && !has_inertia {

@@ -42,7 +42,7 @@ impl MeshScene {
         screws.retain(|(_, screw)| screw.size > RESTING * largest);
         screws.sort_by(|(_, a), (_, b)| b.size.total_cmp(&a.size));
         let Some((body, screw)) = screws.first() else {
-            let weighted = |unknown: usize| (motion[unknown] / self.sizes[unknown]).abs();
+            let weighted = |unknown: usize| (motion[unknown] / self.tabulated.sizes[unknown]).abs();
             let moved = (0..motion.len()).max_by(|&a, &b| weighted(a).total_cmp(&weighted(b)))?;
             return Some(format!("nothing holds {}", System::describe_unknown(self, moved)));
         };

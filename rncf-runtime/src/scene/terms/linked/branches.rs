@@ -10,8 +10,8 @@ const KINK: f64 = -1.0;
 impl MeshScene {
     /// Number of these angles, kinks and peaks.
     pub(crate) fn angles_read(&self) -> usize {
-        let of_forces: usize = self.forces.iter().map(|push| push.branches).sum();
-        let of_constraints: usize = self.constraints.iter().map(|linked| linked.spec.branches).sum();
+        let of_forces: usize = self.links.forces.iter().map(|push| push.branches).sum();
+        let of_constraints: usize = self.links.constraints.iter().map(|linked| linked.spec.branches).sum();
         of_forces + of_constraints
     }
 
@@ -24,7 +24,7 @@ impl MeshScene {
         self.load_state(state);
         let mut numbers = vec![[0.0; 4]; count];
         let mut rest = numbers.as_flattened_mut();
-        for (index, push) in self.forces.iter().enumerate() {
+        for (index, push) in self.links.forces.iter().enumerate() {
             if let (Law::Force(force), 1..) = (push.law, push.branches) {
                 let (z, velocity) = self.force_arguments(index);
                 let (own, others) = rest.split_at_mut(4 * push.branches);
@@ -32,7 +32,7 @@ impl MeshScene {
                 rest = others;
             }
         }
-        for linked in self.constraints.iter().filter(|linked| linked.spec.branches > 0) {
+        for linked in self.links.constraints.iter().filter(|linked| linked.spec.branches > 0) {
             let [z, _] = self.arguments(linked);
             let (own, others) = rest.split_at_mut(4 * linked.spec.branches);
             self.parts.marker_constraint_branches(linked.index, state.t, &z, own);
@@ -57,8 +57,9 @@ impl MeshScene {
 
     /// The force or constraint of a branch.
     pub(in crate::scene) fn law_of_branch(&self, index: usize) -> String {
-        let forces = self.forces.iter().map(|spec| (spec.branches, spec.name));
+        let forces = self.links.forces.iter().map(|spec| (spec.branches, spec.name));
         let constraints = self
+            .links
             .constraints
             .iter()
             .map(|linked| (linked.spec.branches, linked.spec.name));

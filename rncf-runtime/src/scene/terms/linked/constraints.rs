@@ -38,16 +38,16 @@ impl Constraint for Links {
     fn rows(&self, scene: &MeshScene) -> Vec<Vec<usize>> {
         let rows = |linked: &Linked| {
             let markers = linked.spec.markers.iter();
-            let components = markers.flat_map(|&marker| scene.marker_components(&scene.markers[marker]));
+            let components = markers.flat_map(|&marker| scene.marker_components(&scene.links.markers[marker]));
             vec![scene.unknowns_of(components); linked.spec.rows.len()]
         };
-        scene.constraints.iter().flat_map(rows).collect()
+        scene.links.constraints.iter().flat_map(rows).collect()
     }
 
     /// A constraint couples what one marker depends on, by its frame, and what markers depend on that it multiplies. Others
     /// meet in its multipliers alone: a row from end to end of a body leaves the matrix as narrow as it is.
     fn couple(&self, scene: &MeshScene, entries: &mut Vec<(usize, usize)>) {
-        for linked in &scene.constraints {
+        for linked in &scene.links.constraints {
             let markers = linked.spec.markers;
             for &marker in markers {
                 couple_all(&scene.unknowns_of_markers(&[marker]), entries);
@@ -59,7 +59,7 @@ impl Constraint for Links {
     }
 
     fn describe(&self, scene: &MeshScene, row: usize) -> String {
-        let links = scene.constraints.iter();
+        let links = scene.links.constraints.iter();
         let mut rows = links.flat_map(|linked| linked.spec.rows.iter().map(|row| (&linked.spec, row)));
         rows.nth(row).map_or(String::new(), |(spec, row)| {
             let owner = match spec.kind {
@@ -71,17 +71,17 @@ impl Constraint for Links {
     }
 
     fn is_curved(&self, scene: &MeshScene) -> bool {
-        !scene.constraints.is_empty()
+        !scene.links.constraints.is_empty()
     }
 
     fn values(&self, scene: &MeshScene, level: ConstraintLevel, t: f64, out: &mut [f64]) {
         let mut first = 0;
-        for linked in &scene.constraints {
+        for linked in &scene.links.constraints {
             let jets: Vec<[Vector; 4]> = linked
                 .spec
                 .markers
                 .iter()
-                .map(|&marker| scene.jet_from(&scene.markers[marker], linked.anchor))
+                .map(|&marker| scene.jet_from(&scene.links.markers[marker], linked.anchor))
                 .collect();
             let count = linked.spec.rows.len();
             let rows = &mut out[first..first + count];
@@ -92,7 +92,7 @@ impl Constraint for Links {
     }
 
     fn add_jacobian(&self, scene: &MeshScene, t: f64, mut first: usize, values: &mut [f64]) {
-        for linked in &scene.constraints {
+        for linked in &scene.links.constraints {
             let [z, _] = scene.arguments(linked);
             let gradient = scene.gradient(linked, t, &z);
             let width = 3 * z.len();
@@ -109,7 +109,7 @@ impl Constraint for Links {
     }
 
     fn add_rate_tangent(&self, scene: &MeshScene, t: f64, mut first: usize, values: &mut [f64]) {
-        for linked in &scene.constraints {
+        for linked in &scene.links.constraints {
             let [z, velocity] = scene.arguments(linked);
             let gradient = scene.gradient(linked, t, &z);
             let mut rates = vec![0.0; gradient.len()];
@@ -147,12 +147,12 @@ impl Constraint for Links {
 impl MeshScene {
     /// Unknowns that some markers depend on, ascending, each once.
     pub(super) fn unknowns_of_markers(&self, markers: &[usize]) -> Vec<usize> {
-        let markers = markers.iter().map(|&marker| &self.markers[marker]);
+        let markers = markers.iter().map(|&marker| &self.links.markers[marker]);
         self.unknowns_of(markers.flat_map(|marker| self.marker_components(marker)))
     }
 
     fn constraint_marker(&self, linked: &Linked, place: usize) -> &Marker {
-        &self.markers[linked.spec.markers[place]]
+        &self.links.markers[linked.spec.markers[place]]
     }
 
     /// Values of the markers of a constraint and of their velocities.
@@ -161,14 +161,16 @@ impl MeshScene {
             .spec
             .markers
             .iter()
-            .map(|&marker| self.jet_from(&self.markers[marker], linked.anchor));
+            .map(|&marker| self.jet_from(&self.links.markers[marker], linked.anchor));
         let (values, velocities) = jets.map(|jet| (jet[0], jet[1])).unzip();
         [values, velocities]
     }
 
     fn all_columns(&self, linked: &Linked) -> Vec<Vec<Column>> {
         let markers = linked.spec.markers.iter();
-        markers.map(|&marker| self.columns(&self.markers[marker])).collect()
+        markers
+            .map(|&marker| self.columns(&self.links.markers[marker]))
+            .collect()
     }
 
     /// dC/dz at the loaded state: rows x 3 k.
@@ -201,7 +203,7 @@ impl MeshScene {
     /// Adds `d(C_x^T lambda)/dx` of all constraints on markers.
     fn link_stiffness(&self, t: f64, lambda: &[f64], out: &mut impl Sums) {
         let mut first = self.first_linked();
-        for linked in &self.constraints {
+        for linked in &self.links.constraints {
             let rows = linked.spec.rows.len();
             let lambda = &lambda[first..first + rows];
             first += rows;
@@ -243,15 +245,15 @@ impl MeshScene {
     pub(crate) fn entries_of(&self, row: usize, column: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
         self.layout.unknowns_at(row).flat_map(move |(i, a)| {
             let columns = self.layout.unknowns_at(column);
-            columns.filter_map(move |(j, b)| Some((self.pattern.find(i, j)?, a * b)))
+            columns.filter_map(move |(j, b)| Some((self.tabulated.pattern.find(i, j)?, a * b)))
         })
     }
 
     /// Adds `C_x^T lambda` of all constraints on markers to the forces of all components.
     pub(crate) fn add_marker_constraint_forces(&mut self, t: f64, lambda: &[f64]) {
         let mut first = self.first_linked();
-        for index in 0..self.constraints.len() {
-            let linked = &self.constraints[index];
+        for index in 0..self.links.constraints.len() {
+            let linked = &self.links.constraints[index];
             let rows = linked.spec.rows.len();
             let [z, _] = self.arguments(linked);
             let pulls = self.pulls(linked, t, &z, &lambda[first..first + rows]);
@@ -268,7 +270,7 @@ impl MeshScene {
     /// Calls with every marker of a constraint and what the constraint exerts on it, inertial axes.
     pub(super) fn each_constraint_force(&self, t: f64, lambda: &[f64], mut call: impl FnMut(&Marker, Vector)) {
         let mut first = self.first_linked();
-        for linked in &self.constraints {
+        for linked in &self.links.constraints {
             let rows = linked.spec.rows.len();
             let [z, _] = self.arguments(linked);
             let pulls = self.pulls(linked, t, &z, &lambda[first..first + rows]);
@@ -281,14 +283,16 @@ impl MeshScene {
 
     /// First row of a constraint on markers among all constraints.
     pub(crate) fn first_row(&self, position: usize) -> usize {
-        let before = self.constraints[..position].iter().map(|linked| linked.spec.rows.len());
+        let before = self.links.constraints[..position]
+            .iter()
+            .map(|linked| linked.spec.rows.len());
         self.first_linked() + before.sum::<usize>()
     }
 
     /// Force and moment (inertial axes) of a constraint on its first party at the loaded state; the
     /// moment is about the first point among its markers there.
     pub(crate) fn constraint_reaction(&self, position: usize, t: f64, lambda: &[f64]) -> [Vector; 2] {
-        let linked = &self.constraints[position];
+        let linked = &self.links.constraints[position];
         let first = self.first_row(position);
         let [z, _] = self.arguments(linked);
         let pulls = self.pulls(linked, t, &z, &lambda[first..first + linked.spec.rows.len()]);
@@ -308,7 +312,7 @@ impl MeshScene {
                 }
                 Marker::Turn { .. } | Marker::SectionTurn { .. } => pull,
                 Marker::Angle { free } => {
-                    let frame = &self.free[*free];
+                    let frame = &self.frames.free[*free];
                     let turn = frame.directions[frame.angle().unwrap_or(0)].turn;
                     let motion = &self.buffers.frames[frame.spec.frame];
                     pull[0] * motion.direction_to_inertial(turn)

@@ -19,11 +19,15 @@ pub(crate) struct Pushes;
 impl Force for Pushes {
     fn couple(&self, scene: &MeshScene, entries: &mut Vec<(usize, usize)>) {
         // What acts at points of an element or a frame couples what they couple anyway.
-        let declared = scene.forces.iter().filter(|force| matches!(force.law, Law::Force(_)));
+        let declared = scene
+            .links
+            .forces
+            .iter()
+            .filter(|force| matches!(force.law, Law::Force(_)));
         let declared = declared.map(|force| scene.unknowns_of_markers(&force.markers));
-        let marked = scene.marked_loads.iter().map(|marked| {
+        let marked = scene.links.marked_loads.iter().map(|marked| {
             let turn = Marker::Turn {
-                frame: scene.loads[marked.load].frame,
+                frame: scene.dead_loads.specs[marked.load].frame,
             };
             let markers = marked.markers.iter().chain([&turn]);
             scene.unknowns_of(markers.flat_map(|marker| scene.marker_components(marker)))
@@ -48,8 +52,8 @@ impl MeshScene {
     /// Adds the forces on markers (to the left side, where they are negative) at the loaded state.
     fn add_marker_forces(&mut self, t: f64, load_scale: f64) {
         self.add_spread_forces(t, load_scale);
-        for index in 0..self.forces.len() {
-            let spec = &self.forces[index];
+        for index in 0..self.links.forces.len() {
+            let spec = &self.links.forces[index];
             if spec.element.is_some() {
                 continue;
             }
@@ -58,16 +62,16 @@ impl MeshScene {
             self.push(index, t, &z, &velocity, &mut forces);
             self.apply_part(index, load_scale, &mut forces);
             for (place, &marker) in spec.markers.iter().enumerate() {
-                let columns = self.columns(&self.markers[marker]);
+                let columns = self.columns(&self.links.markers[marker]);
                 for column in columns {
                     self.buffers.force[column.component] -= part(&forces, place).dot(&column.value);
                 }
             }
         }
-        for index in 0..self.marked_loads.len() {
+        for index in 0..self.links.marked_loads.len() {
             let forces = self.on_markers(index, self.marked_value(index, t, load_scale));
             for (place, force) in forces.into_iter().enumerate() {
-                let marker = &self.marked_loads[index].markers[place];
+                let marker = &self.links.marked_loads[index].markers[place];
                 let force = self.buffers.frames[self.marker_frame(marker)].direction_to_inertial(force);
                 for column in self.columns(marker) {
                     self.buffers.force[column.component] -= force.dot(&column.value);
@@ -86,6 +90,7 @@ impl MeshScene {
         mut call: impl FnMut(&Marker, Vector),
     ) {
         let at_places = self
+            .links
             .forces
             .iter()
             .enumerate()
@@ -96,10 +101,10 @@ impl MeshScene {
             self.push(index, t, &z, &velocity, &mut forces);
             self.apply_part(index, load_scale, &mut forces);
             for (place, &marker) in spec.markers.iter().enumerate() {
-                call(&self.markers[marker], part(&forces, place));
+                call(&self.links.markers[marker], part(&forces, place));
             }
         }
-        for (index, marked) in self.marked_loads.iter().enumerate() {
+        for (index, marked) in self.links.marked_loads.iter().enumerate() {
             let forces = self.on_markers(index, self.marked_value(index, t, load_scale));
             for (marker, force) in marked.markers.iter().zip(forces) {
                 call(marker, self.marked_frame(index).direction_to_inertial(force));
@@ -117,16 +122,16 @@ impl MeshScene {
 
     /// Values and velocities of the markers of a force; points from its anchor.
     pub(crate) fn force_arguments(&self, index: usize) -> (Vec<Vector>, Vec<Vector>) {
-        let anchor = self.force_anchors.get(index).copied().flatten();
-        let markers = self.forces[index].markers.iter();
-        let jets = markers.map(|&marker| self.jet_from(&self.markers[marker], anchor));
+        let anchor = self.links.anchors.get(index).copied().flatten();
+        let markers = self.links.forces[index].markers.iter();
+        let jets = markers.map(|&marker| self.jet_from(&self.links.markers[marker], anchor));
         jets.map(|jet| (jet[0], jet[1])).unzip()
     }
 
     /// Adds the derivatives of the forces on markers at the loaded state.
     fn add_marker_force_tangents(&self, t: f64, load_scale: f64, out: &mut impl Sums) {
         self.add_spread_tangents(t, load_scale, out);
-        for (index, spec) in self.forces.iter().enumerate() {
+        for (index, spec) in self.links.forces.iter().enumerate() {
             if self.is_added_by_element(index) {
                 continue;
             }
@@ -142,12 +147,12 @@ impl MeshScene {
             let columns: Vec<Vec<Column>> = spec
                 .markers
                 .iter()
-                .map(|&marker| self.columns(&self.markers[marker]))
+                .map(|&marker| self.columns(&self.links.markers[marker]))
                 .collect();
             for m in 0..count {
-                let frame = self.marker_frame(&self.markers[spec.markers[m]]);
+                let frame = self.marker_frame(&self.links.markers[spec.markers[m]]);
                 let force = self.buffers.frames[frame].direction_to_frame(part(&forces, m));
-                let curvature = self.curvature(&self.markers[spec.markers[m]], force);
+                let curvature = self.curvature(&self.links.markers[spec.markers[m]], force);
                 for i in &columns[m] {
                     for (n, others) in columns.iter().enumerate() {
                         for j in others {
@@ -166,30 +171,30 @@ impl MeshScene {
                 }
             }
         }
-        for index in 0..self.marked_loads.len() {
+        for index in 0..self.links.marked_loads.len() {
             self.add_marked_tangent(index, t, load_scale, out);
         }
     }
 
     /// Frame of the body that a marked load acts on.
     fn marked_frame(&self, index: usize) -> &FrameMotion {
-        let marker = &self.marked_loads[index].markers[0];
+        let marker = &self.links.marked_loads[index].markers[0];
         &self.buffers.frames[self.marker_frame(marker)]
     }
 
     /// Components of a marked load in the axes of its body's frame.
     fn marked_value(&self, index: usize, t: f64, load_scale: f64) -> Vector {
-        let marked = &self.marked_loads[index];
+        let marked = &self.links.marked_loads[index];
         let load = load_scale * Vector::from(self.parts.load(marked.load, t));
-        let inertial = self.buffers.frames[self.loads[marked.load].frame].direction_to_inertial(load);
+        let inertial = self.buffers.frames[self.dead_loads.specs[marked.load].frame].direction_to_inertial(load);
         self.marked_frame(index).direction_to_frame(inertial)
     }
 
     /// Place and axes of the body that a marked moment acts on; `None` for forces.
     fn marked_moment(&self, index: usize) -> Option<(&MeshPoint, &'static [usize])> {
-        let marked = &self.marked_loads[index];
-        let point = self.load_points[marked.load].as_ref()?;
-        let LoadKind::Moment { .. } = self.loads[marked.load].kind else {
+        let marked = &self.links.marked_loads[index];
+        let point = self.dead_loads.points[marked.load].as_ref()?;
+        let LoadKind::Moment { .. } = self.dead_loads.specs[marked.load].kind else {
             return None;
         };
         Some((point, self.bodies[point.body].spec.axes))
@@ -202,7 +207,7 @@ impl MeshScene {
             return vec![value];
         };
         let forces = self.moment_at(point, moment_in(axes, value));
-        let count = self.marked_loads[index].markers.len();
+        let count = self.links.marked_loads[index].markers.len();
         let vector = |part: &[f64]| {
             let mut force = Vector::zeros();
             for (value, &axis) in part.iter().zip(axes) {
@@ -215,7 +220,7 @@ impl MeshScene {
 
     /// Derivatives of those forces with respect to the markers, frame axes; the forces are objective.
     fn by_markers(&self, index: usize, value: Vector) -> Vec<Vec<Matrix>> {
-        let count = self.marked_loads[index].markers.len();
+        let count = self.links.marked_loads[index].markers.len();
         let mut blocks = vec![vec![Matrix::zeros(); count]; count];
         let Some((point, axes)) = self.marked_moment(index) else {
             return blocks;
@@ -235,14 +240,14 @@ impl MeshScene {
     }
 
     fn add_marked_tangent(&self, index: usize, t: f64, load_scale: f64, out: &mut impl Sums) {
-        let marked = &self.marked_loads[index];
+        let marked = &self.links.marked_loads[index];
         let frame = self.marked_frame(index);
         let value = self.marked_value(index, t, load_scale);
         let (forces, blocks) = (self.on_markers(index, value), self.by_markers(index, value));
         let columns: Vec<Vec<Column>> = marked.markers.iter().map(|marker| self.columns(marker)).collect();
-        let load_frame = self.loads[marked.load].frame;
+        let load_frame = self.dead_loads.specs[marked.load].frame;
         let load = load_scale * Vector::from(self.parts.load(marked.load, t));
-        let turns = match self.free_of[load_frame] {
+        let turns = match self.frames.free_of[load_frame] {
             Some(_) => self.columns(&Marker::Turn { frame: load_frame }),
             None => Vec::new(),
         };
@@ -281,7 +286,7 @@ impl MeshScene {
     /// Potential of the conservative forces on markers, J; `None` where one is not conservative.
     pub(crate) fn marker_energy(&self, t: f64) -> Option<f64> {
         let mut energy = 0.0;
-        for (index, spec) in self.forces.iter().enumerate() {
+        for (index, spec) in self.links.forces.iter().enumerate() {
             if !spec.conservative {
                 return None;
             }

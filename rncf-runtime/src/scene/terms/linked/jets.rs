@@ -88,7 +88,7 @@ impl MeshScene {
             Marker::Body { point, .. } | Marker::Section { point, .. } | Marker::SectionTurn { point } => {
                 self.bodies[point.body].frame
             }
-            Marker::Angle { free } => self.free[*free].spec.frame,
+            Marker::Angle { free } => self.frames.free[*free].spec.frame,
         }
     }
 
@@ -196,8 +196,8 @@ impl MeshScene {
         let motion = &self.buffers.frames[frame];
         let [mut position, mut velocity] = [motion.position, motion.velocity];
         if let Some(anchor) = anchor {
-            let (base, t) = (&self.free[anchor], self.buffers.t);
-            [position, velocity] = match self.free_of[frame].map(|free| &self.free[free]) {
+            let (base, t) = (&self.frames.free[anchor], self.buffers.t);
+            [position, velocity] = match self.frames.free_of[frame].map(|free| &self.frames.free[free]) {
                 Some(free) if free.shifts() > 0 => {
                     let first = self.layout.vector_components() + free.first;
                     let own = first..first + free.count();
@@ -242,7 +242,7 @@ impl MeshScene {
 
     /// Component of the angle of a free frame; frames without one are refused when markers are made.
     fn angle_component(&self, free: usize) -> usize {
-        let frame = &self.free[free];
+        let frame = &self.frames.free[free];
         self.layout.vector_components() + frame.first + frame.angle().unwrap_or(0)
     }
 
@@ -252,9 +252,9 @@ impl MeshScene {
             return vec![self.angle_component(*free)];
         }
         let mut components = Vec::new();
-        if let Some(free) = self.free_of[self.marker_frame(marker)] {
-            let first = self.layout.vector_components() + self.free[free].first;
-            components.extend(first..first + self.free[free].count());
+        if let Some(free) = self.frames.free_of[self.marker_frame(marker)] {
+            let first = self.layout.vector_components() + self.frames.free[free].first;
+            components.extend(first..first + self.frames.free[free].count());
         }
         if let Marker::Body { point, .. } | Marker::Section { point, .. } | Marker::SectionTurn { point } = marker {
             components.extend(self.bodies[point.body].connectivity.element(point.element));
@@ -282,9 +282,9 @@ impl MeshScene {
         } else {
             rate + frame.spin.cross(&p)
         };
-        if let Some(free) = self.free_of[at] {
-            let first = self.layout.vector_components() + self.free[free].first;
-            for (place, direction) in self.free[free].directions.iter().enumerate() {
+        if let Some(free) = self.frames.free_of[at] {
+            let first = self.layout.vector_components() + self.frames.free[free].first;
+            for (place, direction) in self.frames.free[free].directions.iter().enumerate() {
                 let turn = direction.turn;
                 let turned = if is_turn { turn } else { turn.cross(&p) };
                 let mut value = frame.rotation * turned;

@@ -8,13 +8,13 @@ impl MeshScene {
     /// Round-off of all links at the loaded state, in their units.
     pub(super) fn link_noise(&self, t: f64, out: &mut [f64]) {
         let mut first = 0;
-        for linked in &self.constraints {
+        for linked in &self.links.constraints {
             let gradient = self.gradient_of(linked, t);
             let terms: Vec<f64> = linked
                 .spec
                 .markers
                 .iter()
-                .map(|&marker| self.marker_terms(linked, &self.markers[marker]))
+                .map(|&marker| self.marker_terms(linked, &self.links.markers[marker]))
                 .collect();
             let rows = gradient.chunks_exact(3 * terms.len());
             for (out, row) in out[first..].iter_mut().zip(rows) {
@@ -32,9 +32,9 @@ impl MeshScene {
             return own;
         }
         let frame = self.marker_frame(marker);
-        let anchor = linked.anchor.map(|anchor| &self.free[anchor]);
+        let anchor = linked.anchor.map(|anchor| &self.frames.free[anchor]);
         let t = self.buffers.t;
-        let origin = match self.free_of[frame].map(|free| &self.free[free]) {
+        let origin = match self.frames.free_of[frame].map(|free| &self.frames.free[free]) {
             Some(free) if free.shifts() > 0 => {
                 let first = self.layout.vector_components() + free.first;
                 free.terms(anchor, t, &self.buffers.q[first..])

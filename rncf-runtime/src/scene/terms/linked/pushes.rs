@@ -19,7 +19,7 @@ struct Local {
 impl MeshScene {
     /// Forces on the markers of a force, 3 k numbers.
     pub(crate) fn push(&self, index: usize, t: f64, z: &[Vector], velocity: &[Vector], out: &mut [f64]) {
-        match self.forces[index].law {
+        match self.links.forces[index].law {
             Law::Force(force) => self.parts.marker_force(force, t, z, velocity, out),
             Law::Distributed { load, at, weight } => {
                 self.parts.distributed_force(load, t, at, z, velocity, out);
@@ -41,7 +41,7 @@ impl MeshScene {
         velocity: &[Vector],
         [by_value, by_velocity]: [&mut [f64]; 2],
     ) {
-        match self.forces[index].law {
+        match self.links.forces[index].law {
             Law::Force(force) => self
                 .parts
                 .marker_force_tangent(force, t, z, velocity, by_value, by_velocity),
@@ -65,7 +65,7 @@ impl MeshScene {
 
     /// Whether a force on markers is a load, which equilibria apply in parts.
     pub(crate) fn is_load(&self, index: usize) -> bool {
-        match self.forces[index].law {
+        match self.links.forces[index].law {
             Law::Force(force) => self.parts.is_load(force),
             Law::Distributed { .. } | Law::Gravity { .. } => true,
         }
@@ -82,8 +82,8 @@ impl MeshScene {
 
     /// The places of a spread force on its element.
     fn spread_places(&self, index: usize) -> impl Iterator<Item = (&MeshPoint, PlaceVector)> {
-        let markers = self.forces[index].markers.iter();
-        markers.filter_map(|&marker| match &self.markers[marker] {
+        let markers = self.links.forces[index].markers.iter();
+        markers.filter_map(|&marker| match &self.links.markers[marker] {
             Marker::Body { point, of } => Some((point, *of)),
             _ => None,
         })
@@ -138,14 +138,14 @@ impl MeshScene {
 
     /// Adds what is spread over elements to the forces (to the left side, where it is negative).
     pub(crate) fn add_spread_forces(&mut self, t: f64, load_scale: f64) {
-        for at in 0..self.spread.len() {
-            let (local, on_frame) = self.spread_force(&self.spread[at], t);
-            let spread = &self.spread[at];
+        for at in 0..self.links.spread.len() {
+            let (local, on_frame) = self.spread_force(&self.links.spread[at], t);
+            let spread = &self.links.spread[at];
             let body = &self.bodies[spread.body];
             for (&component, value) in body.connectivity.element(spread.element).iter().zip(local) {
                 self.buffers.force[component] -= load_scale * value;
             }
-            if let Some(free) = self.free_of[body.frame] {
+            if let Some(free) = self.frames.free_of[body.frame] {
                 self.add_to_unknowns(free, on_frame.map(|row| -load_scale * row));
             }
         }
@@ -155,9 +155,10 @@ impl MeshScene {
     pub(crate) fn spread_on(&self, body: usize, element: usize) -> [f64; MAX_SIZE] {
         let mut sum = [0.0; MAX_SIZE];
         let first = self
+            .links
             .spread
             .partition_point(|spread| (spread.body, spread.element) < (body, element));
-        let own = self.spread[first..].iter();
+        let own = self.links.spread[first..].iter();
         for spread in own.take_while(|spread| (spread.body, spread.element) == (body, element)) {
             let (local, _) = self.spread_force(spread, self.buffers.t);
             sum.iter_mut().zip(local).for_each(|(sum, value)| *sum += value);
@@ -167,8 +168,8 @@ impl MeshScene {
 
     /// Whether the derivatives of a force are added with those of its element: not where a free frame feels it, too.
     pub(crate) fn is_added_by_element(&self, index: usize) -> bool {
-        let body = self.forces[index].element.map(|(body, _)| &self.bodies[body]);
-        body.is_some_and(|body| self.free_of[body.frame].is_none())
+        let body = self.links.forces[index].element.map(|(body, _)| &self.bodies[body]);
+        body.is_some_and(|body| self.frames.free_of[body.frame].is_none())
     }
 
     /// Adds the derivatives of what is spread over elements of bodies whose frames are prescribed.
@@ -177,9 +178,9 @@ impl MeshScene {
             stiffness: Vec::new(),
             damping: Vec::new(),
         };
-        for spread in &self.spread {
+        for spread in &self.links.spread {
             let body = &self.bodies[spread.body];
-            if self.free_of[body.frame].is_some() {
+            if self.frames.free_of[body.frame].is_some() {
                 continue;
             }
             let size = body.spec.element_size();

@@ -134,27 +134,27 @@ impl MeshScene {
     /// The free frames near which constraints and forces of differences are evaluated: where a scene is far from the
     /// origin, so that differences of its places would lose digits. Sizes must be known.
     pub(crate) fn find_anchors(&mut self) {
-        let length = self.sizes.iter().copied().fold(0.0, f64::max);
+        let length = self.tabulated.sizes.iter().copied().fold(0.0, f64::max);
         let of_constraint = |linked: &Linked| {
             let anchor = self.anchor(linked.spec.markers)?;
             let markers: Vec<&Marker> = linked
                 .spec
                 .markers
                 .iter()
-                .map(|&marker| &self.markers[marker])
+                .map(|&marker| &self.links.markers[marker])
                 .collect();
             let constraint = (linked.index, linked.spec.rows.len());
             constraint_is_of_differences(&*self.parts, constraint, &markers, length).then_some(anchor)
         };
-        let anchors: Vec<Option<usize>> = self.constraints.iter().map(of_constraint).collect();
+        let anchors: Vec<Option<usize>> = self.links.constraints.iter().map(of_constraint).collect();
         let of_force = |spec: &Push| {
             let Law::Force(index) = spec.law else { return None };
             let anchor = self.anchor(&spec.markers)?;
-            let markers: Vec<&Marker> = spec.markers.iter().map(|&marker| &self.markers[marker]).collect();
+            let markers: Vec<&Marker> = spec.markers.iter().map(|&marker| &self.links.markers[marker]).collect();
             force_is_of_differences(&*self.parts, index, &markers, length).then_some(anchor)
         };
-        self.force_anchors = self.forces.iter().map(of_force).collect();
-        for (linked, anchor) in self.constraints.iter_mut().zip(anchors) {
+        self.links.anchors = self.links.forces.iter().map(of_force).collect();
+        for (linked, anchor) in self.links.constraints.iter_mut().zip(anchors) {
             linked.anchor = anchor;
         }
     }
@@ -164,11 +164,11 @@ impl MeshScene {
         let border = self.layout.unknowns() - self.layout.border();
         let points = markers
             .iter()
-            .map(|&marker| &self.markers[marker])
+            .map(|&marker| &self.links.markers[marker])
             .filter(|marker| marker.is_point());
-        let mut frames = points.filter_map(|marker| self.free_of[self.marker_frame(marker)]);
-        let free = frames.find(|&free| self.free[free].shifts() > 0)?;
-        let frame = &self.free[free];
-        (frame.start.position.norm() > FAR * self.sizes[border + frame.first]).then_some(free)
+        let mut frames = points.filter_map(|marker| self.frames.free_of[self.marker_frame(marker)]);
+        let free = frames.find(|&free| self.frames.free[free].shifts() > 0)?;
+        let frame = &self.frames.free[free];
+        (frame.start.position.norm() > FAR * self.tabulated.sizes[border + frame.first]).then_some(free)
     }
 }

@@ -79,7 +79,7 @@ impl MeshScene {
             if let MarkerSpec::Matching { frame, .. } | MarkerSpec::Normal { frame, .. } = specs[index] {
                 let value = self.initial(&specs, index, 0)?;
                 let motion = &self.buffers.frames[frame];
-                let is_point = self.markers[index].is_point();
+                let is_point = self.links.markers[index].is_point();
                 let at = if is_point {
                     motion.point_to_frame(value)
                 } else {
@@ -88,12 +88,12 @@ impl MeshScene {
                 if is_point {
                     self.check_point_mass(index, frame, at)?;
                 }
-                self.markers[index] = Marker::Fixed { frame, at, is_point };
+                self.links.markers[index] = Marker::Fixed { frame, at, is_point };
             } else if let MarkerSpec::InSection { body, at, .. } = specs[index] {
                 let direction = self.initial(&specs, index, 0)?;
                 let point = self.point(body, at, USER)?;
                 let along = self.in_section(&point, direction)?;
-                self.markers[index] = Marker::Section { point, along };
+                self.links.markers[index] = Marker::Section { point, along };
             }
         }
         Ok(())
@@ -101,7 +101,7 @@ impl MeshScene {
 
     /// A joint whose other place is elsewhere at t = 0 would hold a point mass in the air.
     fn check_point_mass(&self, index: usize, frame: usize, at: Vector) -> Result<(), ModelError> {
-        let free = self.free_of[frame].map(|free| &self.free[free]);
+        let free = self.frames.free_of[frame].map(|free| &self.frames.free[free]);
         let is_mass =
             |free: &&FreeFrame| matches!(free.spec.motions, Motions::Shifting | Motions::ShiftingPlanar { .. });
         let distance = at.norm();
@@ -111,6 +111,7 @@ impl MeshScene {
             return Ok(());
         }
         let user = self
+            .links
             .constraints
             .iter()
             .find(|linked| linked.spec.markers.contains(&index));
@@ -145,7 +146,7 @@ impl MeshScene {
         match specs[index] {
             MarkerSpec::Matching { frame, marker } => {
                 let value = self.initial(specs, marker, depth + 1)?;
-                if self.markers[index].is_point() {
+                if self.links.markers[index].is_point() {
                     Ok(value)
                 } else {
                     unit(value, frame)
@@ -163,7 +164,7 @@ impl MeshScene {
             MarkerSpec::InSection { body, marker, .. } => {
                 unit(self.initial(specs, marker, depth + 1)?, self.bodies[body].spec.frame)
             }
-            _ => Ok(self.jet(&self.markers[index])[0]),
+            _ => Ok(self.jet(&self.links.markers[index])[0]),
         }
     }
 
@@ -188,8 +189,8 @@ impl MeshScene {
     fn plane_normal(&self, specs: &[MarkerSpec], frame: usize, marker: usize) -> Option<Vector> {
         let unit = |axis: usize| Vector::ith(axis, 1.0);
         let of_frame = |frame: usize| {
-            self.free_of[frame]
-                .and_then(|free| normal_of(self.free[free].spec.motions))
+            self.frames.free_of[frame]
+                .and_then(|free| normal_of(self.frames.free[free].spec.motions))
                 .map(unit)
         };
         let other = match specs[marker] {

@@ -20,11 +20,11 @@ impl MeshScene {
     /// Puts points into one place that are apart by a round-off: a direction between them would be one of round-off, too.
     fn merge_points(&self, markers: &[usize], z: &mut [Vector]) {
         let points: Vec<usize> = (0..z.len())
-            .filter(|&place| self.markers[markers[place]].is_point())
+            .filter(|&place| self.links.markers[markers[place]].is_point())
             .collect();
         let at: Vec<Vector> = markers
             .iter()
-            .map(|&marker| self.jet(&self.markers[marker])[0])
+            .map(|&marker| self.jet(&self.links.markers[marker])[0])
             .collect();
         let coordinates = points.iter().map(|&place| at[place].norm()).fold(0.0, f64::max);
         for (index, &place) in points.iter().enumerate() {
@@ -40,7 +40,7 @@ impl MeshScene {
         let markers = linked.spec.markers;
         let mut z: Vec<Vector> = markers
             .iter()
-            .map(|&marker| self.jet_from(&self.markers[marker], linked.anchor)[0])
+            .map(|&marker| self.jet_from(&self.links.markers[marker], linked.anchor)[0])
             .collect();
         self.merge_points(markers, &mut z);
         let mut gradient = vec![0.0; linked.spec.rows.len() * 3 * z.len()];
@@ -58,7 +58,7 @@ impl MeshScene {
     }
 
     fn undefined_frame(&self) -> Option<String> {
-        let prescribed = |frame: &usize| self.free_of[*frame].is_none();
+        let prescribed = |frame: &usize| self.frames.free_of[*frame].is_none();
         let frame = (0..self.buffers.frames.len())
             .filter(prescribed)
             .find(|&frame| !self.buffers.frames[frame].is_finite())?;
@@ -69,16 +69,16 @@ impl MeshScene {
     }
 
     fn undefined_load(&self, t: f64) -> Option<String> {
-        let load = (0..self.loads.len()).find(|&load| !finite(&self.parts.load(load, t)))?;
+        let load = (0..self.dead_loads.specs.len()).find(|&load| !finite(&self.parts.load(load, t)))?;
         Some(format!(
             "load `{}` is not finite: check its functions of time and its parameters",
-            self.loads[load].name
+            self.dead_loads.specs[load].name
         ))
     }
 
     fn undefined_constraint(&self, t: f64) -> Option<String> {
         let mut first = self.first_linked();
-        for linked in &self.constraints {
+        for linked in &self.links.constraints {
             let count = linked.spec.rows.len();
             let gradient = self.gradient_where_points_meet(linked, t);
             let width = gradient.len() / count.max(1);
@@ -94,7 +94,7 @@ impl MeshScene {
     }
 
     fn undefined_force(&self, t: f64) -> Option<String> {
-        for (index, spec) in self.forces.iter().enumerate() {
+        for (index, spec) in self.links.forces.iter().enumerate() {
             let (mut z, velocity) = self.force_arguments(index);
             self.merge_points(&spec.markers, &mut z);
             let mut forces = vec![0.0; 3 * z.len()];

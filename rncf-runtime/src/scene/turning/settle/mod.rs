@@ -71,7 +71,7 @@ impl MeshScene {
             [first, second] => Some(3 - first - second),
             _ => None,
         });
-        let free = self.free.iter().chain(&self.fixed);
+        let free = self.frames.free.iter().chain(&self.frames.fixed);
         let frames = free.filter(|frame| frame.spec.frame == start.frame);
         let frames = frames.filter_map(|frame| match frame.spec.motions {
             Motions::Planar { normal } | Motions::ShiftingPlanar { normal } => Some(normal),
@@ -112,7 +112,7 @@ impl MeshScene {
             ));
         }
         let bodies_of = |markers: &[usize]| {
-            let mut bodies = markers.iter().filter_map(|&marker| match &self.markers[marker] {
+            let mut bodies = markers.iter().filter_map(|&marker| match &self.links.markers[marker] {
                 Marker::Body { point, .. } | Marker::Section { point, .. } | Marker::SectionTurn { point } => {
                     Some(point.body)
                 }
@@ -120,10 +120,10 @@ impl MeshScene {
             });
             bodies.find(|&body| lives(body))
         };
-        let constraints = self.constraints.iter();
+        let constraints = self.links.constraints.iter();
         let constraints = constraints.filter(|linked| linked.spec.when == When::Always);
         let constraints = constraints.map(|linked| (linked.spec.name, linked.spec.markers));
-        let forces = self.forces.iter().enumerate();
+        let forces = self.links.forces.iter().enumerate();
         let forces = forces.filter(|&(index, _)| !self.is_load(index));
         let forces = forces.map(|(_, force)| (force.name, &force.markers[..]));
         for (name, markers) in constraints.chain(forces) {
