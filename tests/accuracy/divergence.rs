@@ -1,6 +1,6 @@
 //! Equilibria that are lost, beside those that only seem to be: forces that come from no energy, and what turns.
 
-use rncf::app::{EquilibriumSettings, Judging, Range, campbell, modes, steady};
+use rncf::app::{EquilibriumSettings, Judging, Range, campbell, modes, static_equilibria, steady};
 
 rncf::model! {
     /// A mass on springs whose push aside grows with its height: the stiffness `[[3 k, q], [0, k - q]]` is singular at q = k, its symmetric
@@ -40,6 +40,18 @@ rncf::model! {
     }
 }
 
+rncf::model! {
+    /// A rigid column of 1 m on a spring of 100 N m: it tips under 100 N.
+    pub model Column {
+        param load = 1 N;
+        rigid rod { mass = 1 kg; inertia = [0.02, 0.02, 1e-5] kg*m^2; }
+        joint hinge = revolute(inertial.at([0, 0, 0] m), rod.at([0, 0, 0] m), axis = y);
+        spring coil = torsional(hinge, stiffness = 100 N*m);
+        load push = force(rod.at([0, 0, 1] m), [0, 0, -load]);
+        output angle = hinge.angle;
+    }
+}
+
 fn over(param: usize, to: f64, steps: u32) -> EquilibriumSettings {
     EquilibriumSettings {
         range: Some(Range { param, from: 0.0, to }),
@@ -63,6 +75,23 @@ fn forces_without_energy_are_not_left_out_of_critical_values() {
     let flutter = 20.05 * bending / 1e3;
     let first = found.keys[unstable.expect("flutter")];
     assert!((0.0..0.25).contains(&(first - flutter)), "{first} for {flutter}");
+}
+
+/// A step of the way that lies on a critical value hid it: at rest a mode that is still there was taken for one without any stiffness.
+#[test]
+fn a_critical_value_on_a_step_is_found() {
+    for steps in [30, 31] {
+        let found = campbell(&Pushed::default(), &over(0, 150.0, steps)).unwrap();
+        let [critical] = found.critical[..] else {
+            panic!("{steps} steps: {:?}", found.critical)
+        };
+        assert!((critical.value - 100.0).abs() < 1e-4, "{critical:?}");
+        let found = static_equilibria(&Column::default(), &over(0, 150.0, steps)).unwrap();
+        let [critical] = found.critical[..] else {
+            panic!("{steps} steps: {:?}", found.critical)
+        };
+        assert!((critical.value - 100.0).abs() < 1e-4, "{critical:?}");
+    }
 }
 
 /// Where nothing couples, what grows has the rate that the diagonal tells: the inverse about it was singular, and no mode was found.

@@ -35,8 +35,10 @@ pub(in crate::app) struct Tracker {
     is_shown: Vec<bool>,
     /// What the meshes of the bodies make of each track.
     mesh_errors: Vec<Judged>,
-    /// Negative directions of the stiffness at the last step.
-    measured: Option<Measured>,
+    /// Negative directions of the stiffness at the last step where they are known, and that step.
+    measured: Option<(Measured, Found)>,
+    /// Whether they are not known at the last step alone.
+    is_skipped: bool,
     /// Whether nothing turned and circulatory forces acted at a step, so that parities of these directions are compared from there on.
     diverges: bool,
 }
@@ -267,8 +269,16 @@ impl Tracker {
 
     /// The critical values in the last step.
     fn locate(&mut self, line: &mut Line<'_>, diagram: &mut Campbell, measured: Option<Measured>) {
-        let before = std::mem::replace(&mut self.measured, measured.clone());
-        let (Some(mut before), Some(measured), (Some(first), last)) = (before, measured, line.last_two()) else {
+        let last = line.last_two().1.clone();
+        let Some(measured) = measured else {
+            // A step may lie just where a stiffness vanishes: the next one tells what it becomes.
+            if std::mem::replace(&mut self.is_skipped, true) {
+                self.measured = None;
+            }
+            return;
+        };
+        self.is_skipped = false;
+        let Some((mut before, first)) = self.measured.replace((measured.clone(), last.clone())) else {
             return;
         };
         let diverges = self.diverges;
@@ -278,7 +288,6 @@ impl Tracker {
         if before.negative == measured.negative {
             return;
         }
-        let (first, last) = (first.clone(), last.clone());
         let mut measure = |scene: &mut dyn Scene, at: &Uniform, step: &Continued, with_values| {
             self::measured(scene, at, &step.state, (with_values, diverges)).ok()
         };
