@@ -1,4 +1,4 @@
-//! What a program says of itself.
+//! The program that reads a line.
 
 use std::path::PathBuf;
 

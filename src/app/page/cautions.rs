@@ -1,4 +1,4 @@
-//! Cautions in a page: above all charts, or below the one of their output.
+//! Cautions in a page: above all charts, or below that of the output that they are about.
 
 use std::fmt::Write;
 

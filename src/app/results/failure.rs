@@ -3,6 +3,7 @@
 use super::error::RunError;
 use super::incomplete::Incomplete;
 
+/// Exit codes: what was asked for failed, what was asked for makes no sense, Ctrl-C.
 pub(in crate::app) const FAILURE: u8 = 1;
 pub(in crate::app) const MISTAKE: u8 = 2;
 pub(in crate::app) const INTERRUPTION: u8 = 130;

@@ -5,6 +5,7 @@ use serde_json::{Map, Value};
 /// Keys in the order in which they are written.
 pub(in crate::app) type Summary = Map<String, Value>;
 
+/// Adds an entry behind the others.
 pub(in crate::app) fn put(summary: &mut Summary, key: &str, value: Value) {
     summary.insert(key.into(), value);
 }

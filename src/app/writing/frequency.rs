@@ -1,4 +1,4 @@
-//! The unit in which frequencies are shown.
+//! Frequencies in rad/s, Hz or rpm, as the line asks for them.
 
 use super::numbers::digits;
 

@@ -1,4 +1,4 @@
-//! What `optimise` looks for: the least or largest value of a result, or results that come near given values.
+//! How near the results of a point come to what `optimise` looks for, and how that is told.
 
 use super::table::{Head, Row, Table};
 use crate::app::line::goal::{Aim, Goal, Sought};
