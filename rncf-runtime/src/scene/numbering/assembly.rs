@@ -8,10 +8,10 @@ use crate::linalg::Pattern;
 
 /// Fewer numbers than this are evaluated by the calling thread alone: to hand work to others and wait for them takes about
 /// 60 us, the numbers a quarter of a millisecond and more (docs/measurements.md).
-pub const PARALLEL_FROM: usize = 1 << 18;
+const PARALLEL_FROM: usize = 1 << 18;
 
 /// Fewest units that one of the threads takes of so many: each gets one piece.
-pub fn piece(units: usize) -> usize {
+fn piece(units: usize) -> usize {
     (units / rayon::current_num_threads().next_power_of_two()).max(1)
 }
 

@@ -1,15 +1,12 @@
 //! Elements of one kind side by side: elastic forces and their derivatives, four elements at a time.
 //!
-//! Units of four are evaluated in parallel where there are many, into places of their own, and added in a fixed
-//! order: results do not depend on the number of threads.
+//! Units of four are evaluated and added one after the other by the calling thread.
 
 use pulp::Arch;
-use rayon::prelude::*;
 
 use crate::emitted::{Fidelity, LANES, Parts, elastic_force_one_by_one, elastic_tangent_one_by_one};
 use crate::linalg::{Vectorised, dispatch};
 use crate::scene::bodies::mesh_body::MeshBody;
-use crate::scene::numbering::assembly::{PARALLEL_FROM, piece};
 use crate::scene::numbering::units::{Lanes, Units};
 use crate::space::Matrix;
 
@@ -216,36 +213,19 @@ impl<const D: usize> Vectorised for Begun<'_, D> {
     }
 }
 
-/// Evaluates `count` units into `width` lanes each and adds them one after the other, by blocks in parallel where
-/// these are worth the waiting.
+/// Evaluates `count` units into `width` lanes each, and adds each before the next one: what is evaluated by several threads must be
+/// kept and read again, which takes longer than they save (docs/measurements.md).
 pub(crate) fn in_order(
     count: usize,
     width: usize,
     results: &mut Vec<Lanes>,
-    evaluate: impl Fn(usize, &mut [Lanes]) + Sync,
+    evaluate: impl Fn(usize, &mut [Lanes]),
     mut add: impl FnMut(usize, &[Lanes]),
 ) {
-    let blocks = count * width * LANES / PARALLEL_FROM;
-    if blocks == 0 || rayon::current_num_threads() == 1 {
-        results.resize(width.max(results.len()), [0.0; LANES]);
-        let result = &mut results[..width];
-        for unit in 0..count {
-            evaluate(unit, result);
-            add(unit, result);
-        }
-        return;
-    }
-    let block = count.div_ceil(blocks);
-    results.resize((block * width).max(results.len()), [0.0; LANES]);
-    for first in (0..count).step_by(block) {
-        let here = block.min(count - first);
-        let own = &mut results[..here * width];
-        own.par_chunks_exact_mut(width)
-            .enumerate()
-            .with_min_len(piece(here))
-            .for_each(|(unit, result)| evaluate(first + unit, result));
-        for (unit, result) in own.chunks_exact(width).enumerate() {
-            add(first + unit, result);
-        }
+    results.resize(width.max(results.len()), [0.0; LANES]);
+    let result = &mut results[..width];
+    for unit in 0..count {
+        evaluate(unit, result);
+        add(unit, result);
     }
 }
