@@ -1,5 +1,5 @@
-//! Assembly of element matrices and vectors: places are looked up once, elements are evaluated in
-//! parallel where there are many, and added in a fixed order.
+//! Assembly of element matrices and vectors: places are looked up once, and elements are added in a fixed order. Starts, which keep
+//! what their elements give, have many of them evaluated in parallel.
 
 use rayon::prelude::*;
 

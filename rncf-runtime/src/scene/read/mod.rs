@@ -10,6 +10,7 @@ pub(crate) mod mesh_error;
 pub(crate) mod operands;
 pub(crate) mod outputs;
 pub(crate) mod overstretch;
+pub(crate) mod per_length;
 pub(crate) mod point_forces;
 pub(crate) mod sampled;
 pub(crate) mod sampling;

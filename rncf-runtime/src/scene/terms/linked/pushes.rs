@@ -151,15 +151,19 @@ impl MeshScene {
         }
     }
 
+    /// What is spread over one element.
+    pub(crate) fn spread_over(&self, body: usize, element: usize) -> impl Iterator<Item = &Spread> {
+        let all = &self.links.spread;
+        let first = all.partition_point(|spread| (spread.body, spread.element) < (body, element));
+        all[first..]
+            .iter()
+            .take_while(move |spread| (spread.body, spread.element) == (body, element))
+    }
+
     /// Generalised forces of what is spread over one element on its components, at the loaded state.
     pub(crate) fn spread_on(&self, body: usize, element: usize) -> [f64; MAX_SIZE] {
         let mut sum = [0.0; MAX_SIZE];
-        let first = self
-            .links
-            .spread
-            .partition_point(|spread| (spread.body, spread.element) < (body, element));
-        let own = self.links.spread[first..].iter();
-        for spread in own.take_while(|spread| (spread.body, spread.element) == (body, element)) {
+        for spread in self.spread_over(body, element) {
             let (local, _) = self.spread_force(spread, self.buffers.t);
             sum.iter_mut().zip(local).for_each(|(sum, value)| *sum += value);
         }
