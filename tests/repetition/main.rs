@@ -4,6 +4,7 @@
 #![allow(deprecated)]
 
 mod elements;
+mod sections;
 mod unfolded;
 
 use rncf::prelude::*;

@@ -22,6 +22,16 @@ pub fn unknown<'a>(kind: &str, word: &str, valid: impl IntoIterator<Item = &'a s
     }
 }
 
+/// A noun with its article.
+pub fn a(noun: &str) -> String {
+    let article = if noun.trim_start_matches('`').starts_with(['a', 'e', 'i', 'o']) {
+        "an"
+    } else {
+        "a"
+    };
+    format!("{article} {noun}")
+}
+
 /// The valid words that may be meant: those that mean the same elsewhere, or the nearest one.
 pub fn alike<'a>(word: &str, valid: &[&'a str]) -> Vec<&'a str> {
     let synonyms = elsewhere::synonyms(word, valid);

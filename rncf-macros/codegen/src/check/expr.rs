@@ -219,12 +219,12 @@ impl<'a> Check<'a> {
             }
             _ if Self::is_broken(item) => None,
             keyword if scope >= Scope::Constraint && example(keyword).is_some() => {
-                let message = say::whole_thing(text, keyword.noun(), example(keyword).unwrap_or_default());
+                let message = say::whole_thing(text, &say::a(keyword.noun()), example(keyword).unwrap_or_default());
                 self.errors.at(name.span, or_unit(message, text));
                 None
             }
             keyword => {
-                let message = say::not_a_value(text, keyword.word());
+                let message = say::not_a_value(text, &say::a(keyword.word()));
                 self.errors.at(name.span, or_unit(message, text));
                 None
             }
@@ -308,7 +308,7 @@ impl<'a> Check<'a> {
         };
         if item.keyword != Keyword::Motion {
             self.errors
-                .at(call.name.span, say::not_a_function(name, item.keyword.word()));
+                .at(call.name.span, say::not_a_function(name, &say::a(item.keyword.word())));
             return None;
         }
         let [argument] = call.arguments.as_slice() else {

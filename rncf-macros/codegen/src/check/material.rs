@@ -71,7 +71,7 @@ impl<'a> Check<'a> {
     pub(super) fn materials(&mut self) {
         for item in self.items(Keyword::Material) {
             if let ItemKind::Material(fields) = &item.kind {
-                let material = self.material(item, fields);
+                let material = self.in_loop(item, |check| check.material(item, fields));
                 self.materials.insert(item.name.text.as_str(), material);
             }
         }
@@ -197,6 +197,10 @@ impl<'a> Check<'a> {
         let area = field.value.area;
         if fold::has_motion(&value) {
             self.errors.at(area, say::ENERGY_WITHOUT_TIME);
+            return None;
+        }
+        if fold::has_index(&value) {
+            self.errors.at(area, say::ENERGY_OF_REPETITION);
             return None;
         }
         let [energy, stress, stiffness] = at_rest(&self.model, &value);

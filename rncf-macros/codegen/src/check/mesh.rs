@@ -7,7 +7,7 @@ use super::{Check, say};
 use crate::elements::{BETWEEN_INTERFACES, Element};
 use crate::joints::algebra::multiply;
 use crate::model::{ElementId, Evaluation, Expr as Value, Law, Quadrature, SectionShape, Space, Stations, TableId};
-use crate::parse::tree::{Argument, Call, Expr, ExprKind, Item, Name, Statement};
+use crate::parse::tree::{Argument, Call, Expr, ExprKind, Item, Keyword, Name, Statement};
 use crate::suggest;
 use crate::vocabulary::DAMPINGS;
 
@@ -116,12 +116,41 @@ impl<'a> Check<'a> {
     }
 
     /// The first argument, where it is a section that says its stiffness by itself.
-    fn lawful_section(&self, call: &'a Call) -> Option<&'a Name> {
+    fn lawful_section(&mut self, call: &'a Call) -> Option<&'a Name> {
         let first = call.arguments.iter().find(|argument| argument.name.is_none())?;
-        let ExprKind::Name(name) = &first.value.kind else {
-            return None;
+        let name = named(&first.value)?;
+        let has_law = self.sections.get(name.text.as_str())?.law.is_some();
+        (has_law && self.own(&first.value, Keyword::Section).is_some()).then_some(name)
+    }
+
+    /// The section or material that is named: `tube`, and of one that stands in a loop over a param that of the same repetition,
+    /// `tube[i]`.
+    fn own(&mut self, expr: &'a Expr, keyword: Keyword) -> Option<&'a Name> {
+        let name = named(expr)?;
+        let item = self
+            .names
+            .get(name.text.as_str())
+            .filter(|item| item.keyword == keyword);
+        let repeat = item.and_then(|item| item.repeat);
+        let number = match &expr.kind {
+            ExprKind::Indexed { index, .. } => Some(index.as_ref()),
+            _ => None,
         };
-        self.sections.get(name.text.as_str())?.law.is_some().then_some(name)
+        match (repeat, number) {
+            (None, None) => Some(name),
+            (None, Some(_)) if item.is_none() => Some(name),
+            (None, Some(number)) => {
+                self.errors.at(number.area, say::not_repeated(&name.text));
+                None
+            }
+            (Some(repeat), number) => match self.own_repetition(&name.text, repeat, number) {
+                Ok(()) => Some(name),
+                Err(message) => {
+                    self.errors.at(expr.area, message);
+                    None
+                }
+            },
+        }
     }
 
     /// `beam(section)` of such a section.
@@ -301,26 +330,31 @@ impl<'a> Check<'a> {
                 .at(call.area, say::usage(element, &format!("{element}(section, material)")));
             return None;
         };
-        let name = |expr: &'a Expr| {
-            if let ExprKind::Name(name) = &expr.kind {
-                Some(name)
-            } else {
-                None
-            }
-        };
-        let (Some(section_name), Some(material_name)) = (name(section), name(material)) else {
-            let wrong = if name(section).is_none() { section } else { material };
+        if let Some(wrong) = [*section, *material].into_iter().find(|expr| named(expr).is_none()) {
             self.errors.at(
                 wrong.area,
                 say::usage(element, &format!("{element}(section, material)")),
             );
             return None;
-        };
+        }
+        let (section_name, material_name) = (
+            self.own(section, Keyword::Section),
+            self.own(material, Keyword::Material),
+        );
+        let (section_name, material_name) = (section_name?, material_name?);
         Some((section_name, material_name))
     }
 }
 
-/// Whether an expression is this name.
+/// The name that an expression is, or what is before the number of a repetition.
+fn named(expr: &Expr) -> Option<&Name> {
+    match &expr.kind {
+        ExprKind::Name(name) | ExprKind::Indexed { base: name, .. } => Some(name),
+        _ => None,
+    }
+}
+
+/// Whether an expression is this name, or a repetition of it.
 fn is_name(expr: &Expr, name: &str) -> bool {
-    matches!(&expr.kind, ExprKind::Name(word) if word.text == name)
+    named(expr).is_some_and(|word| word.text == name)
 }

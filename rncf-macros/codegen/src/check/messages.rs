@@ -5,6 +5,7 @@ pub use crate::messages::{
     beyond_repetitions, duplicate, index_outside, meaning_of_its_own, negative_repetition, not_a_number, not_ascii,
     not_repeated, runs_out,
 };
+pub use crate::suggest::a;
 
 pub const IMPORT_REPEATED: &str = "a body from a file is not repeated yet: declare it once for each place";
 pub const NEGATIVE_DAMPING: &str = "damping is not negative";
@@ -170,6 +171,8 @@ messages! {
     quantity_as_repetitions(name) = "`{name}` is a quantity; a loop needs a count: declare `param {name}: count = 6;`";
     index_in_constant(name) = "`{name}` is the index of a loop and has no place here: this is the same for all repetitions";
     repeated(name) = "`{name}` is repeated: write the number of the repetition, e.g. `{name}[0]`";
+    own_repetition(name, index) = "`{name}` is known in its own repetition: write `{name}[{index}]`, or make the number of the loop a `const n = 3;` for others";
+    elsewhere(name) = "`{name}` stands in a loop over a param, and is known to bodies of this loop alone: make the number of the loop a `const n = 3;`, or declare `{name}` outside of the loop";
     repeated_inside(name, index) = "`{name}` is repeated: write `{name}[{index}]`, or a certain one, e.g. `{name}[0]`";
     lone_repetition(name) = "`{name}` is a body: say what of it, e.g. `{name}[0].end.x`";
     reduction_without_loop(name) = "`{name}` goes over repetitions: write e.g. `{name}(a in 0..n, main[a].end.x)`";
@@ -185,7 +188,7 @@ messages! {
     merged_elements(first, second) = "`{first}` and `{second}` have different elements, whose slopes are not alike: use `share`, or the same element";
     duplicate_statement(name, line) = "{name} is already given in line {line}: one is enough";
     twice(name) = "`{name}` is given twice";
-    wrong_kind(name, kind, wanted) = "`{name}` is a {kind}; a {wanted} is expected here";
+    wrong_kind(name, kind, wanted) = "`{name}` is {kind}; {wanted} is expected here";
     recursion(name, chain) = "`{name}` is defined by itself: {chain}";
     surplus(name, usage) = "one argument too many for `{name}`: write e.g. `{usage}`";
     without_name(name, usage) = "`{name}` takes this by a name only: write e.g. `{usage}`";
@@ -210,14 +213,14 @@ messages! {
     param_in_constant(name) = "`{name}` is a parameter, known at run time only: constants and defaults are made of constants";
     motion_without_time(name) = "`{name}` is a function of time: write `{name}(t)`";
     of_place(word, body) = "`{word}` is that of a place on the body: write e.g. `{body}.end.{word}`";
-    whole_thing(name, kind, example) = "`{name}` is a {kind}: say what of it, e.g. `{name}.{example}`";
-    not_a_value(name, kind) = "`{name}` is a {kind} and has no value";
+    whole_thing(name, kind, example) = "`{name}` is {kind}: say what of it, e.g. `{name}.{example}`";
+    not_a_value(name, kind) = "`{name}` is {kind} and has no value";
     function_without_argument(name) = "`{name}` is a function: write `{name}(..)`";
     or_unit(message, name) = "{message}; as a unit `{name}` stands right behind a number, and a compound unit in brackets: `4 [rad/s]`";
     split_unit(number, unit) = "in an expression a compound unit stands in brackets: write `{number} [{unit}]`";
     stray_unit(name) = "unknown name `{name}`; a unit stands behind its number, and in an expression a compound one in brackets: `4 [rad/s]`";
     named_argument(name) = "`{name}` takes no named arguments";
-    not_a_function(name, kind) = "`{name}` is a {kind}, not a function of time";
+    not_a_function(name, kind) = "`{name}` is {kind}, not a function of time";
     arity(name, wanted, found) = "`{name}` takes {wanted} argument(s), this has {found}";
     kink(name) = "`{name}` has a kink: it stands in outputs, and in springs and loads of what moves; a function of time switches with `if t < T {{ .. }} else {{ .. }}`";
     angle_of_time(what, kind) = "{what} is {kind}, but this is a time (s): multiply time by an angular velocity, e.g. `3 [rad/s] * t`";
@@ -307,7 +310,7 @@ messages! {
     no_arguments(name) = "`{name}` takes no arguments";
     beyond(length) = "this place is not on the body: the axis goes from 0 m to {length}";
     vector_as_number(axes) = "this is a vector: take one component, {axes}";
-    not_observable(name, kind) = "`{name}` is a {kind}: bodies and joints can be observed";
+    not_observable(name, kind) = "`{name}` is {kind}: bodies and joints can be observed";
     always_zero(axis, plane) = "the {axis} component is always zero for a body in the {plane} plane";
     moment_always_zero(axis, plane, normal) = "the {axis} component is always zero for a body in the {plane} plane: its moment is `{normal}`";
     pin_moment(name) = "`{name}` is a pin, and a pin carries no moment";

@@ -12,6 +12,7 @@ pub const LOAD_ALONG_CORNERS: &str = "a load along a body with corners is the sa
 pub const CURVE_TABLE: &str = "a curve goes through points: its table needs the columns `x`, `y` and `z` in m";
 pub const CURVE_RANGE: &str = "this curve has no length: its parameter starts and ends at one value";
 pub const CURVE_WITHOUT_TIME: &str = "the axis of a body is the same at all times: leave out motions";
+pub const ENERGY_OF_REPETITION: &str = "an `energy` is the same in all repetitions of a loop over a param: leave out the index, or make the number of the loop a `const n = 3;`";
 pub const VARYING_ENERGY: &str =
     "a material with an `energy` has one section along the whole body: leave out `x` and columns of tables";
 pub const LAW_IN_PLANE: &str = "a section with its own stiffness bends and twists in space: write `spatial;`";

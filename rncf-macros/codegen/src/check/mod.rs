@@ -305,7 +305,7 @@ impl<'a> Check<'a> {
         match self.names.get(name.text.as_str()) {
             Some(item) if item.keyword == keyword => Some(item),
             Some(item) => {
-                let message = say::wrong_kind(&name.text, item.keyword.noun(), keyword.noun());
+                let message = say::wrong_kind(&name.text, &say::a(item.keyword.noun()), &say::a(keyword.noun()));
                 self.errors.at(name.span, message);
                 None
             }

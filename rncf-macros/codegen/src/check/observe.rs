@@ -172,7 +172,7 @@ impl<'a> Check<'a> {
         match self.names.get(name.text.as_str()).copied() {
             Some(item) if Self::is_broken(item) => {}
             Some(item) => {
-                let message = say::not_observable(&name.text, item.keyword.noun());
+                let message = say::not_observable(&name.text, &say::a(item.keyword.noun()));
                 self.errors.at(name.span, message);
             }
             None => {

@@ -131,6 +131,20 @@ impl<'a> Check<'a> {
         }
     }
 
+    /// Whether the number behind something of the loop `repeat` is that of the repetition that is looked at; else what is said.
+    pub(super) fn own_repetition(&self, name: &str, repeat: usize, number: Option<&Expr>) -> Result<(), String> {
+        let Some(turn) = self.turn.filter(|turn| turn.repeat.0 == repeat) else {
+            return Err(say::elsewhere(name));
+        };
+        // A head that could not be read is reported.
+        let Some(index) = turn.name else { return Ok(()) };
+        let is_index = |number: &Expr| matches!(&number.kind, ExprKind::Name(word) if word.text == index);
+        match number.is_some_and(is_index) {
+            true => Ok(()),
+            false => Err(say::own_repetition(name, index)),
+        }
+    }
+
     fn say_repeated(&self, name: &Name) -> String {
         let text = name.text.as_str();
         match self.turn.and_then(|turn| turn.name) {
@@ -150,7 +164,7 @@ impl<'a> Check<'a> {
                 self.errors.at(base.span, say::lone_repetition(&base.text));
                 return;
             }
-            Some(item) if item.repeat.is_some() => say::not_a_value(&base.text, item.keyword.noun()),
+            Some(item) if item.repeat.is_some() => say::not_a_value(&base.text, &say::a(item.keyword.noun())),
             Some(_) => say::not_repeated(&base.text),
             None => {
                 if self.is_news(&base.text) {

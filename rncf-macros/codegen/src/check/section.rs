@@ -99,15 +99,16 @@ impl<'a> Check<'a> {
     /// Checks all sections, also those that nothing uses.
     pub(super) fn sections(&mut self) {
         for item in self.items(Keyword::Section) {
-            let section = match &item.kind {
-                ItemKind::Section(fields) => Some(self.block(item, fields)),
+            let section = self.in_loop(item, |check| match &item.kind {
+                ItemKind::Section(fields) => Some(check.block(item, fields)),
                 ItemKind::NamedSection(call) if OF_TABLE.contains(&call.name.text.as_str()) => Some(
-                    self.section_of_table(&item.name.text, call)
+                    check
+                        .section_of_table(&item.name.text, call)
                         .unwrap_or_else(Section::broken_law),
                 ),
-                ItemKind::NamedSection(call) => self.named_section(call),
+                ItemKind::NamedSection(call) => check.named_section(call),
                 _ => None,
-            };
+            });
             if let Some(section) = section {
                 self.sections.insert(item.name.text.as_str(), section);
             }

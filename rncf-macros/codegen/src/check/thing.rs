@@ -184,7 +184,8 @@ impl<'a> Check<'a> {
                     Some(Keyword::Constraint) => ("constraint", "multiplier"),
                     _ => ("joint", "force.x"),
                 };
-                self.errors.at(expr.area, say::whole_thing(&name.text, kind, example));
+                self.errors
+                    .at(expr.area, say::whole_thing(&name.text, &say::a(kind), example));
                 None
             }
             Thing::Shown { vector, plane, shown } => {

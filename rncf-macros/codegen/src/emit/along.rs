@@ -63,6 +63,11 @@ fn form(table: &Table) -> String {
     )
 }
 
+/// The index as the last argument of the function along the axis of a body that depends on it.
+fn repetition(body: &Body) -> &'static str {
+    if body.differs() { ", index" } else { "" }
+}
+
 impl Parts<'_> {
     /// Fractions of the axis at the nodes.
     pub(super) fn stations(&self, body: &Body) -> String {
@@ -138,10 +143,11 @@ impl Parts<'_> {
                     )
                 }
             };
+            let repetition = if body.differs() { ", index: f64" } else { "" };
             let _ = writeln!(
                 text,
                 "/// Coefficients of body `{3}` at the arclength x (m) of its axis, and its masses per length that move with r r, r r_y, r r_z, r_y r_y, r_z r_z, r_y r_z.\n\
-                 pub fn along_{0}(model: &{1}, x: f64, length: f64) -> ::std::result::Result<([f64; {2}], [f64; 6]), ::rncf::ModelError> {{\n\
+                 pub fn along_{0}(model: &{1}, x: f64, length: f64{repetition}) -> ::std::result::Result<([f64; {2}], [f64; 6]), ::rncf::ModelError> {{\n\
                  {4}{statements}Ok({values})\n}}",
                 body.identifier(),
                 self.model.name,
@@ -212,6 +218,8 @@ impl Parts<'_> {
         let coefficients = variant.varying_coefficients(self.library).len();
         let (_, places) = kept(variant, self.library);
         let mut text = "let length = nodes[nodes.len() - 1];\n".to_string();
+        text += self.index(body);
+        let repetition = repetition(body);
         let whole = match &body.piece {
             None => "length".to_string(),
             Some(piece) => self.expr(&piece.whole),
@@ -226,7 +234,7 @@ impl Parts<'_> {
         }
         let _ = writeln!(
             text,
-            "let at = |x: f64| along_{}(model, x, length).map_err(|error| ::rncf::ModelError::new(format!(\"{{error}}; at x = {{x:.6}} m of body `{}`\")));",
+            "let at = |x: f64| along_{}(model, x, length{repetition}).map_err(|error| ::rncf::ModelError::new(format!(\"{{error}}; at x = {{x:.6}} m of body `{}`\")));",
             body.identifier(),
             body.name
         );
@@ -242,7 +250,7 @@ impl Parts<'_> {
         {
             let _ = writeln!(
                 text,
-                "{}.check_rows([{from}, length, {whole}], |x| along_{}(model, x, length).map(|_| ()))?;",
+                "{}.check_rows([{from}, length, {whole}], |x| along_{}(model, x, length{repetition}).map(|_| ()))?;",
                 self.model.tables[table].reference(),
                 body.identifier()
             );
@@ -326,9 +334,11 @@ impl Parts<'_> {
         let rows = format!("self.row_{}{instance}", body.identifier());
         let array = "::rncf::emitted::array";
         format!(
-            "let [x, length] = at;\nif let Ok((coefficients, _)) = along_{}(&self.model, x, length) {{\n\
+            "{}let [x, length] = at;\nif let Ok((coefficients, _)) = along_{}(&self.model, x, length{}) {{\n\
              {kernel}(&{rows}[0], &coefficients, {array}(stress_free), {array}(fields), {rates}{array}_mut(forces));\n}}",
-            body.identifier()
+            self.index(body),
+            body.identifier(),
+            repetition(body)
         )
     }
 }

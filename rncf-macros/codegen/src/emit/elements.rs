@@ -97,6 +97,15 @@ impl Parts<'_> {
         }
     }
 
+    /// The index of the loop, where `instance` is in scope and the section or material of a body depends on it.
+    pub(super) fn index(&self, body: &Body) -> &'static str {
+        if body.differs() {
+            "let index = instance as f64;\n"
+        } else {
+            ""
+        }
+    }
+
     /// The time that coefficients have before a scene has one.
     pub(super) fn at_start(&self, body: &Body) -> &'static str {
         match motions::timed_coefficients(body, self.library).is_empty() {

@@ -404,6 +404,7 @@ impl Parts<'_> {
             }
             let element = variant.variant.declaration(self.library);
             let mut text = "let length = nodes[1] - nodes[0];\n".to_string();
+            text += self.index(body);
             text += &self.properties(body);
             text += self.at_start(body);
             let mut fields = vec!["length".to_string()];

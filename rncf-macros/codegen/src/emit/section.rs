@@ -96,6 +96,10 @@ impl Parts<'_> {
         let mut text = String::new();
         for body in self.model.bodies.iter().filter(|body| !body.varies()) {
             let check = self.section_check(body);
+            let check = match body.differs() && !check.is_empty() {
+                true => self.in_loop(body.repeat, &check),
+                false => check,
+            };
             // Several bodies have one section.
             if !text.contains(&check) {
                 text += &check;
@@ -144,7 +148,7 @@ impl Parts<'_> {
 
     /// Constants of a body's sections, its fields, and the forces on them.
     pub fn sections(&self) -> String {
-        let section = self.by_body(|_, body| self.section(body));
+        let section = self.by_body(|_, body| self.index(body).to_string() + &self.section(body));
         let fields = self.by_body(|_, body| {
             let element = &self.library.elements[body.element.0];
             let fields = element.fields_in(body.space.dimension());

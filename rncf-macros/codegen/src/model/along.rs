@@ -204,6 +204,12 @@ impl Law {
 }
 
 impl Body {
+    /// Whether its section or material depends on the repetition of its loop.
+    pub fn differs(&self) -> bool {
+        let fields = self.law.iter().flat_map(|law| law.fields.values());
+        self.properties.values().chain(fields).any(fold::has_index)
+    }
+
     /// Whether its elements differ, or have coefficients at every point.
     pub fn varies(&self) -> bool {
         self.law.is_some() || self.stations.is_some() || self.properties.values().any(fold::has_arclength)

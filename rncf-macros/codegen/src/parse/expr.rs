@@ -334,7 +334,11 @@ fn literal_with_unit(cursor: &mut Cursor, literal: &Literal) -> Parsed<Expr> {
     } else if is_unit_next(cursor) {
         let unit = unit::single(cursor)?;
         if cursor.is_punct('^') {
-            return Err(Mistake::new(cursor.since(start), say::unit_power(&text, &unit.text)));
+            let power = cursor.second_literal().unwrap_or_else(|| "2".to_string());
+            return Err(Mistake::new(
+                cursor.since(start),
+                say::unit_power(&text, &unit.text, &power),
+            ));
         }
         if cursor.is_punct('.')
             && let Some(next) = cursor.second_word()

@@ -70,7 +70,7 @@ messages! {
     missing_space(number, unit) = "a space is missing between number and unit: `{number} {unit}`";
     no_equals(word) = "a statement of a body has no `=`: write the value right behind `{word}`";
     mode_count(word) = "`{word}` takes the number of modes: `{word}(4);`";
-    unit_power(number, unit) = "after a number in an expression one unit symbol is read: write the power in brackets, `{number} [{unit}^2]`, or mean `({number} {unit})^2`";
+    unit_power(number, unit, power) = "after a number in an expression one unit symbol is read: write the power in brackets, `{number} [{unit}^{power}]`, or mean `({number} {unit})^{power}`";
     unit_after_slash(found) = "is {found} above or below the line? write `*`, or parentheses as in `W/(m K)`";
     raw_name(plain) = "raw names are not allowed: choose another name than `{plain}`, which is a keyword of Rust";
     rust_keyword(text) = "`{text}` is a keyword of Rust and cannot be a name: try `{text}_`";

@@ -3,6 +3,7 @@
 pub use crate::messages::{
     beyond_repetitions, duplicate, meaning_of_its_own, negative_repetition, not_repeated, runs_out,
 };
+pub use crate::suggest::a;
 
 pub const IN_KEPT: &str = "this loop stands in one whose number is a param and known at run time only: make that a `const n = 3;`, or count through both with one index";
 pub const OUTPUT_IN_KEPT: &str = "the number of this loop is known at run time only, and outputs are columns: make it a `const n = 3;`, or look at one repetition from outside, e.g. `main[0].end.x`, or at all of them, e.g. `max(a in 0..n, main[a].end.x)`";
@@ -23,7 +24,7 @@ messages! {
     cornered_place(name) = "places on a body with corners are `{name}.start`, `{name}.end`, and those of a straight piece, e.g. `{name}[1].at(0.2 m)`, counted from its corner";
     cornered_quantity(name, word) = "`{word}` is that of a straight piece, e.g. `{name}[0].{word}`: for all of `{name}` there is no sum of it";
     piece_unknown(name) = "this number of a straight piece of `{name}` must be known when the model is built: it is made of whole numbers, constants and indices of such loops";
-    not_kept(word) = "a `{word}` is repeated where the number is known at build time, and that of this loop is a param: make it a `const n = 3;`, or declare the `{word}` outside of the loop, for each repetition that needs it";
+    not_kept(word) = "{word} is repeated where the number is known at build time, and that of this loop is a param: make it a `const n = 3;`, or declare it outside of the loop, for each repetition that needs it";
     too_many(most) = "this becomes more than {most} items: a loop over a `param n: count` stands once, whatever its number";
     told_already(name, line) = "`{name}` is what the component is told (line {line}): choose another name";
     index_twice(name) = "`{name}` is the index of a loop around this one: choose another one";
@@ -37,7 +38,7 @@ messages! {
     recursion(name, chain) = "`{name}` is placed in itself: {chain}";
     missing(component, names) = "`{component}` must be told {names}";
     told_twice(name) = "`{name}` is told twice";
-    wrong_item(name, kind, wanted) = "`{name}` is a {kind}, but a {wanted} is wanted here";
-    name_wanted(wanted) = "the name of a {wanted} is wanted here";
-    not_a_component(name, kind) = "`{name}` is a {kind}: a part is placed from a `component`";
+    wrong_item(name, kind, wanted) = "`{name}` is {kind}, but {wanted} is wanted here";
+    name_wanted(wanted) = "the name of {wanted} is wanted here";
+    not_a_component(name, kind) = "`{name}` is {kind}: a part is placed from a `component`";
 }

@@ -325,7 +325,7 @@ impl<'t, 'e> Unfold<'t, 'e> {
         {
             let message = match item.keyword {
                 Keyword::Output => say::OUTPUT_IN_KEPT.to_string(),
-                keyword => say::not_kept(keyword.word()),
+                keyword => say::not_kept(&say::a(&format!("`{}`", keyword.word()))),
             };
             // A param has been reported.
             if !item.is_param() && !self.kept[kept].is_wrong {
@@ -419,6 +419,6 @@ fn is_part(declared: &Declared) -> bool {
 fn stays(keyword: Keyword) -> bool {
     matches!(
         keyword,
-        Keyword::Body | Keyword::Fixture | Keyword::Joint | Keyword::Load
+        Keyword::Body | Keyword::Fixture | Keyword::Joint | Keyword::Load | Keyword::Material | Keyword::Section
     )
 }

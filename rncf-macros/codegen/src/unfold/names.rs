@@ -113,7 +113,7 @@ impl<'t> Unfold<'t, '_> {
         let message = match &value.kind {
             ExprKind::Name(name) => match self.keyword_of(&name.text) {
                 Some(found) if wanted.contains(&found) => return Some(value),
-                Some(found) => say::wrong_item(&name.text, found.noun(), part::noun(wanted)),
+                Some(found) => say::wrong_item(&name.text, &say::a(found.noun()), &say::a(part::noun(wanted))),
                 None if name.text == "inertial" || self.lost.contains(&name.text) => return Some(value),
                 None if self.root.lost.contains(&name.text) => return Some(value),
                 None => {
@@ -122,7 +122,7 @@ impl<'t> Unfold<'t, '_> {
                     suggest::unknown(part::noun(wanted), &name.text, known)
                 }
             },
-            _ => say::name_wanted(part::noun(wanted)),
+            _ => say::name_wanted(&say::a(part::noun(wanted))),
         };
         self.errors.at(value.area, message);
         None

@@ -44,7 +44,7 @@ impl<'t> Unfold<'t, '_> {
         let found = root.components.iter().find(|component| component.name.text == text);
         if found.is_none() && !root.lost.iter().any(|lost| lost == text) {
             let message = match self.scopes[0].names.get(text) {
-                Some(declared) => say::not_a_component(text, declared.item.keyword.noun()),
+                Some(declared) => say::not_a_component(text, &say::a(declared.item.keyword.noun())),
                 None => {
                     let known = root.components.iter().map(|component| component.name.text.as_str());
                     suggest::unknown("component", text, known)
