@@ -108,6 +108,38 @@ fn small_errors_stand_in_a_line() {
     }
 }
 
+/// With meshes, too, the line is of the tolerance of the run: a hundredth of what a larger one finds. Found are ten times the tolerance, and the mesh.
+#[test]
+fn small_errors_of_meshes_stand_in_a_line() {
+    let model = |elements| rncf_models::SpinUp {
+        elements,
+        ..rncf_models::SpinUp::default()
+    };
+    let found = judged(&model(24), Method::Radau, 1e-8);
+    let settings = RunSettings {
+        options: Options {
+            rtol: 1e-10,
+            ..Options::default()
+        },
+        ..RunSettings::default()
+    };
+    let reference = run(&model(96), &settings).unwrap();
+    let deflection = |of: &RunResult| -> Vec<f64> { of.history.column(1).collect() };
+    let exact = deflection(&reference);
+    let size = exact.iter().fold(0.0_f64, |size, v| size.max(v.abs()));
+    let differences = deflection(&found)
+        .into_iter()
+        .zip(exact)
+        .map(|(v, exact)| (v - exact).abs());
+    let error = differences.fold(0.0, f64::max) / size;
+    let told = found.off_by.iter().find(|off| off.0 == 1).map_or(0.0, |off| off.1);
+    let line = found.agreement.as_deref().unwrap_or_default();
+    assert!(
+        (1.0 / 3.0..30.0).contains(&(told / error)),
+        "off by {error}, told {told}: {line}"
+    );
+}
+
 rncf::model! {
     /// A pinned column.
     pub model Column {

@@ -31,6 +31,8 @@ const STEPS: f64 = 0.3;
 const FAR: f64 = 2.0 * TOLD;
 /// Part of the iterations of the run, times unknowns, that this may take.
 const LAST: f64 = 2.5;
+/// The work of Radau grows with the inverse of the tolerance to this power, at most.
+const ORDER: f64 = 0.2;
 /// No tolerance is smaller: round-off is near.
 const LEAST: f64 = 1e-13;
 /// Most bodies in the sentence.
@@ -193,6 +195,17 @@ impl<'r> Kind<'r> {
         }
     }
 
+    /// What finer meshes make of all of the run with a tolerance near its own, where a larger one found that outputs hardly differ.
+    fn meet_near(&mut self, beyond: &[Off]) {
+        if !self.mesh.is_empty() {
+            return;
+        }
+        let beyond = self.of(beyond);
+        self.seen = [beyond.clone(), Vec::new()];
+        self.mesh = beyond;
+        self.mesh.retain(|mesh| mesh.part > TOLD);
+    }
+
     /// What a tenth of the tolerance makes of all of the run.
     fn meet_smaller(&mut self, rtol: f64, steps: &[Off]) {
         let steps = self.of(steps);
@@ -270,7 +283,7 @@ pub(in crate::app) fn compare(
         Judging::Whole => f64::INFINITY,
         _ => AFFORDED.max(share * run.iterations as f64 * unknowns(of)),
     };
-    let left = Cell::new(afforded(SHARE, &own));
+    let (left, last) = (Cell::new(afforded(SHARE, &own)), Cell::new(0.0));
     let mut rows = |of: &mut Begun<'_>, rtol: f64, share: f64, marks: &Marks| {
         let how = Again {
             t_end: run.t_end,
@@ -284,11 +297,13 @@ pub(in crate::app) fn compare(
             most: (share * left.get() / unknowns(of)).max(0.0) as u64,
         };
         let (rows, iterations) = again(of.scene, of.start.clone(), how, marks, goes_on);
-        left.set(left.get() - iterations as f64 * unknowns(of));
+        last.set(iterations as f64 * unknowns(of));
+        left.set(left.get() - last.get());
         rows
     };
     let mut kinds = [true, false].map(|is_motion| Kind::new(run, outputs, is_motion));
     let mut found_so_far = Sets::new(run, outputs);
+    let mut spent = 0.0;
     let tolerances = tolerances(run.options.rtol, is_exact(&run), finer.is_some());
     for (place, &rtol) in tolerances.iter().enumerate() {
         if kinds.iter().all(|kind| kind.is_settled) {
@@ -299,6 +314,9 @@ pub(in crate::app) fn compare(
         let asks_meshes = kinds.iter().any(|kind| !kind.is_settled && !kind.is_near);
         let finer = finer.as_mut().filter(|_| asks_meshes);
         let there = finer.map(|finer| rows(finer, rtol, FIRST, run.marks));
+        if place == 0 {
+            spent = last.get();
+        }
         if let Some(there) = &there {
             seen.rows.truncate(there.len());
             found_so_far.meet(there, rtol, true);
@@ -330,6 +348,21 @@ pub(in crate::app) fn compare(
         kinds
             .iter_mut()
             .for_each(|kind| kind.meet(rtol, is_last, seen.until(), [&meshes, &steps], &open));
+    }
+    // A tolerance that suffices to tell of much finds errors of its own steps where those of the run are much less.
+    let near = TEN * run.options.rtol;
+    let is_known = found_so_far.sets.iter().any(|set| set.2 && !differ(set.1, near));
+    let expected = spent * (RTOL / near).powf(ORDER);
+    if let Some(finer) = finer.as_mut().filter(|_| {
+        let is_settled = kinds.iter().all(|kind| kind.is_settled && !kind.is_far);
+        is_exact(&run) && near < RTOL && !is_known && is_settled && expected <= left.get()
+    }) {
+        let there = rows(finer, near, 1.0, run.marks);
+        if there.len() == run.marks.rows.len() {
+            found_so_far.meet(&there, near, true);
+            let beyond = found_so_far.off(&there, near);
+            kinds.iter_mut().for_each(|kind| kind.meet_near(&beyond));
+        }
     }
     let smaller = run.options.rtol / TEN;
     if smaller >= LEAST && kinds.iter().any(|kind| kind.is_far) {
