@@ -6,6 +6,7 @@
 //! advances any system, and [`equilibrium`] and [`modes`] ask a scene for its uniform motions.
 
 pub mod archive;
+pub mod course;
 pub mod emitted;
 pub mod equilibrium;
 pub mod error;

@@ -12,6 +12,7 @@
 //! with respect to right increments, `A <- A exp(dpi)`.
 
 use crate::archive::{Archive, Keep};
+use crate::course::Courses;
 use crate::linalg::Pattern;
 use crate::space::{Matrix, Rotation, Vector, inverse_tangent_map, three, turned};
 
@@ -411,6 +412,12 @@ pub trait System {
     /// load may jump, and their time derivatives: always the same number of them, in the same order. An integrator finds
     /// their roots as it goes on, and treats them as [`System::kinks`].
     fn gaps(&self, _t: f64, _out: &mut Vec<[f64; 2]>) {}
+
+    /// What motions and loads do over time alone, where it may be over within a step. An integrator bounds it over every step, and shortens one that
+    /// would jump over it.
+    fn courses(&self) -> Vec<Courses> {
+        Vec::new()
+    }
 
     /// Prescribed motions that are not continuous between a state and the time `behind` (s) just after its own, on the two
     /// sides of a kink.

@@ -30,6 +30,7 @@ mod spline;
 mod table;
 mod table_file;
 
+pub use crate::course::{Courses, Operation};
 pub use crate::import::{Imported, ImportedSpec};
 pub use crate::space::{Matrix, Vector};
 pub use crate::system::ConstraintLevel;

@@ -9,6 +9,7 @@ use super::frame::FrameMotion;
 use super::free::FreeSpec;
 use super::markers::MarkerSpec;
 use super::observed::ObservedSpec;
+use crate::course::Courses;
 use crate::error::ModelError;
 
 /// One model, as emitted: specifications and kernels. Indices follow the order of the declaration;
@@ -48,6 +49,10 @@ pub trait Parts:
     /// Appends the gaps (left less right side) of conditions in motions and loads that time decides in another way than
     /// by [`Parts::kinks`], at time `t`, s, and their time derivatives.
     fn gaps(&self, t: f64, out: &mut Vec<[f64; 2]>);
+    /// What motions and loads do over time that a step could jump over.
+    fn courses(&self) -> Vec<Courses> {
+        Vec::new()
+    }
     /// Motion of every prescribed frame at `t`, jerks included where there are constraints on
     /// markers or mean axes; entries of free frames are not read.
     fn frames(&self, t: f64, motions: &mut [FrameMotion]);

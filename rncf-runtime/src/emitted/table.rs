@@ -1,6 +1,7 @@
 //! Tables of numbers along an axis.
 
 use super::curve::Curve;
+use crate::course::{Interval, Lookup};
 use crate::error::ModelError;
 
 /// Relative size of what counts as round-off of places along an axis.
@@ -63,6 +64,31 @@ impl Table {
         let bent = (1.0 - share) * (start - rise) - share * (end - rise);
         let slope = rise + tilt * bent - bend * (start + end - 2.0 * rise);
         [values[row] + share * rise + bend * bent, slope / width]
+    }
+
+    /// Slope within the span that begins at a row, at a share of it.
+    fn slope_within(&self, column: usize, row: usize, share: f64) -> f64 {
+        let (places, values) = (self.places, self.columns[column]);
+        let (width, rise) = (places[row + 1] - places[row], values[row + 1] - values[row]);
+        if !self.is_smooth {
+            return rise / width;
+        }
+        let [start, end] = [row, row + 1].map(|at| width * self.slope(column, at, row));
+        let (bend, tilt) = (share * (1.0 - share), 1.0 - 2.0 * share);
+        let bent = (1.0 - share) * (start - rise) - share * (end - rise);
+        (rise + tilt * bent - bend * (start + end - 2.0 * rise)) / width
+    }
+
+    /// Share of a span at which its slope is extreme; it may lie outside of the span.
+    fn steepest(&self, column: usize, row: usize) -> f64 {
+        // The slope of a cubic is a parabola: from three of its values.
+        let [start, middle, end] = [0.0, 0.5, 1.0].map(|share| self.slope_within(column, row, share));
+        let bend = start + end - 2.0 * middle;
+        if bend == 0.0 {
+            0.0
+        } else {
+            0.5 + 0.25 * (start - end) / bend
+        }
     }
 
     /// Slope of the monotone cubic at a row, seen from the span that begins at row `span`: the harmonic mean of the slopes beside it,
@@ -142,6 +168,43 @@ impl Table {
             stations.extend((1..each).map(part).chain([end]));
         }
         stations
+    }
+}
+
+impl Lookup for Table {
+    fn bounds(&self, column: usize, order: usize, places: Interval) -> Interval {
+        let (rows, values) = (self.places, self.columns[column]);
+        let (first, last) = (rows[0], rows[rows.len() - 1]);
+        if places.high < first || places.low > last {
+            return Interval::ALL;
+        }
+        let (low, high) = (places.low.max(first), places.high.min(last));
+        let mut bounds = [low, high].map(|place| Interval::point(self.within(column, place)[order.min(1)]));
+        let mut take = |value: f64| bounds[0] = bounds[0].hull(Interval::point(value));
+        let inner = rows.partition_point(|&row| row <= low)..rows.partition_point(|&row| row < high);
+        if order == 0 {
+            // Lines and monotone cubics are extreme at their ends.
+            inner.clone().for_each(|row| take(values[row]));
+            // At a step that begins the span both sides count.
+            inner
+                .start
+                .checked_sub(1)
+                .filter(|&row| rows[row] == low)
+                .into_iter()
+                .for_each(|row| take(values[row]));
+        } else {
+            for span in inner.start.saturating_sub(1)..inner.end.min(rows.len() - 1) {
+                let width = rows[span + 1] - rows[span];
+                if width > 0.0 {
+                    let [from, to] = [low, high].map(|place| ((place - rows[span]) / width).clamp(0.0, 1.0));
+                    let slope = |share: f64| self.slope_within(column, span, share);
+                    [from, to, self.steepest(column, span).clamp(from, to)]
+                        .into_iter()
+                        .for_each(|share| take(slope(share)));
+                }
+            }
+        }
+        bounds[0].hull(bounds[1])
     }
 }
 

@@ -17,6 +17,7 @@ use super::radau::Radau;
 use super::renewal::Renewal;
 use super::scheme::{Cause, Outcome, Scheme};
 use super::segments::Segments;
+use super::sight::Sight;
 use super::start::{self, describe};
 use super::statistics::Statistics;
 use super::switches::{Switches, first_that};
@@ -53,6 +54,8 @@ pub(super) struct Driver {
     pub(super) options: Options,
     pub(super) segments: Segments,
     pub(super) switches: Switches,
+    /// Made when the first step is taken.
+    pub(super) sight: Option<Sight>,
     pub(super) bordered: Bordered,
     /// Step that the next attempt would like to take, s.
     pub(super) wanted: f64,
@@ -118,6 +121,7 @@ impl Driver {
             options,
             segments,
             switches,
+            sight: None,
             wanted: 0.0,
             at_kink: false,
             previous_time: state.t,
@@ -148,6 +152,15 @@ impl Driver {
             if self.finds_kink(system, t, h) {
                 h = self.segments.fit((t, low), limited, fixed, self.options.max_step);
             }
+            let seen = self.seen(system, t, h);
+            let is_cut = seen < h && !fixed;
+            if is_cut {
+                h = seen;
+                // A switch that a longer look has missed.
+                if self.finds_kink(system, t, h) {
+                    h = self.segments.fit((t, low), h, fixed, self.options.max_step).min(h);
+                }
+            }
             match self.scheme.attempt(system, h, &mut self.statistics) {
                 Outcome::Accepted { next } => {
                     if let Some(before) = &before
@@ -159,7 +172,7 @@ impl Driver {
                         continue;
                     }
                     // A step cut short by a kink or the end says little about the next one.
-                    self.wanted = if next >= h { next.max(limited) } else { next };
+                    self.wanted = if next >= h && !is_cut { next.max(limited) } else { next };
                     let stop = self.accepted(system, t, h);
                     if let Some(error) = self.half_turn(system, &branches, (t, h)) {
                         return Err(error);
@@ -277,6 +290,25 @@ impl Driver {
             from = kink.next_up();
         }
         false
+    }
+
+    /// The longest step at `t` up to `h` (s) that jumps over nothing that motions and loads do. Of what a fixed step jumps over a note tells.
+    fn seen(&mut self, system: &dyn System, t: f64, h: f64) -> f64 {
+        let segments = &self.segments;
+        let sight = self
+            .sight
+            .get_or_insert_with(|| Sight::new(system.courses(), segments.start(), segments.end()));
+        // Beyond a kink the step before says nothing.
+        let before = if segments.begins_behind(self.previous_time) {
+            t
+        } else {
+            self.previous_time
+        };
+        let (seen, of) = sight.longest(before, t, h, segments.smallest_step(t));
+        if let (Some(of), StepSize::Fixed(_)) = (of, self.options.step) {
+            self.statistics.note_unseen(t + seen, of);
+        }
+        seen
     }
 
     /// Ends the present segment where the step just taken first passed a kink of a law; false if it passed none, or if something rattles.

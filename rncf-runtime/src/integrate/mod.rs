@@ -28,6 +28,7 @@ mod radau;
 mod renewal;
 mod scheme;
 mod segments;
+mod sight;
 mod stabiliser;
 mod start;
 mod statistics;

@@ -127,6 +127,12 @@ impl Segments {
             .map(|&(first, last)| (first.next_down(), last.next_up()))
     }
 
+    /// Whether the present segment begins behind a time, s.
+    pub(super) fn begins_behind(&self, t: f64) -> bool {
+        let last = self.passed.checked_sub(1).and_then(|last| self.kinks.get(last));
+        last.is_some_and(|kink| t <= kink.1)
+    }
+
     /// Where the first segment begins, s.
     pub(super) fn start(&self) -> f64 {
         self.start

@@ -116,6 +116,16 @@ impl Statistics {
         }
     }
 
+    /// Notes that a fixed step jumps over what a motion or load does about a time, s: once for each.
+    pub(super) fn note_unseen(&mut self, t: f64, of: &str) {
+        let what = format!("{of} changes within a fixed step");
+        if self.jumps.len() < MOST_JUMPS && !self.jumps.iter().any(|told| told.starts_with(&what)) {
+            self.jumps.push(format!(
+                "{what}, first at t = {t:.6} s, and comes back before the step ends, so that the run does not feel all of it; take shorter steps, or adaptive ones"
+            ));
+        }
+    }
+
     /// Accepted steps for each factorization: how often one is used again; `None` without any. Radau makes two at a time, a
     /// real and a complex one.
     pub fn steps_per_factorization(&self) -> Option<f64> {

@@ -8,6 +8,7 @@ use super::action::FrameAction;
 use super::body::ModalBody;
 use super::carried::Beside;
 use super::reduction::{Block, Reduction};
+use crate::course::Courses;
 use crate::emitted::{Fidelity, Parts};
 use crate::error::ModelError;
 use crate::linalg::Pattern;
@@ -469,6 +470,10 @@ impl System for ModalScene {
 
     fn gaps(&self, t: f64, out: &mut Vec<[f64; 2]>) {
         self.scene.gaps(t, out);
+    }
+
+    fn courses(&self) -> Vec<Courses> {
+        self.scene.courses()
     }
 
     fn too_fast(&mut self, state: &State) -> Option<String> {

@@ -1,6 +1,7 @@
 //! A scene as the integrators see it.
 
 use super::mesh_scene::MeshScene;
+use crate::course::Courses;
 use crate::linalg::Pattern;
 use crate::scene::numbering::layout::VectorKind;
 use crate::scene::pieces::buffers::Regime;
@@ -168,6 +169,10 @@ impl System for MeshScene {
 
     fn gaps(&self, t: f64, out: &mut Vec<[f64; 2]>) {
         self.parts.gaps(t, out);
+    }
+
+    fn courses(&self) -> Vec<Courses> {
+        self.parts.courses()
     }
 
     fn too_fast(&mut self, state: &State) -> Option<String> {

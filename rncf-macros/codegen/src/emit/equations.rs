@@ -6,6 +6,7 @@ use super::kernel::{arrays, documentation, fits_lanes, function, function_of_lan
 use super::moving::document_rows;
 use crate::elements::{Interpolant, Library};
 use crate::lower::constraints::{ConstraintKernels, constraint_kernels};
+use crate::lower::courses::CourseKernel;
 use crate::lower::density::{DensityKernels, FieldKernels, density_kernels, field_kernels};
 use crate::lower::distributed::{DistributedKernels, around_kernels, distributed_kernels};
 use crate::lower::elastic::Form;
@@ -16,7 +17,7 @@ use crate::lower::inertia::mass_kernel;
 use crate::lower::initial::{initial_kernel, path_kernel};
 use crate::lower::joints::{JointKernels, joint_kernels};
 pub use crate::lower::loads::Reduced;
-use crate::lower::{ElasticKernels, Kernel, Variant, elastic_kernels, loads, motions};
+use crate::lower::{ElasticKernels, Kernel, Variant, courses, elastic_kernels, loads, motions};
 use crate::model::{BodyId, FrameId, INERTIAL, Joint, LoadKind, Model, Observable};
 
 /// An element variant with its kernels.
@@ -107,6 +108,8 @@ pub struct Equations {
     pub section_moments: Option<[Kernel; 2]>,
     /// Kinks, and conditions that time decides otherwise.
     pub switches: motions::Switches,
+    /// Motions and loads over time, as operations.
+    pub courses: Vec<CourseKernel>,
     /// Outputs and what they observe, reductions last.
     pub outputs: (Kernel, Vec<Observable>),
     /// Those reductions.
@@ -186,6 +189,7 @@ impl Equations {
             moments,
             section_moments,
             switches: motions::switches(model, library),
+            courses: courses::courses(model, library),
             reduced: loads::reductions(model, &outputs.1),
             outputs,
             run: loads::run_kernel(model),
@@ -289,6 +293,8 @@ impl Equations {
             kernels.push(&self.switches.gaps.0);
         }
         kernels.extend(self.switches.repeated.iter().map(|(_, kernel, _)| kernel));
+        let numbers = self.courses.iter().map(|course| &course.numbers);
+        kernels.extend(numbers.filter(|(_, count)| *count > 0).map(|(kernel, _)| kernel));
         kernels.extend([&self.outputs.0, &self.run]);
         kernels
     }

@@ -4,6 +4,7 @@
 mod along;
 mod bodies;
 mod conserving;
+mod courses;
 pub mod declaration;
 mod density;
 mod distributed;

@@ -347,10 +347,11 @@ impl Parts<'_> {
             "fn output_columns(&self) -> usize {{ {columns} }}\n\
              fn frame_count(&self) -> usize {{ {} }}\n\
              fn frame_name(&self, frame: usize) -> &'static str {{ {names:?}[frame] }}\n\
-             fn conservative(&self) -> bool {{ {} }}\n{kinks}{}",
+             fn conservative(&self) -> bool {{ {} }}\n{kinks}{}{}",
             names.len(),
             self.equations.conservative,
-            self.gaps()
+            self.gaps(),
+            self.courses()
         )
     }
 

@@ -4,6 +4,7 @@
 pub mod branches;
 pub mod choose;
 pub mod constraints;
+pub mod courses;
 pub mod density;
 pub mod distributed;
 pub mod elastic;

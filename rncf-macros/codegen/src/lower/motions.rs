@@ -3,7 +3,6 @@
 use std::collections::HashMap;
 
 use super::kernel::Kernel;
-use super::peaks;
 use crate::elements::{Coefficient, Library};
 use crate::model::{Body, Expr, FrameId, FrameTie, Model, Motions, RepeatId};
 use crate::symbolic::{Id, Node, Time};
@@ -238,8 +237,8 @@ fn timed_roots(time: &mut Time<'_>) -> Vec<Id> {
 }
 
 impl Time<'_> {
-    /// Gaps of the conditions below `roots` that time decides, and what is zero at peaks of exponentials. What depends on the state, too, changes its
-    /// branch at times that nobody knows before.
+    /// Gaps of the conditions below `roots` that time decides. What depends on the state, too, changes its branch
+    /// at times that nobody knows before.
     fn gaps(&mut self, roots: &[Id]) -> Vec<Id> {
         let mut of_state: Vec<Id> = self.observed.iter().map(|&(_, symbol)| symbol).collect();
         of_state.extend(self.locals.iter().flatten().chain(&self.strains).flatten());
@@ -252,11 +251,6 @@ impl Time<'_> {
             let gap = self.graph.subtract(left, right);
             let of_time = self.graph.depends_on(gap, &[self.t]) && !self.graph.depends_on(gap, &of_state);
             if of_time && !gaps.contains(&gap) {
-                gaps.push(gap);
-            }
-        }
-        for gap in peaks::of_time(self, roots, &of_state) {
-            if !gaps.contains(&gap) {
                 gaps.push(gap);
             }
         }

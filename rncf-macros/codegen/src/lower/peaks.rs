@@ -1,45 +1,14 @@
-//! Where an exponential has a peak: a blow `exp(-((t - t0)/width)^2)`, a wall `1/cosh(x/width)^2`, a ramp `tanh((t - t0)/width)`. Beside it there is
-//! nothing that a step could see, whatever its tolerance: one that begins and ends far from it would jump over it. Steps end at peaks.
+//! Where an exponential of what moves has a peak: a wall `exp(-(x/width)^2)` or `1/cosh(x/width)^2`. Beside it there is nothing that a step could see,
+//! whatever its tolerance: one that begins and ends far from it would jump over it. Steps end at peaks. Of what time decides see `courses.rs`.
 
 use std::collections::HashMap;
 
 use super::markers::Marked;
 use crate::model::Function;
-use crate::symbolic::{Id, Node, Time};
+use crate::symbolic::{Id, Node};
 
-/// `tanh(z)` bends most where z^2 is this: there the acceleration of what moves so is greatest.
-const BEND: f64 = 0.433;
 /// Tells the runtime that numbers are of a peak.
 const PEAK: f64 = -2.0;
-
-/// What is zero at the peaks, below `roots`, of what time alone decides.
-pub fn of_time(time: &mut Time<'_>, roots: &[Id], of_state: &[Id]) -> Vec<Id> {
-    let t = time.t;
-    let mut gaps = Vec::new();
-    for id in time.graph.reachable(roots) {
-        let Node::Call(function, argument) = time.graph.node(id) else {
-            continue;
-        };
-        if time.graph.depends_on(argument, of_state) {
-            continue;
-        }
-        let graph = &mut time.graph;
-        let gap = match function {
-            Function::Exp => graph.partial(argument, t),
-            Function::Cosh => argument,
-            Function::Tanh => {
-                let square = graph.multiply(argument, argument);
-                let bend = graph.number(BEND);
-                graph.subtract(square, bend)
-            }
-            _ => continue,
-        };
-        if graph.depends_on(gap, &[t]) {
-            gaps.push(gap);
-        }
-    }
-    gaps
-}
 
 /// Rates of the exponents that what moves decides: each is positive before a peak and negative behind it. With what tells it from angles and kinks.
 pub fn outputs(marked: &mut Marked<'_>, components: &[Id], begin: usize) -> Vec<(String, Id)> {

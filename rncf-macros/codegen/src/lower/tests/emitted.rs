@@ -6,6 +6,7 @@ use crate::elements::Library;
 use crate::emit;
 use crate::emit::equations::Equations;
 use crate::expand;
+use crate::lower::courses::courses;
 use crate::lower::free::free_kernel;
 use crate::lower::motions::switches;
 use crate::model::{Binary, Comparison, Expr, Force, Function, MarkerId, Model, MotionId};
@@ -131,32 +132,41 @@ fn conditions_that_are_not_linear_in_time_are_written_as_gaps() {
 }
 
 #[test]
-fn peaks_of_exponentials_of_time_are_known() {
+fn pulses_of_time_are_written_as_operations() {
     let binary = |operator, a: Expr, b: Expr| Expr::Binary(operator, Box::new(a), Box::new(b));
-    let away = binary(Binary::Subtract, Expr::Time, number(1.5));
-    let square = Expr::Power(
-        Box::new(binary(Binary::Divide, away, number(0.1))),
-        Box::new(number(2.0)),
-    );
-    let bell = Expr::Call(Function::Exp, vec![Expr::Negate(Box::new(square))]);
+    let power = |base: Expr, exponent: f64| Expr::Power(Box::new(base), Box::new(number(exponent)));
+    let call = |function, of: Expr| Expr::Call(function, vec![of]);
     let mut model = moving();
-    let before = switches(&model, &Library::standard()).kinks.1;
+    let before = courses(&model, &Library::standard()).len();
     model.forces.push(Force {
         name: "blow".to_string(),
         doc: String::new(),
         markers: vec![MarkerId(0)],
-        components: vec![[number(0.0), bell, number(0.0)]],
+        components: Vec::new(),
         energy: None,
         is_load: true,
     });
-    let (kernel, count) = switches(&model, &Library::standard()).kinks;
-    assert_eq!(count, before + 1);
-    let times = evaluate(&kernel, &Inputs::new());
-    assert!(times.values().any(|t| (t - 1.5).abs() < 1e-12), "{times:?}");
-    // What decays evenly has none.
-    let decay = Expr::Call(Function::Exp, vec![Expr::Negate(Box::new(Expr::Time))]);
-    model.forces.last_mut().unwrap().components = vec![[number(0.0), decay, number(0.0)]];
-    assert_eq!(switches(&model, &Library::standard()).kinks.1, before);
+    let mut found = |component: Expr| {
+        model.forces.last_mut().unwrap().components = vec![[number(0.0), component, number(0.0)]];
+        courses(&model, &Library::standard())
+    };
+    let square = power(binary(Binary::Divide, Expr::Time, number(0.1)), 2.0);
+    let rational = binary(Binary::Divide, number(2.0), binary(Binary::Add, number(1.0), square));
+    // A sum has its terms beside it, and a factor that does not change is left out.
+    let both = binary(Binary::Add, rational, power(call(Function::Sin, Expr::Time), 50.0));
+    let list = found(both);
+    let last = list.last().unwrap();
+    assert_eq!(list.len(), before.max(1));
+    let of_blow = last.functions.iter().filter(|(of, _)| of == "load `blow`").count();
+    assert_eq!(of_blow, 3, "{:?}", last.functions);
+    assert!(last.operations.iter().any(|one| one.starts_with("Power(")));
+    // Sines and polynomials hide nothing.
+    let even = binary(
+        Binary::Multiply,
+        power(Expr::Time, 2.0),
+        call(Function::Sin, Expr::Time),
+    );
+    assert_eq!(found(even).len(), before);
 }
 
 #[test]

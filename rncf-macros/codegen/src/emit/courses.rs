@@ -1,0 +1,45 @@
+//! Motions and loads over time, as operations that the runtime bounds.
+
+use super::parts::Parts;
+use crate::lower::courses::CourseKernel;
+
+impl Parts<'_> {
+    /// The method that returns them; nothing where there are none.
+    pub(super) fn courses(&self) -> String {
+        let all = &self.equations.courses;
+        if all.is_empty() {
+            return String::new();
+        }
+        let each: String = all.iter().map(one).collect();
+        format!(
+            "fn courses(&self) -> ::std::vec::Vec<::rncf::emitted::Courses> {{\nuse ::rncf::emitted::Operation as Of;\nlet model = &self.model;\nlet mut all = ::std::vec::Vec::new();\n{each}all\n}}\n"
+        )
+    }
+}
+
+fn one(course: &CourseKernel) -> String {
+    let (kernel, count) = &course.numbers;
+    let index = course.repeat.map_or("", |_| "instance as f64, ");
+    let numbers = match count {
+        0 => String::new(),
+        _ => format!("{}(model, {index}&mut numbers);\n", kernel.name),
+    };
+    let mutable = if *count > 0 { "mut " } else { "" };
+    let operations: Vec<String> = course.operations.iter().map(|one| format!("Of::{one}")).collect();
+    let operations = operations.join(", ");
+    let tables: Vec<String> = course.tables.iter().map(|table| format!("{table} as _")).collect();
+    let tables = tables.join(", ");
+    let functions: Vec<String> = course
+        .functions
+        .iter()
+        .map(|(of, at)| format!("({of:?}, {at})"))
+        .collect();
+    let functions = functions.join(", ");
+    let body = format!(
+        "let {mutable}numbers = [0.0; {count}];\n{numbers}all.push(::rncf::emitted::Courses {{\noperations: &[{operations}],\nnumbers: numbers.to_vec(),\ntables: ::std::vec![{tables}],\nfunctions: &[{functions}],\n}});\n"
+    );
+    match course.repeat {
+        None => format!("{{\n{body}}}\n"),
+        Some(repeat) => format!("for instance in 0..self.counts[{}] {{\n{body}}}\n", repeat.0),
+    }
+}

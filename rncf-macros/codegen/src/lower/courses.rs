@@ -1,0 +1,286 @@
+//! Courses: what motions and loads do over time alone, where it may be over before a step sees it, as lists of operations that the runtime bounds.
+//! Of prescribed positions it is their second derivative: that of the acceleration.
+
+use super::kernel::Kernel;
+use super::motions::timed_coefficients;
+use crate::elements::Library;
+use crate::model::{FrameId, Function, Model, RepeatId};
+use crate::symbolic::{Id, Node, Time};
+
+/// A sine to a lower power is as wide as its period is long.
+const NARROW_POWER: u32 = 4;
+
+/// Functions of time that share operations.
+#[derive(Clone, Debug)]
+pub struct CourseKernel {
+    /// Loop whose number of the repetition they depend on.
+    pub repeat: Option<RepeatId>,
+    /// Values of what does not change, and their number.
+    pub numbers: (Kernel, usize),
+    /// Operations, as texts of `rncf::emitted::Operation`, operands first.
+    pub operations: Vec<String>,
+    /// Tables that are looked up, as references in generated code where `model` is the struct of the params.
+    pub tables: Vec<String>,
+    /// What each function belongs to, and its operation.
+    pub functions: Vec<(String, usize)>,
+}
+
+/// All courses of a model: those of all repetitions first.
+pub fn courses(model: &Model, library: &Library) -> Vec<CourseKernel> {
+    let scopes = std::iter::once(None).chain((0..model.repeats.len()).map(|at| Some(RepeatId(at))));
+    scopes.filter_map(|repeat| courses_in(model, library, repeat)).collect()
+}
+
+/// An expression that time may act on, and what it belongs to.
+struct Root {
+    of: String,
+    /// Whether it is a position.
+    is_position: bool,
+    values: Vec<Id>,
+}
+
+fn courses_in(model: &Model, library: &Library, repeat: Option<RepeatId>) -> Option<CourseKernel> {
+    let mut time = Time::new(model);
+    let roots = match repeat {
+        None => roots(&mut time, library),
+        Some(repeat) => repeated_roots(&mut time, repeat),
+    };
+    let mut other: Vec<Id> = time.observed.iter().map(|&(_, symbol)| symbol).collect();
+    other.extend(time.locals.iter().flatten().chain(&time.strains).flatten());
+    other.extend([time.x, time.end_time]);
+    let index = time.index;
+    if repeat.is_none() {
+        other.push(index);
+    }
+    let mut functions: Vec<(String, Id)> = Vec::new();
+    for root in roots {
+        let mut parts = Vec::new();
+        root.values
+            .iter()
+            .for_each(|&id| time.parts_of_time(id, &other, &mut parts));
+        for part in parts {
+            if !time.is_narrow(part) || (repeat.is_some() && !time.graph.depends_on(part, &[index])) {
+                continue;
+            }
+            let part = if root.is_position {
+                let rate = time.graph.partial(part, time.t);
+                time.graph.partial(rate, time.t)
+            } else {
+                part
+            };
+            let is_new = functions.iter().all(|&(_, known)| known != part);
+            if is_new && time.graph.depends_on(part, &[time.t]) {
+                functions.push((root.of.clone(), part));
+            }
+        }
+    }
+    (!functions.is_empty()).then(|| time.course_kernel(repeat, functions))
+}
+
+fn roots(time: &mut Time<'_>, library: &Library) -> Vec<Root> {
+    let model = time.model;
+    let mut roots = Vec::new();
+    let mut root = |of: String, is_position, values| {
+        roots.push(Root {
+            of,
+            is_position,
+            values,
+        })
+    };
+    for (index, frame) in model.frames.iter().enumerate() {
+        if frame.free.is_some() || FrameId(index) == crate::model::INERTIAL {
+            continue;
+        }
+        let mut values = time.vector(&frame.origin);
+        values.extend(frame.rotation.iter().map(|rotation| time.expression(&rotation.angle)));
+        root(format!("the motion of frame `{}`", frame.name), true, values);
+    }
+    for load in &model.loads {
+        let values = time.vector(load.kind.components());
+        root(format!("load `{}`", load.name), false, values);
+    }
+    for density in &model.densities {
+        let values = time.vector(&density.components);
+        root(format!("load `{}`", density.name), false, values);
+    }
+    for load in &model.distributed {
+        let values = load.forces.iter().flat_map(|(_, components)| time.vector(components));
+        let values = values.collect();
+        root(format!("load `{}`", load.name), false, values);
+    }
+    for constraint in &model.constraints {
+        let values = constraint.rows.iter().map(|(_, row)| time.expression(row)).collect();
+        root(format!("joint `{}`", constraint.name), true, values);
+    }
+    for force in &model.forces {
+        let values = force.components.iter().flat_map(|components| time.vector(components));
+        let values = values.collect();
+        let kind = if force.is_load { "load" } else { "spring" };
+        root(format!("{kind} `{}`", force.name), false, values);
+    }
+    for body in &model.bodies {
+        let timed = timed_coefficients(body, library);
+        let values = timed
+            .iter()
+            .filter_map(|one| one.scale.as_ref())
+            .map(|scale| time.expression(scale));
+        let values = values.collect();
+        root(format!("the stiffness of body `{}`", body.name), false, values);
+    }
+    roots
+}
+
+fn repeated_roots(time: &mut Time<'_>, repeat: RepeatId) -> Vec<Root> {
+    let model = time.model;
+    let of_loop = model
+        .densities
+        .iter()
+        .filter(|density| model.bodies[density.body.0].repeat == Some(repeat));
+    of_loop
+        .map(|density| Root {
+            of: format!("load `{}`", density.name),
+            is_position: false,
+            values: time.vector(&density.components),
+        })
+        .collect()
+}
+
+impl Time<'_> {
+    /// The largest parts of an expression that time alone decides, each sum and each of its terms, without factors that do not
+    /// change: a pulse may be small beside another term, or the difference of two that are none.
+    fn parts_of_time(&self, id: Id, other: &[Id], parts: &mut Vec<Id>) {
+        let graph = &self.graph;
+        if !graph.depends_on(id, &[self.t]) {
+            return;
+        }
+        let is_scaled = match graph.node(id) {
+            Node::Negate(_) => true,
+            Node::Multiply(a, b) => !(graph.depends_on(a, &[self.t]) && graph.depends_on(b, &[self.t])),
+            Node::Divide(_, b) => !graph.depends_on(b, &[self.t]),
+            _ => false,
+        };
+        let is_sum = matches!(graph.node(id), Node::Add(..) | Node::Subtract(..));
+        let is_of_time = !graph.depends_on(id, other);
+        if is_of_time && !is_scaled && !parts.contains(&id) {
+            parts.push(id);
+        }
+        if is_scaled || is_sum || !is_of_time {
+            for child in graph.children(id) {
+                self.parts_of_time(child, other, parts);
+            }
+        }
+    }
+
+    /// Whether a function of time may be over sooner than what else in it shows: not one of polynomials, sines and switches at known times.
+    fn is_narrow(&mut self, id: Id) -> bool {
+        let t = self.t;
+        for id in self.graph.reachable(&[id]) {
+            if !self.graph.depends_on(id, &[t]) {
+                continue;
+            }
+            let is_narrow = match self.graph.node(id) {
+                Node::Divide(_, divisor) => self.graph.depends_on(divisor, &[t]),
+                Node::Power(base, exponent) => base != t && exponent >= NARROW_POWER,
+                Node::Call(function, _) => !matches!(function, Function::Sin | Function::Cos),
+                Node::Call2(..) | Node::Lookup(..) => true,
+                Node::Select(_, [left, right, ..]) => {
+                    let gap = self.graph.subtract(left, right);
+                    let slope = self.graph.partial(gap, t);
+                    self.graph.depends_on(slope, &[t])
+                }
+                _ => false,
+            };
+            if is_narrow {
+                return true;
+            }
+        }
+        false
+    }
+
+    fn course_kernel(self, repeat: Option<RepeatId>, functions: Vec<(String, Id)>) -> CourseKernel {
+        let (t, graph) = (self.t, &self.graph);
+        let roots: Vec<Id> = functions.iter().map(|&(_, id)| id).collect();
+        let nodes = graph.reachable(&roots);
+        let changes = |id: Id| graph.depends_on(id, &[t]);
+        // What does not change is a number where something that changes reads it.
+        let read: std::collections::HashSet<Id> = nodes
+            .iter()
+            .filter(|&&id| changes(id))
+            .flat_map(|&id| graph.children(id))
+            .collect();
+        let (mut places, mut operations) = (std::collections::HashMap::new(), Vec::new());
+        let (mut numbers, mut tables): (Vec<Id>, Vec<String>) = (Vec::new(), Vec::new());
+        for id in nodes {
+            if !changes(id) {
+                if read.contains(&id) {
+                    places.insert(id, operations.len());
+                    operations.push(format!("Number({})", numbers.len()));
+                    numbers.push(id);
+                }
+                continue;
+            }
+            let at = |id: Id| places[&id];
+            let operation = match graph.node(id) {
+                Node::Number(_) | Node::Symbol(_) => "Time".to_string(),
+                Node::Add(a, b) => format!("Add({}, {})", at(a), at(b)),
+                Node::Subtract(a, b) => format!("Subtract({}, {})", at(a), at(b)),
+                Node::Multiply(a, b) => format!("Multiply({}, {})", at(a), at(b)),
+                Node::Divide(a, b) => format!("Divide({}, {})", at(a), at(b)),
+                Node::Negate(a) => format!("Negate({})", at(a)),
+                Node::Power(a, n) => format!("Power({}, {n})", at(a)),
+                Node::Call(function, a) => format!("{function:?}({})", at(a)),
+                Node::Call2(function, a, b) => format!("{function:?}({}, {})", at(a), at(b)),
+                Node::Select(comparison, [left, right, then, otherwise]) => {
+                    let [left, right, then, otherwise] = [left, right, then, otherwise].map(at);
+                    // Which of both holds at equal sides is of no account.
+                    let is_less = matches!(
+                        comparison,
+                        crate::model::Comparison::Less | crate::model::Comparison::LessEqual
+                    );
+                    let (left, right) = if is_less { (left, right) } else { (right, left) };
+                    format!("Select([{left}, {right}, {then}, {otherwise}])")
+                }
+                Node::Lookup(column, a) => {
+                    let table = graph.table(column);
+                    let reference = if table.is_param {
+                        format!("{}.table()", table.reference())
+                    } else {
+                        format!("&{}", table.reference())
+                    };
+                    let known = tables.iter().position(|known| *known == reference);
+                    let number = known.unwrap_or_else(|| {
+                        tables.push(reference);
+                        tables.len() - 1
+                    });
+                    format!("Lookup({number}, {}, {}, {})", column.column, column.order, at(a))
+                }
+            };
+            places.insert(id, operations.len());
+            operations.push(operation);
+        }
+        let functions = functions.into_iter().map(|(of, id)| (of, places[&id])).collect();
+        let count = numbers.len();
+        let outputs = numbers.into_iter().enumerate();
+        let outputs = outputs.map(|(at, id)| (format!("numbers[{at}]"), id)).collect();
+        let name = match repeat {
+            None => "numbers_of_courses".to_string(),
+            Some(repeat) => format!("numbers_of_courses_in_loop_{}", repeat.0),
+        };
+        let mut kernel = self.kernel(
+            name,
+            "What does not change in motions and loads that do.".to_string(),
+            outputs,
+        );
+        kernel.arguments[1] = format!("numbers: &mut [f64; {count}]");
+        if repeat.is_some() {
+            kernel.arguments.insert(1, "index: f64".to_string());
+        }
+        CourseKernel {
+            repeat,
+            numbers: (kernel, count),
+            operations,
+            tables,
+            functions,
+        }
+    }
+}
