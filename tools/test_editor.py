@@ -1,4 +1,4 @@
-"""What rust-analyzer finds in the text of `model!`: definitions, hovers, uses, and new names.
+"""What rust-analyzer finds in the text of `model!`: definitions, hovers, uses, new names, and how words go on.
 
 python3 tools/test_editor.py            it needs rust-analyzer: rustup component add rust-analyzer
 
@@ -26,6 +26,27 @@ fn main() {{
 
 
 ITEMS = "param const material section frame motion component body joint part output".split()
+
+# Half-typed text in place of the model's: what completes it at `|`, and what is no name there.
+TYPED = [
+    ("output tip = blade[1].spar.end;", "output tip = |", "long blade hub turn steel inertial total", "spar clip"),
+    ("output tip = blade[1].spar.end;", "output tip = bl|", "blade blades", "spar"),
+    ("output tip = blade[1].spar.end;", "output tip = blade[1].|", "spar clip pull", "hub start"),
+    ("output tip = blade[1].spar.end;", "output tip = blade[1].spar.|", "start end at mass", "spar ex"),
+    ("output tip = blade[1].spar.end;", "output tip = blade[1].spar.en|;", "start end at", "spar ex"),
+    ("output tip = blade[1].spar.end;", "output tip = blade[1].spar.end.|;", "x velocity axial_force", "start"),
+    ("output tip = blade[1].spar.end;", "output tip = blade[1].spar.at(1 m).velocity.|;", "x y z", "velocity"),
+    ("output tip = blade[1].spar.end;", "output tip = hub.|;", "angle ex at", "start"),
+    ("output tip = blade[1].spar.end;", "joint other = clamp(blade[1].spar.end, h|);", "hub", "start"),
+    ("clamp(spar.start, root);", "clamp(|, root);", "spar root hub long azimuth", "start"),
+    ("clamp(spar.start, root);", "clamp(sp|", "spar root hub long azimuth", "start"),
+    ("clip.force.x", "clip.|", "force moment", "spar"),
+    ("cable(round, steel)", "cable(ro|, st)", "round steel", "start"),
+    ("cable(round, steel)", "cable(round, |)", "round steel", "start"),
+    ("turn(t)", "tu|(t)", "turn", "spar"),
+    ("body spar in root", "body spar in ro|", "root hub", "start"),
+    ("long * cos(azimuth), ", "lo|, ", "long azimuth", "start"),
+]
 
 
 class Server:
@@ -68,7 +89,7 @@ class Server:
                 return message.get("result")
         return None
 
-    def ask(self, method, params, seconds=60):
+    def ask(self, method, params, seconds=300):
         self.last += 1
         self.write({"id": self.last, "method": method, "params": params})
         return self.wait(self.last, seconds)
@@ -85,6 +106,30 @@ def places(text, word):
                 found.append((row, at))
             at = line.find(word, at + 1)
     return found
+
+
+def check_completion(server, uri, at):
+    """What completes half-typed text, at its own version of the document each."""
+    slowest = 0.0
+    for version, (found, typed, wanted, strange) in enumerate(TYPED, 2):
+        assert found in MODEL, found
+        text = MODEL.replace(found, typed, 1)
+        rest = text[: text.index("|")]
+        text = text.replace("|", "", 1)
+        if typed.count("(") > typed.count(")"):
+            # What is typed stands in parentheses that are closed by an editor.
+            text = text[: len(rest)] + ");" + text[len(rest) :]
+        document = {"uri": uri, "version": version}
+        server.write({"method": "textDocument/didChange", "params": {"textDocument": document, "contentChanges": [{"text": text}]}})
+        began = time.time()
+        place = (rest.count("\n"), len(rest) - rest.rfind("\n") - 1)
+        answer = server.ask("textDocument/completion", at(place)) or {}
+        slowest = max(slowest, time.time() - began)
+        labels = {item["label"] for item in answer.get("items", [])}
+        assert set(wanted.split()) <= labels, f"`{typed}`: {sorted(labels)}"
+        assert not set(strange.split()) & labels, f"`{typed}`: {sorted(labels)}"
+        print(f"{typed}: {len(labels)} words")
+    print(f"the slowest answer took {slowest:.2f} s")
 
 
 def check(folder):
@@ -141,6 +186,7 @@ def check(folder):
         edits = {start(edit) for change in renamed["documentChanges"] for edit in change["edits"]}
         assert edits == set(places(MODEL, "spar")), edits
         print("spar: renamed")
+        check_completion(server, source.as_uri(), at)
     finally:
         server.process.kill()
 

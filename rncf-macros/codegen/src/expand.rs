@@ -40,10 +40,10 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
             }
             match text.parse::<TokenStream>() {
                 Ok(tokens) => {
-                    let mut tokens = respan(tokens, &names(&tree));
-                    tokens.extend(warnings.iter().map(Mistake::to_warning));
-                    tokens.extend(editor::items(written, &tree));
-                    tokens
+                    let mut items = editor::items(written, &tree);
+                    items.extend(respan(tokens, &names(&tree)));
+                    items.extend(warnings.iter().map(Mistake::to_warning));
+                    items
                 }
                 Err(error) => {
                     let mut errors = Errors::new();
@@ -56,10 +56,10 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
             }
         }
         (Some(tree), _) => {
-            let mut tokens = errors.into_tokens_beside(tree.name.span);
-            tokens.extend(stub::stub(&tree));
-            tokens.extend(editor::items(written, &tree));
-            tokens
+            let mut items = editor::items(written, &tree);
+            items.extend(errors.into_tokens_beside(tree.name.span));
+            items.extend(stub::stub(&tree));
+            items
         }
         (None, _) => errors.into_tokens(),
     }

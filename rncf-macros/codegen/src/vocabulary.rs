@@ -1,6 +1,7 @@
 //! The properties of materials and sections: names, dimensions and ranges, as data.
 
 mod law;
+pub mod members;
 
 pub use law::{
     CENTRES, DAMPINGS, LAW, MASS_ENTRIES, MASSES, PIVOTS, PIVOTS_OF_RATES, STIFFNESS_ENTRIES, from_beamdyn,

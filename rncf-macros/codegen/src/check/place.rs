@@ -12,6 +12,7 @@ use crate::joints::{Party, algebra};
 use crate::model::{Body, BodyId, Expr as Value, FrameId, Location, Motions, Space};
 use crate::parse::tree::{Argument, Expr, ExprKind, Keyword};
 use crate::suggest;
+use crate::vocabulary::members;
 
 const PLACE: Wanted = Wanted {
     what: "the place on a body",
@@ -274,7 +275,7 @@ impl<'a> Check<'a> {
                 let message = match &base.kind {
                     ExprKind::Name(body) if is_of_place(other) => say::of_place(other, &body.text),
                     _ => {
-                        let known = ["start", "end", "at"].into_iter().chain(balance_words());
+                        let known = members::words(members::PLACES).chain(balance_words());
                         suggest::unknown("place on a body", other, known)
                     }
                 };

@@ -191,3 +191,21 @@ fn lacks_shape(body: &Body) -> Option<String> {
         _ => Some(say::stress_without_shape(name, "`extent_y` and `extent_z`")),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::CARRIED;
+    use crate::check::balance;
+    use crate::vocabulary::members::{BALANCES, OF_SECTIONS, words};
+
+    #[test]
+    fn editors_complete_every_word_that_is_understood() {
+        let carried: Vec<&str> = CARRIED.iter().map(|(word, ..)| *word).collect();
+        let completed: Vec<&str> = words(OF_SECTIONS).skip(3).collect();
+        assert_eq!(completed, carried);
+        assert_eq!(
+            words(BALANCES).collect::<Vec<_>>(),
+            balance::words().collect::<Vec<_>>()
+        );
+    }
+}

@@ -16,6 +16,7 @@ use crate::model::{self, FrameId, INERTIAL, Marker, Motions, Observable};
 use crate::parse::tree::{Argument, Expr, ExprKind, Keyword, Name};
 use crate::suggest;
 use crate::units::Dimension;
+use crate::vocabulary::members;
 
 const DIRECTION: Wanted = Wanted {
     what: "a direction",
@@ -289,7 +290,7 @@ impl<'a> Check<'a> {
                 return self.one_component(Quantity::Vector(position), field).map(Thing::Value);
             }
             (word, _) => {
-                let mut known = vec!["x", "y", "z", "velocity", "position", "acceleration"];
+                let mut known: Vec<&str> = members::words(members::OF_POINTS).collect();
                 if let Spot::Flexible(place) = &spot {
                     known.push("slope");
                     known.extend(known_words(place));
@@ -384,24 +385,8 @@ impl<'a> Check<'a> {
                 self.of_place(origin(frame), None, field, scope)
             }
             (word, _) => {
-                let known = [
-                    "at",
-                    "center",
-                    "x",
-                    "y",
-                    "z",
-                    "position",
-                    "velocity",
-                    "acceleration",
-                    "ex",
-                    "ey",
-                    "ez",
-                    "direction",
-                    "angle",
-                    "speed",
-                    "angular_velocity",
-                ];
-                let known = known.into_iter().chain(balance_words());
+                let known = members::words(members::OF_FRAMES).chain(members::words(members::OF_POINTS));
+                let known = known.chain(balance_words());
                 self.errors
                     .at(field.span, suggest::unknown("quantity of a frame", word, known));
                 None
@@ -501,7 +486,11 @@ impl<'a> Check<'a> {
             return None;
         }
         if field.text != "multiplier" {
-            let message = suggest::unknown("quantity of a constraint", &field.text, ["multiplier"]);
+            let message = suggest::unknown(
+                "quantity of a constraint",
+                &field.text,
+                members::words(members::OF_CONSTRAINTS),
+            );
             self.errors.at(field.span, message);
             return None;
         }

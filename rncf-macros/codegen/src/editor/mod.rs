@@ -2,6 +2,7 @@
 //! used. So going to definitions, hovering, finding uses and renaming work in the text of `model!`. It reads tokens, no tree: text
 //! that is half typed has its names, too. What is written has no effect, and stands in no text of `generated/`.
 
+mod completion;
 mod scan;
 #[cfg(test)]
 mod tests;
@@ -10,6 +11,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use crate::parse::tree::Tree;
+use crate::vocabulary::members::Thing;
 
 /// A declared name.
 #[derive(Debug)]
@@ -23,6 +25,8 @@ struct Declared {
     text: String,
     /// Of a part: the component that it is.
     component: Option<String>,
+    /// What it stands for, where words may follow its dot.
+    thing: Option<Thing>,
 }
 
 /// Names that are seen together: those of the model, of a component, of an element.
@@ -42,7 +46,25 @@ struct Use {
     is_output: bool,
 }
 
-/// Items for the names of a declaration that a tree was read from.
+/// What is in sight at a place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Sight {
+    /// The names of a scope, and of those around it.
+    Scope(usize),
+    /// Behind the dot of a part: the names and outputs of its component.
+    Part(usize),
+    /// Behind the dot of something else.
+    Of(Thing),
+}
+
+/// A word where a name may stand, whether or not it is one.
+#[derive(Debug)]
+struct Place {
+    word: Ident,
+    sight: Sight,
+}
+
+/// Items for the names of a declaration that a tree was read from. They stand in front of all other items: see [`completion`].
 pub fn items(tokens: TokenStream, tree: &Tree) -> TokenStream {
     let found = scan::scan(tokens);
     let model = Ident::new(&tree.name.text, Span::call_site());
@@ -53,41 +75,38 @@ pub fn items(tokens: TokenStream, tree: &Tree) -> TokenStream {
         if *scope == 0 && !is_output && params.iter().any(|param| name == param) {
             return quote!(let _ = &model.#name;);
         }
-        let path = path(&found.scopes, *scope);
-        if *is_output {
-            quote!(let _ = #path outputs::#name;)
-        } else {
-            quote!(let _ = #path #name;)
-        }
+        let module = if *is_output { outputs(*scope) } else { names(*scope) };
+        quote!(let _ = declared::#module::#name;)
     });
-    let modules = module(&found.scopes, 0);
+    let completion = completion::functions(&found);
+    let given = completion::given();
+    let modules = (0..found.scopes.len()).map(|at| module(&found.scopes, at));
     quote! {
         #[allow(nonstandard_style, unused, missing_docs, unreachable_pub, unused_qualifications, unused_results, clippy::all, clippy::pedantic)]
         const _: () = {
-            #modules
+            #[no_implicit_prelude]
+            mod declared { #completion #(#modules)* #given }
             fn uses(model: &#model) { #(#uses)* }
         };
     }
 }
 
-fn own(scope: usize) -> Ident {
+/// The module of a scope's names.
+fn names(scope: usize) -> Ident {
     Ident::new(&format!("names_{scope}"), Span::call_site())
 }
 
-/// The path to the names of a scope, with a last `::`.
-fn path(scopes: &[Scope], scope: usize) -> TokenStream {
-    let outer = scopes[scope].outer.map(|outer| path(scopes, outer));
-    let own = own(scope);
-    quote!(#outer #own::)
+/// The module of a scope's outputs.
+fn outputs(scope: usize) -> Ident {
+    Ident::new(&format!("outputs_{scope}"), Span::call_site())
 }
 
-/// The names of a scope, and inside of it those of the scopes in it.
+/// The modules of a scope.
 fn module(scopes: &[Scope], at: usize) -> TokenStream {
-    let Scope { names, outputs, .. } = &scopes[at];
-    let (own, names, outputs) = (own(at), names.iter().map(item), outputs.iter().map(item));
-    let inner = (0..scopes.len()).filter(|inner| scopes[*inner].outer == Some(at));
-    let inner = inner.map(|inner| module(scopes, inner));
-    quote!(pub mod #own { #(#names)* pub mod outputs { #(#outputs)* } #(#inner)* })
+    let scope = &scopes[at];
+    let (own, shown) = (names(at), outputs(at));
+    let (names, outputs) = (scope.names.iter().map(item), scope.outputs.iter().map(item));
+    quote!(pub mod #own { #(#names)* } pub mod #shown { #(#outputs)* })
 }
 
 fn item(declared: &Declared) -> TokenStream {

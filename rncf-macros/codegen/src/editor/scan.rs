@@ -4,7 +4,8 @@ use std::collections::HashMap;
 
 use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 
-use super::{Declared, Scope, Use};
+use super::{Declared, Place, Scope, Sight, Use};
+use crate::vocabulary::members::{GIVEN, Thing};
 
 /// Words in front of names, in models and components.
 const ITEMS: [&str; 20] = [
@@ -42,6 +43,8 @@ pub struct Found {
     /// The first one is that of the model.
     pub scopes: Vec<Scope>,
     pub uses: Vec<Use>,
+    /// Words where a name may stand, in the order of the text.
+    pub places: Vec<Place>,
     /// Scopes by the names of components; of elements they are seen from inside alone.
     components: HashMap<String, usize>,
     /// Scopes of what stands in braces, in the order of the text.
@@ -199,6 +202,7 @@ impl Found {
             doc,
             text: text_of,
             component: component.flatten(),
+            thing: Thing::of(&kind),
             kind,
         };
         let scope = &mut self.scopes[scope];
@@ -224,6 +228,7 @@ impl Found {
                         doc: String::new(),
                         text: String::new(),
                         component: None,
+                        thing: tokens.get(at + 2).and_then(|kind| Thing::of(&kind.to_string())),
                     });
                 }
             }
@@ -232,8 +237,8 @@ impl Found {
 
     /// Collects uses of names; `words` begin items where these may stand.
     fn uses(&mut self, tokens: &[TokenTree], scope: usize, words: Option<&[&str]>) {
-        // The scope of what stands behind a dot, behind a part.
-        let mut part = None;
+        // What is seen behind a dot.
+        let mut behind = None;
         let mut is_start = words.is_some();
         let (mut at, mut inner) = (0, None);
         while at < tokens.len() {
@@ -242,7 +247,7 @@ impl Found {
                 TokenTree::Punct(punct) => {
                     is_start = words.is_some() && (punct.as_char() == ';' || is_start && punct.as_char() == '#');
                     if punct.as_char() != '.' {
-                        part = None;
+                        behind = None;
                     }
                 }
                 TokenTree::Group(group) => {
@@ -257,8 +262,9 @@ impl Found {
                         None => self.uses(&inside, scope, words.filter(|_| is_brace)),
                     }
                     is_start = is_start && is_doc || words.is_some() && is_brace;
-                    if group.delimiter() != Delimiter::Bracket {
-                        part = None;
+                    let is_call = group.delimiter() == Delimiter::Parenthesis && matches!(behind, Some(Sight::Of(_)));
+                    if group.delimiter() != Delimiter::Bracket && !is_call {
+                        behind = None;
                     }
                 }
                 TokenTree::Ident(word) => {
@@ -273,22 +279,21 @@ impl Found {
                             }
                         }
                         at += 2;
-                        (is_start, part) = (false, None);
+                        (is_start, behind) = (false, None);
                         continue;
                     }
                     is_start = false;
                     let is_member = is_punct(before, '.') && !is_range(tokens, at);
-                    let seen_from = if is_member { part.take() } else { Some(scope) };
-                    part = None;
-                    if let Some(from) = seen_from
-                        && (is_member || self.may_be_name(tokens, at))
-                    {
-                        part = self.mention(word, from, is_member);
+                    // What is seen `.in(FRAME)` is what it was.
+                    if !(is_member && text == "in") {
+                        let sight = if is_member { behind } else { Some(Sight::Scope(scope)) };
+                        let sight = sight.filter(|_| is_member || self.may_be_name(tokens, at));
+                        behind = sight.and_then(|sight| self.place(word, sight));
                     }
                 }
                 TokenTree::Literal(_) => {
                     is_start = false;
-                    part = None;
+                    behind = None;
                 }
             }
             at += 1;
@@ -303,20 +308,34 @@ impl Found {
         !is_unit && !is_argument && !is_punct(before, ':')
     }
 
-    /// Notes the use of a name that a scope sees; the scope behind it, where it is a part.
-    fn mention(&mut self, word: &Ident, from: usize, is_member: bool) -> Option<usize> {
+    /// Notes a word where a name may stand; what is seen behind its dot.
+    fn place(&mut self, word: &Ident, sight: Sight) -> Option<Sight> {
         ident(Some(&TokenTree::Ident(word.clone())))?;
+        self.places.push(Place {
+            word: word.clone(),
+            sight,
+        });
+        match sight {
+            Sight::Of(thing) => thing.then(&word.to_string()).map(Sight::Of),
+            Sight::Scope(scope) => self.mention(word, scope, false),
+            Sight::Part(scope) => self.mention(word, scope, true),
+        }
+    }
+
+    /// Notes the use of a name that a scope sees; what is seen behind its dot.
+    fn mention(&mut self, word: &Ident, from: usize, is_member: bool) -> Option<Sight> {
         let mut seen = Some(from);
         while let Some(scope) = seen {
             let found = self.scopes[scope].names.iter().find(|other| other.name == *word);
             if let Some(declared) = found {
-                let component = declared.component.clone();
+                let part = declared.component.as_ref().and_then(|name| self.components.get(name));
+                let behind = part.map(|scope| Sight::Part(*scope)).or(declared.thing.map(Sight::Of));
                 self.uses.push(Use {
                     name: word.clone(),
                     scope,
                     is_output: false,
                 });
-                return self.components.get(&component?).copied();
+                return behind;
             }
             if is_member {
                 let is_output = self.scopes[scope].outputs.iter().any(|other| other.name == *word);
@@ -331,7 +350,7 @@ impl Found {
             }
             seen = self.scopes[scope].outer;
         }
-        None
+        GIVEN.iter().find(|(name, ..)| word == name)?.2.map(Sight::Of)
     }
 }
 

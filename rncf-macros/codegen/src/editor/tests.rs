@@ -81,3 +81,66 @@ fn what_is_written_is_rust_and_names_may_be_any() {
     assert!(file.items.len() > 2);
     leads(odd, &["M_", "s", "names_0"]);
 }
+
+/// Text of the expansion up to the first word that contains `mark`.
+fn up_to(tokens: TokenStream, mark: &str) -> String {
+    let text = tokens.to_string();
+    text[..text.find(mark).unwrap_or(0)].to_string()
+}
+
+/// What is in sight where `|` stands in a text, by the name of the modules that are used there. A marker is inserted as rust-analyzer does it.
+#[track_caller]
+fn in_sight(text: &str) -> String {
+    let at = text.find('|').expect("a place");
+    let cursor = text[..at].lines().count();
+    let marked = text.replace('|', "raCompletionMarker");
+    let (marked, plain) = (
+        expand(marked.parse().unwrap()),
+        expand(text.replace('|', "").parse().unwrap()),
+    );
+    let mut found = Vec::new();
+    words(marked.clone(), &mut found);
+    let marks = found.iter().filter(|(word, _)| word.ends_with("raCompletionMarker"));
+    assert!(
+        marks.clone().any(|(_, (line, _))| *line == cursor),
+        "the marker comes out where it was put"
+    );
+    let before = up_to(marked, "raCompletionMarker");
+    assert!(
+        plain.to_string().starts_with(&before),
+        "before the marker both expansions are the same"
+    );
+    let function = &before[before.rfind("fn place_").expect("a function")..];
+    let used = function
+        .split("use super :: ")
+        .skip(1)
+        .map(|rest| &rest[..rest.find(' ').unwrap()]);
+    used.collect::<Vec<_>>().join(" ")
+}
+
+#[test]
+fn where_a_name_may_stand_names_are_completed() {
+    let at = |found: &str, with: &str| in_sight(&ROTOR.replacen(found, with, 1));
+    assert_eq!(
+        at("output tip = blade[1].spar.end;", "output tip = bl|"),
+        "given names_0"
+    );
+    assert_eq!(at("output tip = blade[1].spar.end;", "output tip = |"), "given names_0");
+    assert_eq!(at("blade[1].spar.end", "blade[1].|"), "outputs_1 names_1");
+    assert_eq!(at("blade[1].spar.end", "blade[1].spar.en|"), "of_body");
+    assert_eq!(at("blade[1].spar.end", "blade[1].spar.at(1 m).|"), "of_place");
+    assert_eq!(
+        at("blade[1].spar.end", "blade[1].spar.end.in(hub).velocity.|"),
+        "of_vector"
+    );
+    assert_eq!(at("blade[1].spar.end", "total.|"), "of_total");
+    // A statement without its end, in a component.
+    assert_eq!(
+        at("clamp(spar.start, root);", "clamp(spar.start, ro|)"),
+        "given names_0 names_1"
+    );
+    assert_eq!(at("clamp(spar.start, root);", "clamp(root.|, root);"), "of_frame");
+    assert_eq!(at("clip.force.x", "clip.|"), "of_joint");
+    assert_eq!(at("cable(round, steel)", "cable(ro|, steel)"), "given names_0 names_1");
+    assert_eq!(at("long * cos(azimuth)", "lo| * cos(azimuth)"), "given names_0 names_1");
+}
