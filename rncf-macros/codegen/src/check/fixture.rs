@@ -79,7 +79,7 @@ impl<'a> Check<'a> {
             _ => None,
         };
         let inertia = match given.get("inertia") {
-            Some((_, inertia)) => self.inertia(inertia, normal, false),
+            Some((_, inertia)) => self.inertia(item, inertia, normal, false),
             None => Some(zeros()),
         };
         if let Some(center) = &center {
@@ -232,7 +232,7 @@ impl<'a> Check<'a> {
             None => Some(None),
         };
         let inertia = match given.get("inertia") {
-            Some((_, inertia)) => self.inertia(inertia, normal, false),
+            Some((_, inertia)) => self.inertia(item, inertia, normal, false),
             None => Some(zeros()),
         };
         if let (Some(Some(center)), Some(normal)) = (&center, normal)

@@ -131,7 +131,7 @@ impl<'a> Check<'a> {
             None => Some(zeros()),
         };
         let inertia = match given.get("inertia") {
-            Some((_, inertia)) => self.inertia(inertia, normal, true),
+            Some((_, inertia)) => self.inertia(item, inertia, normal, true),
             None => Some(zeros()),
         };
         Some(RigidPart {
@@ -154,7 +154,8 @@ impl<'a> Check<'a> {
             return None;
         };
         let value = self.quantity(mass, Scope::Parameter, MASS)?;
-        self.is_positive(&value, mass, "the mass").then_some(value)
+        let what = format!("the mass of `{}`", item.name.text);
+        self.is_positive(&value, mass, &what).then_some(value)
     }
 
     /// Whether a value is greater than zero with the defaults of the parameters.
@@ -166,9 +167,15 @@ impl<'a> Check<'a> {
         is_positive
     }
 
-    /// An inertia about the centre of mass: one number in a plane, else three or six. `is_definite`:
+    /// The inertia of an item about its centre of mass: one number in a plane, else three or six. `is_definite`:
     /// none of its principal moments may be zero.
-    pub(super) fn inertia(&mut self, expr: &'a Expr, normal: Option<usize>, is_definite: bool) -> Option<[Value; 6]> {
+    pub(super) fn inertia(
+        &mut self,
+        item: &Item,
+        expr: &'a Expr,
+        normal: Option<usize>,
+        is_definite: bool,
+    ) -> Option<[Value; 6]> {
         let mut inertia = zeros::<6>();
         match (normal, &expr.kind) {
             (Some(_), ExprKind::Vector { .. }) => {
@@ -179,10 +186,11 @@ impl<'a> Check<'a> {
                 let value = self.quantity(expr, Scope::Parameter, INERTIA)?;
                 let number = self.default(&value);
                 if !(number > 0.0 || number == 0.0 && !is_definite) {
+                    let what = format!("the inertia of `{}`", item.name.text);
                     let message = if is_definite {
-                        say::positive("the inertia")
+                        say::positive(&what)
                     } else {
-                        say::not_negative("the inertia")
+                        say::not_negative(&what)
                     };
                     self.errors.at(expr.area, message);
                     return None;

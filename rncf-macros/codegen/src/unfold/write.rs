@@ -7,6 +7,8 @@ use crate::parse::tree::{
     Argument, Call, Caution, Expr, ExprKind, Field, Fields, Given, If, Item, ItemKind, Keyword, Loop, Name, Parameter,
     Tree,
 };
+use crate::suggest;
+use crate::vocabulary::members::Thing;
 
 /// Deepest expression that becomes of those that stand for each other.
 const DEEPEST: usize = 400;
@@ -341,6 +343,24 @@ impl<'t> Unfold<'t, '_> {
         }
     }
 
+    /// Refuses a number: behind a word that is unknown there the word is what is wrong.
+    fn not_numbered(&mut self, at: &Place, base: &Expr, index: &Expr) {
+        if let ExprKind::Member { base, field, .. } = &base.kind
+            && let ExprKind::Name(name) = &base.kind
+            && let Some(scope) = self.scope_of(at, &name.text)
+        {
+            let keyword = self.scopes[scope].names[name.text.as_str()].item.keyword;
+            let known = Thing::of(keyword.word()).into_iter().flat_map(Thing::members);
+            let known: Vec<&str> = known.map(|(word, ..)| word).collect();
+            if !known.is_empty() && !known.contains(&field.text.as_str()) {
+                let what = format!("quantity of a {}", keyword.word());
+                self.errors.at(field.span, suggest::unknown(&what, &field.text, known));
+                return;
+            }
+        }
+        self.errors.at(index.area, say::NOT_NUMBERED);
+    }
+
     /// An expression of a place, as it is written.
     pub(super) fn expr(&mut self, at: &Place, expr: &'t Expr) -> Expr {
         let kind = match self.reach(at, expr) {
@@ -424,8 +444,8 @@ impl<'t> Unfold<'t, '_> {
                 base: base.clone(),
                 index: self.boxed(at, index),
             },
-            ExprKind::Numbered { index, .. } => {
-                self.errors.at(index.area, say::NOT_NUMBERED);
+            ExprKind::Numbered { base, index } => {
+                self.not_numbered(at, base, index);
                 expr.kind.clone()
             }
             ExprKind::Reduced(reduced) => self.reduced(at, expr, reduced),

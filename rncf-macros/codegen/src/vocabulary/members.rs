@@ -165,20 +165,3 @@ impl Thing {
 pub fn words(list: &'static [Member]) -> impl Iterator<Item = &'static str> {
     list.iter().map(|(word, ..)| *word)
 }
-
-/// All words that may stand behind a dot, each once.
-pub fn all() -> impl Iterator<Item = &'static str> {
-    let lists = [
-        PLACES,
-        OF_POINTS,
-        OF_SECTIONS,
-        OF_FRAMES,
-        OF_JOINTS,
-        OF_CONSTRAINTS,
-        BALANCES,
-    ];
-    let words: Vec<&str> = lists.into_iter().flat_map(words).collect();
-    let is_first = |at: &usize| !words[..*at].contains(&words[*at]);
-    let first: Vec<&'static str> = (0..words.len()).filter(is_first).map(|at| words[at]).collect();
-    first.into_iter()
-}
