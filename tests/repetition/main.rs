@@ -3,6 +3,7 @@
 // Models from one template do not use all of its params.
 #![allow(deprecated)]
 
+mod counts;
 mod elements;
 mod sections;
 mod unfolded;

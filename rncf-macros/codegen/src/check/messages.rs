@@ -30,6 +30,7 @@ pub const CYCLES_AS_ANGLE: &str =
 pub const DAMPING_TIME: &str = "no solid answers so slowly: `damping` is the time c of the stress `E (strain + c rate)`, for metals about 1e-6 s to 1e-3 s";
 pub const NOT_A_COUNT: &str =
     "a number of elements is a whole number of at least 1: write e.g. `6`, or a `param n: count = 6;`";
+pub const COUNT_OF_COUNTS: &str = "this is not a whole number for every value of its params: a count is made of whole numbers and `count` params with `+`, `-` and `*`";
 pub const CONDITION: &str = "a condition must not depend on the state: `t`, params and constants decide, e.g. `t <= T` or `sin(omega*t) > 0`; a force on one side is written with `max`, e.g. `stiffness * max(0 m, -ball.y)`";
 pub const CONDITION_ALONG: &str = "an initial shape, a curve and a property along an axis are smooth functions of their variable: cases cannot depend on that, only on parameters; a `table` may have steps";
 pub const INITIAL_WITHOUT_TIME: &str = "an initial shape is a function of `x` alone: leave out motions";

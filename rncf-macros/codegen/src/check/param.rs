@@ -3,7 +3,7 @@
 use super::expr::Scope;
 use super::quantity::{Nature, Typed, Wanted};
 use super::{Check, fold, say};
-use crate::model::{Expr as Value, Param, ParamId};
+use crate::model::{Binary, Expr as Value, Param, ParamId};
 use crate::parse::tree::{Expr, ExprKind, Item, ItemKind, UnitText};
 use crate::suggest;
 
@@ -107,7 +107,8 @@ impl<'a> Check<'a> {
         self.whole(expr, say::NOT_MODES, say::quantity_as_modes)
     }
 
-    /// A count: a whole number or a count parameter; what is said of others.
+    /// A count: a whole number, a count parameter, or both with `+`, `-` and `*`; what is said of others. What is computed
+    /// from parameters is known to be at least 1 when the model is built.
     fn whole(&mut self, expr: &'a Expr, not_a_count: &str, quantity: fn(&str) -> String) -> Option<Value> {
         let typed = self.expr(expr, Scope::Parameter)?;
         match &typed.value {
@@ -117,12 +118,31 @@ impl<'a> Check<'a> {
                 self.errors.at(expr.area, quantity(&name));
             }
             value if fold::has_index(value) => self.errors.at(expr.area, say::INDEX_AS_COUNT),
+            value if fold::constant(value).is_none() && self.is_made_of_counts(value) => return Some(typed.value),
+            value if self.reads_a_count(value) => self.errors.at(expr.area, say::COUNT_OF_COUNTS),
             value => match fold::constant(value) {
                 Some(value) if is_count(&typed, value) => return Some(Value::Number(value)),
                 _ => self.errors.at(expr.area, not_a_count),
             },
         }
         None
+    }
+
+    /// Whether the value is a whole number whatever the count parameters are.
+    fn is_made_of_counts(&self, value: &Value) -> bool {
+        match value {
+            Value::Number(number) => number.trunc() == *number,
+            Value::Param(id) => self.model.params[id.0].is_count,
+            Value::Negate(inner) => self.is_made_of_counts(inner),
+            Value::Binary(operator, left, right) => {
+                *operator != Binary::Divide && self.is_made_of_counts(left) && self.is_made_of_counts(right)
+            }
+            _ => false,
+        }
+    }
+
+    fn reads_a_count(&self, value: &Value) -> bool {
+        value.contains(&|value| matches!(value, Value::Param(id) if self.model.params[id.0].is_count))
     }
 
     /// `run { t_end = ..; every = ..; }`

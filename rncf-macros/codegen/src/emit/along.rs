@@ -74,10 +74,10 @@ impl Parts<'_> {
         match &body.stations {
             None => "::std::vec::Vec::new()".to_string(),
             Some(Stations { table, each }) => format!(
-                "{}.stations({}.length(), {} as usize)",
+                "{}.stations({}.length(), {})",
                 self.model.tables[table.0].reference(),
                 self.line(body),
-                self.expr(each)
+                self.count(each)
             ),
         }
     }

@@ -119,7 +119,8 @@ impl Parts<'_> {
         match count {
             Expr::Number(value) => format!("{}", *value as usize),
             // A count that is computed is rounded down, and a negative one refused as zero.
-            other => format!("{} as usize", self.expr(other)),
+            Expr::Param(_) => format!("{} as usize", self.expr(count)),
+            other => format!("({}) as usize", self.expr(other)),
         }
     }
 

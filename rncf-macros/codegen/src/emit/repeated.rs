@@ -81,7 +81,7 @@ impl Parts<'_> {
             Expr::Param(param) if self.model.params[param.0].is_count => {
                 format!("model.{}", self.model.params[param.0].name)
             }
-            other => format!("{} as usize", self.expr(other)),
+            other => format!("({}) as usize", self.expr(other)),
         }
     }
 

@@ -17,6 +17,8 @@ pub const RANGE_AS_VALUE: &str = "a range is no value: it stands behind `in` of 
 pub const FIELDS_WITHOUT_EQUALS: &str = "fields stand right behind the name: leave out `=`";
 pub const COUNT_BEHIND: &str =
     "the number of elements stands in front of the element: `mesh 6 * cable(section, material);`";
+pub const COUNT_IN_BRACKETS: &str =
+    "a number of elements that is computed stands in brackets: `mesh (2*n) * cable(section, material);`";
 pub const INCH: &str = "an inch is written `inch`: `in` stands before frames and ranges";
 pub const NO_LOGIC: &str =
     "conditions are not combined: put one `if` into the other, `if a < b { if c < d { x } else { y } } else { y }`";

@@ -175,11 +175,18 @@ fn statement(cursor: &mut Cursor) -> Parsed<Statement> {
             if is_element_first && !cursor.is_punct('*') {
                 return Err(Mistake::new(count.area, say::COUNT_BEHIND));
             }
+            let is_computed = |cursor: &Cursor| ['*', '+', '-', '/'].iter().any(|&sign| cursor.is_punct(sign));
+            if is_computed(cursor) && !cursor.is_punct('*') {
+                return Err(Mistake::new(count.area, say::COUNT_IN_BRACKETS));
+            }
             cursor.expect_punct('*')?;
             if is_element_first && !cursor.is_second_group(Delimiter::Parenthesis) {
                 return Err(Mistake::new(count.area, say::COUNT_BEHIND));
             }
             let name = repeat::called(cursor, "an element, `mesh 6 * element(section, material);`")?;
+            if is_computed(cursor) || cursor.is_word("at") {
+                return Err(Mistake::new(cursor.since(count.area.start), say::COUNT_IN_BRACKETS));
+            }
             Statement::Mesh {
                 area,
                 count,
