@@ -128,7 +128,7 @@ impl Interval {
     }
 
     pub(super) fn sin(self) -> Self {
-        if !(self.width() < TAU) {
+        if self.width().is_nan() || self.width() >= TAU {
             return Self::new(-1.0, 1.0);
         }
         let mut bounds = Self::of([self.low.sin(), self.high.sin()]);

@@ -33,7 +33,7 @@ impl MeshScene {
             }
         }
         for linked in self.links.constraints.iter().filter(|linked| linked.spec.branches > 0) {
-            let [z, _] = self.arguments(linked);
+            let z = self.marker_values(linked);
             let (own, others) = rest.split_at_mut(4 * linked.spec.branches);
             self.parts.marker_constraint_branches(linked.index, state.t, &z, own);
             rest = others;

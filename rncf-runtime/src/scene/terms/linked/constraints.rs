@@ -77,12 +77,15 @@ impl Constraint for Links {
     fn values(&self, scene: &MeshScene, level: ConstraintLevel, t: f64, out: &mut [f64]) {
         let mut first = 0;
         for linked in &scene.links.constraints {
-            let jets: Vec<[Vector; 4]> = linked
-                .spec
-                .markers
-                .iter()
-                .map(|&marker| scene.jet_from(&scene.links.markers[marker], linked.anchor))
-                .collect();
+            // A level reads derivatives up to its own.
+            let jet = |&marker: &usize| {
+                let marker = &scene.links.markers[marker];
+                match level {
+                    ConstraintLevel::Position => scene.jet_to::<1>(marker, linked.anchor),
+                    _ => scene.jet_from(marker, linked.anchor),
+                }
+            };
+            let jets: Vec<[Vector; 4]> = linked.spec.markers.iter().map(jet).collect();
             let count = linked.spec.rows.len();
             let rows = &mut out[first..first + count];
             rows.fill(0.0);
@@ -93,16 +96,16 @@ impl Constraint for Links {
 
     fn add_jacobian(&self, scene: &MeshScene, t: f64, mut first: usize, values: &mut [f64]) {
         for linked in &scene.links.constraints {
-            let [z, _] = scene.arguments(linked);
+            let z = scene.marker_values(linked);
             let gradient = scene.gradient(linked, t, &z);
             let width = 3 * z.len();
-            for (place, columns) in scene.all_columns(linked).iter().enumerate() {
-                for (row, gradient) in gradient.chunks_exact(width).enumerate() {
-                    let gradient = part(gradient, place);
-                    for column in columns {
-                        scene.add_to_row(column.component, first + row, gradient.dot(&column.value), values);
+            for (place, &marker) in linked.spec.markers.iter().enumerate() {
+                scene.each_column(&scene.links.markers[marker], |column| {
+                    for (row, gradient) in gradient.chunks_exact(width).enumerate() {
+                        let value = part(gradient, place).dot(&column.value);
+                        scene.add_to_row(column.component, first + row, value, values);
                     }
-                }
+                });
             }
             first += linked.spec.rows.len();
         }
@@ -155,13 +158,20 @@ impl MeshScene {
         &self.links.markers[linked.spec.markers[place]]
     }
 
-    /// Values of the markers of a constraint and of their velocities.
+    /// Values of the markers of a constraint.
+    pub(super) fn marker_values(&self, linked: &Linked) -> Vec<Vector> {
+        let markers = linked.spec.markers.iter();
+        let value = |&marker: &usize| self.jet_to::<1>(&self.links.markers[marker], linked.anchor)[0];
+        markers.map(value).collect()
+    }
+
+    /// These, and those of their velocities.
     pub(super) fn arguments(&self, linked: &Linked) -> [Vec<Vector>; 2] {
         let jets = linked
             .spec
             .markers
             .iter()
-            .map(|&marker| self.jet_from(&self.links.markers[marker], linked.anchor));
+            .map(|&marker| self.jet_to::<2>(&self.links.markers[marker], linked.anchor));
         let (values, velocities) = jets.map(|jet| (jet[0], jet[1])).unzip();
         [values, velocities]
     }
@@ -183,7 +193,7 @@ impl MeshScene {
 
     /// dC/dz of one constraint at the loaded state: rows x 3 k.
     pub(super) fn gradient_of(&self, linked: &Linked, t: f64) -> Vec<f64> {
-        let [values, _] = self.arguments(linked);
+        let values = self.marker_values(linked);
         self.gradient(linked, t, &values)
     }
 
@@ -210,7 +220,7 @@ impl MeshScene {
             if lambda.iter().all(|&multiplier| multiplier == 0.0) {
                 continue;
             }
-            let [z, _] = self.arguments(linked);
+            let z = self.marker_values(linked);
             let count = z.len();
             let mut hessian = vec![0.0; 9 * count * count];
             self.parts
@@ -255,7 +265,7 @@ impl MeshScene {
         for index in 0..self.links.constraints.len() {
             let linked = &self.links.constraints[index];
             let rows = linked.spec.rows.len();
-            let [z, _] = self.arguments(linked);
+            let z = self.marker_values(linked);
             let pulls = self.pulls(linked, t, &z, &lambda[first..first + rows]);
             let columns = self.all_columns(linked);
             for (place, columns) in columns.iter().enumerate() {
@@ -272,7 +282,7 @@ impl MeshScene {
         let mut first = self.first_linked();
         for linked in &self.links.constraints {
             let rows = linked.spec.rows.len();
-            let [z, _] = self.arguments(linked);
+            let z = self.marker_values(linked);
             let pulls = self.pulls(linked, t, &z, &lambda[first..first + rows]);
             for place in 0..z.len() {
                 call(self.constraint_marker(linked, place), -part(&pulls, place));
@@ -294,7 +304,7 @@ impl MeshScene {
     pub(crate) fn constraint_reaction(&self, position: usize, t: f64, lambda: &[f64]) -> [Vector; 2] {
         let linked = &self.links.constraints[position];
         let first = self.first_row(position);
-        let [z, _] = self.arguments(linked);
+        let z = self.marker_values(linked);
         let pulls = self.pulls(linked, t, &z, &lambda[first..first + linked.spec.rows.len()]);
         let markers = 0..linked.spec.first_party.min(z.len());
         let about = markers

@@ -58,16 +58,17 @@ impl Column {
     }
 }
 
-/// Time derivatives, in inertial axes, of a vector given in a frame with its derivatives there.
-fn turned(frame: &FrameMotion, within: [Vector; 4]) -> [Vector; 4] {
+/// The first N time derivatives, in inertial axes, of a vector given in a frame with its derivatives there; the others are zero.
+fn turned<const N: usize>(frame: &FrameMotion, within: [Vector; 4]) -> [Vector; 4] {
     const BINOMIAL: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.0, 2.0, 1.0]];
     let spins = [frame.spin, frame.spin_rate, frame.spin_jerk];
     let mut jet = within;
-    let mut result = [frame.rotation * within[0]; 4];
-    for order in 1..4 {
+    let mut result = [Vector::zeros(); 4];
+    result[0] = frame.rotation * within[0];
+    for order in 1..N {
         // u' + w x u and as many of its derivatives as are needed
         let mut next = [Vector::zeros(); 4];
-        for (derivative, value) in next.iter_mut().enumerate().take(4 - order) {
+        for (derivative, value) in next.iter_mut().enumerate().take(N - order) {
             *value = jet[derivative + 1];
             for (part, spin) in spins.iter().enumerate().take(derivative + 1) {
                 let product = spin.cross(&jet[derivative - part]);
@@ -94,16 +95,28 @@ impl MeshScene {
 
     /// Vector of a marker in its frame, with derivatives there.
     pub(crate) fn within(&self, marker: &Marker) -> [Vector; 4] {
+        self.within_to::<4>(marker)
+    }
+
+    /// The first N of these, and more where they come along; those left out are zero.
+    fn within_to<const N: usize>(&self, marker: &Marker) -> [Vector; 4] {
         match marker {
             Marker::Fixed { at, .. } => [*at, Vector::zeros(), Vector::zeros(), Vector::zeros()],
             Marker::Body { point, of } => {
                 let buffers = &self.buffers;
                 let full = [&buffers.q, &buffers.v, &buffers.a, &buffers.jerks];
-                let mut jet = full.map(|full| self.at_point(point, *of, full));
+                let mut jet = [Vector::zeros(); 4];
+                for (value, full) in jet.iter_mut().zip(full).take(N) {
+                    *value = self.at_point(point, *of, full);
+                }
                 if *of == PlaceVector::Position {
                     jet[0] += self.bodies[point.body].offset;
                 }
                 jet
+            }
+            Marker::Section { point, along } if N == 1 => {
+                let direction = self.triad(point).direction(*along);
+                [direction, Vector::zeros(), Vector::zeros(), Vector::zeros()]
             }
             Marker::Section { point, along } => {
                 let (triad, spins) = self.section_motion(point);
@@ -211,8 +224,14 @@ impl MeshScene {
 
     /// See [`MeshScene::jet`]; points from the anchor.
     pub(super) fn jet_from(&self, marker: &Marker, anchor: Option<usize>) -> [Vector; 4] {
+        self.jet_to::<4>(marker, anchor)
+    }
+
+    /// The first N of these, with the same bits: constraints ask for values far more often than for accelerations.
+    pub(super) fn jet_to<const N: usize>(&self, marker: &Marker, anchor: Option<usize>) -> [Vector; 4] {
         let frame = &self.buffers.frames[self.marker_frame(marker)];
         match marker {
+            Marker::Turn { .. } | Marker::SectionTurn { .. } if N == 1 => [Vector::zeros(); 4],
             Marker::Turn { .. } | Marker::SectionTurn { .. } => {
                 let [_, spin, rate, jerk] = self.within(marker);
                 let rates = [
@@ -221,7 +240,7 @@ impl MeshScene {
                     frame.spin_jerk + jerk,
                     Vector::zeros(),
                 ];
-                let [first, second, third, _] = turned(frame, rates);
+                let [first, second, third, _] = turned::<3>(frame, rates);
                 [Vector::zeros(), first, second, third]
             }
             Marker::Angle { free } => {
@@ -230,10 +249,12 @@ impl MeshScene {
                 [&buffers.q, &buffers.v, &buffers.a, &buffers.jerks].map(|full| Vector::new(full[component], 0.0, 0.0))
             }
             _ => {
-                let mut jet = turned(frame, self.within(marker));
+                let mut jet = turned::<N>(frame, self.within_to::<N>(marker));
                 if marker.is_point() {
                     let origin = self.origin_from(self.marker_frame(marker), anchor);
-                    jet = std::array::from_fn(|order| jet[order] + origin[order]);
+                    for (value, origin) in jet.iter_mut().zip(origin).take(N) {
+                        *value += origin;
+                    }
                 }
                 jet
             }
@@ -264,18 +285,24 @@ impl MeshScene {
 
     /// How a marker depends on the unknowns at the loaded state.
     pub(crate) fn columns(&self, marker: &Marker) -> Vec<Column> {
-        let component = |component: usize, value: Vector| Column {
-            component,
-            value,
-            ..Column::default()
-        };
-        if let Marker::Angle { free } = marker {
-            return vec![component(self.angle_component(*free), Vector::x())];
-        }
         let mut columns = Vec::new();
+        self.each_column(marker, |column| columns.push(column));
+        columns
+    }
+
+    /// Calls with each of these; what the call does not read is not computed where it is compiled into this.
+    #[inline]
+    pub(super) fn each_column(&self, marker: &Marker, mut call: impl FnMut(Column)) {
+        if let Marker::Angle { free } = marker {
+            return call(Column {
+                component: self.angle_component(*free),
+                value: Vector::x(),
+                ..Column::default()
+            });
+        }
         let at = self.marker_frame(marker);
         let frame = &self.buffers.frames[at];
-        let [p, rate, ..] = self.within(marker);
+        let [p, rate, ..] = self.within_to::<2>(marker);
         let is_turn = matches!(marker, Marker::Turn { .. } | Marker::SectionTurn { .. });
         let velocity = if is_turn {
             frame.spin + rate
@@ -291,7 +318,7 @@ impl MeshScene {
                 if marker.is_point() {
                     value += direction.shift;
                 }
-                columns.push(Column {
+                call(Column {
                     component: first + place,
                     value,
                     rate: frame.rotation * turn.cross(&velocity),
@@ -313,7 +340,7 @@ impl MeshScene {
                     }
                     let mut within = Vector::zeros();
                     within[body.spec.axes[place % dimension]] = weight;
-                    columns.push(Column {
+                    call(Column {
                         component,
                         value: frame.rotation * within,
                         rate: frame.rotation * frame.spin.cross(&within),
@@ -324,11 +351,10 @@ impl MeshScene {
                 }
             }
             Marker::Section { point, .. } | Marker::SectionTurn { point } => {
-                columns.extend(self.section_columns(point, is_turn, p));
+                self.section_columns(point, is_turn, p).into_iter().for_each(call);
             }
             _ => {}
         }
-        columns
     }
 
     /// How a direction that follows a section (frame axes), or the turning of the section, depends on nodal vectors.
