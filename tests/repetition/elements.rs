@@ -1,9 +1,6 @@
 //! Elements and sections of their own in a loop, against the same ones written out and against their law.
 
-use rncf::equilibrium::{Kind, Uniform, follow};
-use rncf::prelude::*;
-
-use super::scene;
+use super::at_rest;
 
 /// Strings that hang side by side, each with a law, a section and a weight of its own; `$items` declares them.
 macro_rules! strings {
@@ -92,23 +89,9 @@ strings!(WrittenOut, {
     output mass_2 = cord_2.mass;
 });
 
-/// Outputs of the equilibrium at rest.
-fn hanging(model: &impl Model) -> Vec<f64> {
-    let mut scene = scene(model);
-    let at = Uniform {
-        kind: Kind::Static,
-        ..Uniform::steady(0.0)
-    };
-    let found = follow(scene.as_mut(), &at, 1.0, |_, _| ()).unwrap();
-    let mut row = vec![0.0; scene.output_columns()];
-    let state = found.state().unwrap().clone();
-    scene.uniform_outputs(&at, &state, &mut row);
-    row
-}
-
 #[test]
 fn each_repetition_has_its_own_element_and_section() {
-    let (looped, single) = (hanging(&Looped::default()), hanging(&WrittenOut::default()));
+    let (looped, single) = (at_rest(&Looped::default()), at_rest(&WrittenOut::default()));
     assert_eq!(looped, single);
     for (i, values) in looped.chunks(2).enumerate() {
         let (number, l) = (i as f64, -values[0] - 1.0);

@@ -8,6 +8,7 @@ mod elements;
 mod sections;
 mod unfolded;
 
+use rncf::equilibrium::{Kind, Uniform, follow};
 use rncf::prelude::*;
 use rncf::system::State;
 
@@ -100,6 +101,20 @@ fn run(scene: &mut dyn Scene, end: f64, rtol: f64, step: StepSize) -> Vec<Vec<f6
         rows.push(row.clone());
     }
     rows
+}
+
+/// Outputs of the equilibrium at rest.
+fn at_rest(model: &impl Model) -> Vec<f64> {
+    let mut scene = scene(model);
+    let at = Uniform {
+        kind: Kind::Static,
+        ..Uniform::steady(0.0)
+    };
+    let found = follow(scene.as_mut(), &at, 1.0, |_, _| ()).unwrap();
+    let mut row = vec![0.0; scene.output_columns()];
+    let state = found.state().unwrap().clone();
+    scene.uniform_outputs(&at, &state, &mut row);
+    row
 }
 
 fn scene(model: &impl Model) -> Box<dyn Scene> {

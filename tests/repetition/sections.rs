@@ -1,9 +1,8 @@
 //! Sections and materials of their own in a loop over a param, against the same ones written out and against closed forms.
 
-use rncf::equilibrium::{Kind, Uniform, follow};
 use rncf::prelude::*;
 
-use super::{run, scene};
+use super::{at_rest, run, scene};
 
 /// Three rows of arms, each arm with a section and a material of its own: the same along it, in a table, by its stiffness.
 macro_rules! arms {
@@ -43,20 +42,6 @@ macro_rules! arms {
 
 arms!(OfParam, param n: count = 3;);
 arms!(WrittenOut, const n = 3;);
-
-/// Outputs of the equilibrium at rest.
-fn at_rest(model: &impl Model) -> Vec<f64> {
-    let mut scene = scene(model);
-    let at = Uniform {
-        kind: Kind::Static,
-        ..Uniform::steady(0.0)
-    };
-    let found = follow(scene.as_mut(), &at, 1.0, |_, _| ()).unwrap();
-    let mut row = vec![0.0; scene.output_columns()];
-    let state = found.state().unwrap().clone();
-    scene.uniform_outputs(&at, &state, &mut row);
-    row
-}
 
 #[test]
 fn each_repetition_over_a_param_has_its_own_section_and_material() {

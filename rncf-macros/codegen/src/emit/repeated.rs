@@ -77,11 +77,10 @@ impl Parts<'_> {
     /// Text of how often a loop is gone through; a count that is computed is rounded down.
     fn times(&self, count: &Expr) -> String {
         match count {
-            Expr::Number(value) => format!("{}", *value as usize),
             Expr::Param(param) if self.model.params[param.0].is_count => {
                 format!("model.{}", self.model.params[param.0].name)
             }
-            other => format!("({}) as usize", self.expr(other)),
+            other => self.count(other),
         }
     }
 
