@@ -189,6 +189,54 @@ fn a_round_shaft_is_round_though_it_twists() {
     }
 }
 
+rncf::model! {
+    /// A blade of a hub at 80 rad/s, declared by an axis beside its mass.
+    model Beside {
+        param y = 0 m;
+        param z = 0 m;
+        const speed = 80 rad/s;
+        section s {
+            EA = 1 MN; GAy = 3e5 N; GAz = 2e5 N; GJ = 30 N*m^2; EIy = 50 N*m^2; EIz = 80 N*m^2;
+            mass = 0.5 kg/m; inertia_y = 1e-4 kg*m; inertia_z = 3e-4 kg*m;
+            tension_y = y; tension_z = z; shear_y = y; shear_z = z; mass_y = y; mass_z = z;
+        }
+        frame hub = rotating(axis = z, angle = speed * t);
+        body blade in hub {
+            spatial;
+            line from [0.1 m, 0.05 m - y, -0.03 m - z] to [1.6 m, 0.05 m - y, -0.03 m - z];
+            section_y [0, 1, 0];
+            mesh 12 * beam(s);
+        }
+        joint root = clamp(blade.start, hub);
+        output tip = blade.end.z;
+    }
+}
+
+/// What moves in a mode is told of the mass: the axis by which a body is declared may lie beside it.
+#[test]
+fn modes_do_not_depend_on_the_axis_that_a_body_is_declared_by() {
+    let [on, beside] =
+        [[0.0, 0.0], [0.05, -0.03]].map(|[y, z]| modes(&Beside { y, z }, &EquilibriumSettings::default()).unwrap());
+    for number in 0..6 {
+        let [one, other] = [&on, &beside].map(|found| (&found.modes[number], &found.compositions[number]));
+        let frequencies = [one.0, other.0].map(|mode| mode.inertial_frequencies(80.0));
+        println!("{frequencies:?} {:?} {:?}", one.1.motions, other.1.motions);
+        assert_eq!(
+            frequencies[0].len(),
+            frequencies[1].len(),
+            "mode {number}: {frequencies:?}"
+        );
+        for (one, other) in frequencies[0].iter().zip(&frequencies[1]) {
+            assert!((one / other - 1.0).abs() < 5e-3, "mode {number}: {frequencies:?}");
+        }
+        let [(motion, part), (same, equal)] = [one.1, other.1].map(|composition| composition.motions[0]);
+        assert!(
+            motion == same && (part - equal).abs() < 0.02,
+            "mode {number}: {part} and {equal} of {motion:?}"
+        );
+    }
+}
+
 /// By its unbalance of 50 mm the motor's shaft is bent, and a shaft all the same.
 #[test]
 fn a_bent_shaft_has_no_flap() {

@@ -219,6 +219,13 @@ impl NodalMass {
         }
     }
 
+    /// Columns and values of one row.
+    pub fn entries(&self, row: usize) -> impl Iterator<Item = (usize, f64)> {
+        let own = self.starts[row] as usize..self.starts[row + 1] as usize;
+        let columns = self.columns[own.clone()].iter().map(|&column| column as usize);
+        columns.zip(self.values[own].iter().copied())
+    }
+
     /// `M^ab x_b` of one row for several quantities of every vector.
     #[inline(always)]
     pub fn product<const N: usize>(&self, row: usize, x: &[[Padded; N]]) -> [Padded; N] {

@@ -2,6 +2,7 @@
 
 pub(crate) mod circulation;
 pub(crate) mod neutral;
+mod sections;
 pub(crate) mod settle;
 pub(crate) mod steady;
 pub(crate) mod symmetry;

@@ -2,6 +2,7 @@
 //! its kinetic energy.
 
 use super::circulation::Whirling;
+use super::sections::{Sections, inner};
 use crate::emitted::Interpolant;
 use crate::model::{Composition, Motion, Uniform};
 use crate::scene::MeshScene;
@@ -43,6 +44,28 @@ impl Axes {
         Self {
             along,
             across: [(Motion::Flap, up), (Motion::Lag, along.cross(&up))],
+        }
+    }
+}
+
+impl Axes {
+    /// One of three parts of the motion of a vector of the axis.
+    fn of_axis(&self, change: &Displaced, slot: usize) -> (Motion, Displaced) {
+        match self.across.get(slot) {
+            Some(&(motion, direction)) => (motion, along(change, direction)),
+            None => (Motion::Axial, along(change, self.along)),
+        }
+    }
+
+    /// One of three parts of the motion of a vector of the section, which is `own` without it: what tilts it belongs to the deflection along it.
+    fn of_section(&self, change: &Displaced, own: Vector, slot: usize) -> (Motion, Displaced) {
+        let tilt = along(change, self.along);
+        match self.across.get(slot) {
+            Some(&(motion, direction)) => {
+                let part = own.dot(&direction).abs() / own.norm();
+                (motion, tilt.map(|value| part * value))
+            }
+            None => (Motion::Torsion, each(|part| change[part] - tilt[part])),
         }
     }
 }
@@ -150,65 +173,56 @@ impl MeshScene {
             .into_iter()
             .flatten()
             .next();
-        let mut parts: Vec<Vec<(Motion, Displaced)>> = Vec::new();
-        let mut rates: Vec<[Padded; 2]> = Vec::new();
-        let mut lateral: Vec<[Padded; 2]> = Vec::new();
+        let (mut changes, mut ways) = (Vec::new(), Vec::new());
+        let (mut own, mut is_axis) = (Vec::new(), Vec::new());
         for place in 0..mass.vectors() {
             let (node, local) = spec.locate(place);
             let mut q = vector(&self.buffers.q, place);
             if mass.is_position(place) {
                 q += body.offset;
             }
-            let change = each(|part| {
-                let mut change = vector(&full[part], place) + turn[part].cross(&q);
-                change = frame.direction_to_inertial(change);
-                if mass.is_position(place) {
-                    change += shift[part];
-                }
-                change
-            });
+            changes.push(
+                each(|part| {
+                    let mut change = vector(&full[part], place) + turn[part].cross(&q);
+                    change = frame.direction_to_inertial(change);
+                    if mass.is_position(place) {
+                        change += shift[part];
+                    }
+                    change
+                })
+                .map(padded),
+            );
             let tangent = tangents.get(node).copied().flatten().or(chord);
-            let axes = Axes::new(tangent.unwrap_or(Vector::x()), axis);
+            ways.push(Axes::new(tangent.unwrap_or(Vector::x()), axis));
             // The normal of a section moves as the slope does.
             let is_normal = place >= spec.meshed_vectors();
-            let is_axis = is_normal || spec.nodal[local].of == Interpolant::Position;
-            parts.push(if is_axis {
-                let across = axes
-                    .across
-                    .iter()
-                    .map(|&(motion, direction)| (motion, along(&change, direction)));
-                across.chain([(Motion::Axial, along(&change, axes.along))]).collect()
-            } else {
-                // A vector of the section: what tilts it belongs to the deflection along it.
-                let own = frame.direction_to_inertial(q);
-                let size = own.dot(&own);
-                let tilt = along(&change, axes.along);
-                let across = axes.across.iter().map(|&(motion, direction)| {
-                    let part = own.dot(&direction).abs() / size.sqrt();
-                    (motion, tilt.map(|value| part * value))
-                });
-                let rest = each(|part| change[part] - tilt[part]);
-                across.chain([(Motion::Torsion, rest)]).collect()
-            });
-            let both = |displaced: &Displaced| displaced.map(padded);
-            rates.push(both(&change));
-            lateral.push(if is_axis { both(&change) } else { [[0.0; 4]; 2] });
+            is_axis.push(is_normal || spec.nodal[local].of == Interpolant::Position);
+            own.push(frame.direction_to_inertial(q));
         }
-        let mut total = 0.0;
-        for place in 0..mass.vectors() {
-            let image = mass.product(place, &rates);
-            total += inner(&rates[place], &image);
-            let image = mass.product(place, &lateral);
-            energies.whirling.add(&short(&lateral[place]), &short(&image));
-            energies
-                .whirling
-                .add_whole(inner(&rates[place], &mass.product(place, &rates)));
+        let sections = Sections::new(mass, &is_axis);
+        let centres = sections.centres(&changes);
+        let image = sections.image_of_axis(&centres);
+        for (centre, image) in centres.iter().zip(&image) {
+            energies.whirling.add(&short(centre), &short(image));
         }
+        let total = inner(&centres, &image) + inner(&changes, &sections.image_of_sections(&changes));
+        energies.whirling.add_whole(total);
         for slot in 0..3 {
-            let of: Vec<[Padded; 2]> = parts.iter().map(|own| own[slot].1.map(padded)).collect();
+            let part = |place: usize| {
+                let axes = &ways[place];
+                if is_axis[place] {
+                    return axes.of_axis(&short(&centres[place]), slot);
+                }
+                axes.of_section(&short(&changes[place]), own[place], slot)
+            };
+            let (motions, moved): (Vec<Motion>, Vec<[Padded; 2]>) = (0..mass.vectors())
+                .map(part)
+                .map(|(motion, moved)| (motion, moved.map(padded)))
+                .unzip();
+            let images = [sections.image_of_axis(&moved), sections.image_of_sections(&moved)];
             for place in 0..mass.vectors() {
-                let image = mass.product(place, &of);
-                energies.motions[parts[place][slot].0 as usize] += inner(&of[place], &image);
+                let image = &images[usize::from(!is_axis[place])][place];
+                energies.motions[motions[place] as usize] += inner(&moved[place..=place], &[*image]);
             }
         }
         energies.bodies.push((spec.label(), total));
@@ -300,9 +314,4 @@ impl MeshScene {
 
 fn short(displaced: &[Padded; 2]) -> Displaced {
     displaced.map(|[x, y, z, _]| Vector::new(x, y, z))
-}
-
-fn inner(a: &[Padded; 2], b: &[Padded; 2]) -> f64 {
-    let parts = a.iter().zip(b);
-    parts.map(|(a, b)| a[0] * b[0] + a[1] * b[1] + a[2] * b[2]).sum()
 }
