@@ -59,8 +59,8 @@ FAULTS = {
     ),
     "a coefficient of Radau's method": (
         "rncf-runtime/src/integrate/radau/coefficients.rs",
-        "(296.0 - 169.0 * s) / 1800.0",
-        "(296.0 - 168.0 * s) / 1800.0",
+        "return weights[j] / own / (at - nodes[j]);",
+        "return weights[j] / own / (at + nodes[j]);",
         [RUNTIME],
     ),
     "the gyroscopic term of small motions": (

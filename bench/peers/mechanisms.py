@@ -31,7 +31,12 @@ except ImportError as error:
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAMS = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "release" / "examples"
 TOLERANCES = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9]
-WANTED = {"heavy_top": [1e-3, 1e-4, 1e-5], "andrews_squeezer": [1e-2, 1e-3, 1e-4]}
+METHODS = ["radau", "radau9", "radau13"]
+OURS = list(itertools.product(METHODS, TOLERANCES))
+WANTED = {
+    "heavy_top": [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8],
+    "andrews_squeezer": [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7],
+}
 EXACT = {
     "heavy_top": {"x [m]": 0.17334396410, "y [m]": 0.64008859207, "z [m]": -0.74849079113},
     "andrews_squeezer": {"beta [rad]": 15.81077119629904, "gamma [rad]": 0.04082224013073101},
@@ -53,8 +58,8 @@ def main() -> None:
     for name in chosen:
         settings = exudyn_mechanisms.settings(name)
         points: dict = {}
-        for _, run in itertools.product(range(rounds), [*settings, *TOLERANCES]):
-            done = rncf(name, run) if isinstance(run, float) else exudyn_mechanisms.run(name, run)
+        for _, run in itertools.product(range(rounds), [*settings, *OURS]):
+            done = rncf(name, *run) if isinstance(run, tuple) else exudyn_mechanisms.run(name, run)
             if done is not None:
                 values, seconds, steps = done
                 error = max(abs(value - exact) for value, exact in zip(values, EXACT[name].values()))
@@ -63,13 +68,13 @@ def main() -> None:
         show(name, points)
 
 
-def rncf(name: str, rtol: float):
+def rncf(name: str, method: str, rtol: float):
     """Values at the end, processor time (s), steps."""
     with tempfile.TemporaryDirectory() as folder:
-        flags = ["--rtol", repr(rtol), "--every", f"{END[name]} s", "--out", folder, "--quiet", "--unjudged"]
+        flags = ["--integrator", method, "--rtol", repr(rtol), "--every", f"{END[name]} s", "--out", folder, "--quiet", "--unjudged"]
         done = subprocess.run([PROGRAMS / name, *flags], capture_output=True, text=True)
         if done.returncode != 0:
-            print(f"rncf, {name}, rtol {rtol:.0e}: {done.stderr.strip()}", file=sys.stderr)
+            print(f"rncf, {name}, {method}, rtol {rtol:.0e}: {done.stderr.strip()}", file=sys.stderr)
             return None
         summary = json.loads(Path(folder, "summary.json").read_text())
         with open(Path(folder, "history.csv"), newline="") as file:
@@ -80,18 +85,24 @@ def rncf(name: str, rtol: float):
 def show(name: str, points: dict) -> None:
     """All points, and the ratios."""
     print(f"\n## {name}\n\n| code | setting | error | steps | ms |\n|---|---|---|---|---|")
-    for run, (error, seconds, steps) in sorted(points.items(), key=lambda item: (isinstance(item[0], float), str(item[0]))):
-        code, setting = ("rncf", f"rtol {run:.0e}") if isinstance(run, float) else ("Exudyn", run)
+    for run, (error, seconds, steps) in sorted(points.items(), key=lambda item: (isinstance(item[0], tuple), str(item[0]))):
+        code, setting = ("rncf", words(run)) if isinstance(run, tuple) else ("Exudyn", run)
         print(f"| {code} | {setting} | {error:.1e} | {steps} | {1e3 * seconds:.2f} |")
     print("\n| error | Exudyn, ms: setting | rncf, ms: setting | ratio |\n|---|---|---|---|")
     for wanted in WANTED[name]:
         good = [(seconds, run) for run, (error, seconds, _) in points.items() if error <= wanted]
-        ours = min(((s, run) for s, run in good if isinstance(run, float)), default=None)
-        theirs = min(((s, run) for s, run in good if not isinstance(run, float)), default=None, key=lambda item: item[0])
-        if ours and theirs:
-            print(f"| {wanted:.0e} | {1e3 * theirs[0]:.2f}: {theirs[1]} | {1e3 * ours[0]:.2f}: rtol {ours[1]:.0e} | {theirs[0] / ours[0]:.1f} |")
+        ours = min(((s, run) for s, run in good if isinstance(run, tuple)), default=None)
+        theirs = min(((s, run) for s, run in good if not isinstance(run, tuple)), default=None, key=lambda item: item[0])
+        columns = [f"{1e3 * seconds:.2f}: {words(run)}" for seconds, run in (theirs, ours)] if ours and theirs else []
+        if columns:
+            print(f"| {wanted:.0e} | {columns[0]} | {columns[1]} | {theirs[0] / ours[0]:.1f} |")
         else:
-            print(f"| {wanted:.0e} | {'no setting' if not theirs else theirs[1]} | {'no setting' if not ours else ours[1]} | |")
+            print(f"| {wanted:.0e} | {words(theirs[1]) if theirs else 'no setting'} | {words(ours[1]) if ours else 'no setting'} | |")
+
+
+def words(run) -> str:
+    """A setting in words."""
+    return f"{run[0]}, rtol {run[1]:.0e}" if isinstance(run, tuple) else run
 
 
 if __name__ == "__main__":

@@ -75,7 +75,9 @@ pub(super) fn scheme_of(system: &mut dyn System, method: Method, options: &Optio
     match method {
         Method::Hht { alpha: value } => alpha(Coefficients::hht(value)),
         Method::GeneralizedAlpha { rho_inf } => alpha(Coefficients::generalized_alpha(rho_inf)),
-        Method::Radau => Box::new(Radau::new(system, options, span)),
+        Method::Radau => Box::new(Radau::<3>::new(system, options, span)),
+        Method::Radau9 => Box::new(Radau::<5>::new(system, options, span)),
+        Method::Radau13 => Box::new(Radau::<7>::new(system, options, span)),
         Method::EnergyMomentum => Box::new(EnergyMomentum::new(system, options)),
     }
 }

@@ -1,5 +1,5 @@
-//! Radau IIA with three stages, order 5 (THEORY 7.5), for second-order systems with index-3
-//! constraints. The unknowns of a step are the three increments of position Z_i = X_i - x_n, less what
+//! Radau IIA with S stages, order 2 S - 1 (THEORY 7.5), for second-order systems with index-3
+//! constraints: three, five or seven. The unknowns of a step are the S increments of position Z_i = X_i - x_n, less what
 //! the velocity at the start makes of them, W_i = Z_i - c_i h v_n, and the multipliers; with G = A^-1 / h,
 //! `V = v_n + G W` and `A = G (V - v_n)`. Nothing large cancels in accelerations then. Step control as in RADAU5 (Hairer,
 //! Wanner, Solving Ordinary Differential Equations II, IV.8).
@@ -35,13 +35,13 @@ const FIXED_STEP_RTOL: f64 = 1e-13;
 /// Largest error of a converged iterate, relative to the sizes of the unknowns, at any tolerance: the next
 /// step must find its way back to the constraints.
 const COARSE: f64 = 1e-6;
+/// What the error estimate with three stages multiplies remainders of the iteration by.
+const MULTIPLIED: f64 = 11.76;
 /// Contraction above which the next step evaluates the tangent anew.
 const AGED: f64 = 0.02;
 /// Iterations up to which a step may grow, and contraction up to which it may after more of them.
 const EASY: u32 = 5;
 const CONTRACTING: f64 = 0.04;
-/// Order of the local error estimate in the step.
-const LOCAL_ORDER: f64 = 4.0;
 /// Largest growth from one step to the next.
 const GROWTH: f64 = 4.0;
 /// Part of the way that a proposed step rises.
@@ -51,11 +51,11 @@ const RETRY: f64 = 0.2;
 const FIRST_RETRY: f64 = 0.1;
 
 /// The method and its last accepted step.
-pub(super) struct Radau {
-    coefficients: Coefficients,
+pub(super) struct Radau<const S: usize> {
+    coefficients: Coefficients<S>,
     fixed: bool,
-    matrices: Matrices,
-    newton: Newton,
+    matrices: Matrices<S>,
+    newton: Newton<S>,
     estimate: Estimate,
     /// Start and end of the last accepted step.
     before: State,
@@ -65,8 +65,8 @@ pub(super) struct Radau {
     /// Where the tangent is evaluated.
     middle: State,
     /// Stages of the last accepted step, none after a start.
-    last: Option<Stages>,
-    trial: Stages,
+    last: Option<Stages<S>>,
+    trial: Stages<S>,
     /// The tangent was evaluated at `now`, or may serve it.
     tangent: Age,
     controller: Controller,
@@ -83,23 +83,26 @@ enum Age {
     Stale,
 }
 
-impl Radau {
+impl<const S: usize> Radau<S> {
     /// The method for a run of `system` over `span`, s.
     pub(super) fn new(system: &mut dyn System, options: &Options, span: f64) -> Self {
         let (n, m) = (system.unknowns(), system.constraints());
         let fixed = matches!(options.step, StepSize::Fixed(_));
         let stabilised = options.stabilised && m > 0;
+        let coefficients = Coefficients::new();
         let tolerances = if fixed {
             (FIXED_STEP_RTOL, 0.02)
         } else {
-            // Far below the error estimate, which is of lower order than the solution.
-            (options.rtol, options.rtol.sqrt().min(0.03).min(COARSE / options.rtol))
+            // Far below the error estimate, which is of lower order than the solution, and multiplies what is left.
+            let most = options.rtol.sqrt().min(0.03).min(COARSE / options.rtol);
+            let multiplied: f64 = coefficients.embedded.iter().map(|weight| weight.abs()).sum();
+            (options.rtol, most * (MULTIPLIED / multiplied))
         };
         let matrices = Matrices::new(system, stabilised);
         // A fixed step is iterated down to round-off anyway.
         let lasting = Lasting::new(system, options.rtol, if fixed { 0.0 } else { span });
         Self {
-            coefficients: Coefficients::new(),
+            coefficients,
             fixed,
             newton: Newton::new(system, &matrices, tolerances, lasting, fixed, stabilised),
             matrices,
@@ -111,7 +114,8 @@ impl Radau {
             last: None,
             trial: Stages::new(n, m, stabilised),
             tangent: Age::Stale,
-            controller: Controller::new(LOCAL_ORDER, GROWTH, RELEASE),
+            // The local error estimate is of the order of the stages and one.
+            controller: Controller::new(S as f64 + 1.0, GROWTH, RELEASE),
         }
     }
 
@@ -132,7 +136,8 @@ impl Radau {
             if self.tangent == Age::Stale {
                 // One tangent serves all stages: the one in the middle is nearest to them.
                 self.trial.differentiate(&self.coefficients, &self.now);
-                self.trial.in_chart(&self.coefficients, 1, &self.now, &mut self.middle);
+                self.trial
+                    .in_chart(&self.coefficients, S / 2, &self.now, &mut self.middle);
                 self.matrices.linearize(system, &self.middle, statistics);
                 self.tangent = Age::Fresh;
             }
@@ -192,12 +197,12 @@ impl Radau {
         std::mem::swap(&mut self.before, &mut self.now);
         let (before, now) = (&self.before, &mut self.now);
         let chart = &self.matrices.chart;
-        self.trial.stage(&self.coefficients, chart, 2, before, now);
+        self.trial.stage(&self.coefficients, chart, S - 1, before, now);
         (now.t, self.low.t) = compensated::sum(before.t, self.low.t, self.trial.h);
         let mut turns = chart.turns().iter().flat_map(|&turn| turn..turn + 3).peekable();
         for i in 0..now.x.len() {
             if turns.next_if_eq(&i).is_none() {
-                let (move_by, change) = (self.trial.z[2][i], self.trial.change[2][i]);
+                let (move_by, change) = (self.trial.z[S - 1][i], self.trial.change[S - 1][i]);
                 (now.x[i], self.low.x[i]) = compensated::sum(before.x[i], self.low.x[i], move_by);
                 (now.v[i], self.low.v[i]) = compensated::sum(before.v[i], self.low.v[i], change);
             }
@@ -211,7 +216,7 @@ impl Radau {
 }
 
 /// What is known between two steps.
-impl Keep for Radau {
+impl<const S: usize> Keep for Radau<S> {
     fn keep(&mut self, archive: &mut Archive<'_>) {
         let Self {
             coefficients: _,
@@ -245,7 +250,7 @@ impl Keep for Radau {
     }
 }
 
-impl Scheme for Radau {
+impl<const S: usize> Scheme for Radau<S> {
     fn begin(
         &mut self,
         _system: &mut dyn System,
@@ -283,6 +288,10 @@ impl Scheme for Radau {
             return Outcome::Rejected { next, cause };
         }
         if error > 1.0 {
+            if self.controller.is_new() {
+                // Refused again: the middle of so much shorter a step is elsewhere.
+                self.tangent = Age::Stale;
+            }
             let mut next = self.controller.reject(h, error);
             if self.last.is_none() {
                 next = FIRST_RETRY * h;

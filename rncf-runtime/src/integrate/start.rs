@@ -42,6 +42,13 @@ pub(super) fn check_settings(t: f64, t_end: f64, method: Method, options: &Optio
         options.rtol,
         "at least 1e-15: below is the round-off of numbers",
     )?;
+    if options.step == StepSize::Adaptive && options.rtol > method.loosest() {
+        let (name, loosest) = (method.name(), method.loosest());
+        let range = format!(
+            "at most {loosest:e} with {name}, whose error test says nothing of longer steps: take `radau` for a looser one"
+        );
+        check(false, "rtol", options.rtol, &range)?;
+    }
     if let StepSize::Fixed(h) = options.step {
         check(positive(h), "the fixed step (s)", h, "positive and finite")?;
     }

@@ -287,7 +287,10 @@ pub(in crate::app) fn compare(
     let mut rows = |of: &mut Begun<'_>, rtol: f64, share: f64, marks: &Marks| {
         let how = Again {
             t_end: run.t_end,
-            method: Method::Radau,
+            method: match run.method.is_radau() {
+                true => run.method,
+                false => Method::Radau,
+            },
             options: Options {
                 rtol,
                 step: StepSize::Adaptive,
@@ -472,7 +475,7 @@ fn sentence_on_steps(run: &Ended<'_>, rtol: f64, outputs: &[Output], parts: &[Of
 
 /// Whether the steps of a run are those of the second one, but for the tolerance.
 fn is_exact(run: &Ended<'_>) -> bool {
-    run.method == Method::Radau && run.options.step == StepSize::Adaptive
+    run.method.is_radau() && run.options.step == StepSize::Adaptive
 }
 
 fn not_compared(until: f64, end: f64) -> String {

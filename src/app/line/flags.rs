@@ -54,7 +54,7 @@ pub(in crate::app) fn command_line(model: &dyn AnyModel, program: &Program<'_>) 
             "integrator",
             "METHOD",
             &METHODS,
-            "radau (default), hht, generalized-alpha or energy (conserves it; ANCF)",
+            "radau (default), radau9 and radau13 (of higher order, for tight tolerances), hht, generalized-alpha or energy (conserves it; ANCF)",
         ))
         .arg(value(
             "rtol",

@@ -1,122 +1,174 @@
-//! Coefficients of Radau IIA with three stages (THEORY 7.5) and of its spectral decomposition.
+//! Coefficients of Radau IIA with S stages (THEORY 7.5) and of its spectral decomposition.
+//!
+//! Whatever the number of stages, all of them follow from the nodes c: with the nodes and 0 as places of interpolation, the derivative of a
+//! polynomial of degree S that vanishes at 0 is `A^-1` times its values at the nodes. Nothing of this loses digits.
 
-use crate::linalg::c64;
-use crate::space::{from_rows, rows};
+use std::f64::consts::TAU;
 
-/// A vector or a matrix over the stages.
-pub(super) type Row = [f64; 3];
-type Matrix = [Row; 3];
+use crate::linalg::{Dense, c64, general_eigen};
+
+/// Distance of inverse iteration from an eigenvalue, relative to it.
+const BESIDE: f64 = 1e-9;
 
 /// Nodes, inverse of the Runge-Kutta matrix and its spectral decomposition
-/// `A^-1 = right diag(real, complex, conj complex) left`.
+/// `A^-1 = right diag(real, complex pairs) left`.
 #[derive(Clone, Debug)]
-pub(super) struct Coefficients {
+pub(super) struct Coefficients<const S: usize> {
     /// Nodes c.
-    pub(super) nodes: Row,
+    pub(super) nodes: [f64; S],
     /// A^-1, rows first.
-    pub(super) inverse: Matrix,
+    pub(super) inverse: [[f64; S]; S],
     /// Real eigenvalue of A^-1.
     pub(super) real: f64,
-    /// Complex eigenvalue of A^-1 with positive imaginary part.
-    pub(super) complex: c64,
     /// Right and left eigenvectors of the real eigenvalue; their product is 1.
-    pub(super) real_right: Row,
-    pub(super) real_left: Row,
-    /// The same of the complex one, without conjugation.
-    pub(super) complex_right: [c64; 3],
-    pub(super) complex_left: [c64; 3],
+    pub(super) real_right: [f64; S],
+    pub(super) real_left: [f64; S],
+    /// Complex eigenvalues of A^-1, one of each conjugate pair.
+    pub(super) pairs: Vec<Pair<S>>,
     /// Weights e of the embedded formula: error ~ e . stage increments.
-    pub(super) embedded: Row,
+    pub(super) embedded: [f64; S],
 }
 
-impl Coefficients {
+/// A complex eigenvalue with its vectors.
+#[derive(Clone, Debug)]
+pub(super) struct Pair<const S: usize> {
+    /// The eigenvalue with positive imaginary part.
+    pub(super) value: c64,
+    /// Right and left eigenvectors; their product, without conjugation, is 1.
+    pub(super) right: [c64; S],
+    pub(super) left: [c64; S],
+}
+
+impl<const S: usize> Coefficients<S> {
     pub(super) fn new() -> Self {
-        let s = 6_f64.sqrt();
-        let matrix = [
-            [
-                (88.0 - 7.0 * s) / 360.0,
-                (296.0 - 169.0 * s) / 1800.0,
-                (-2.0 + 3.0 * s) / 225.0,
-            ],
-            [
-                (296.0 + 169.0 * s) / 1800.0,
-                (88.0 + 7.0 * s) / 360.0,
-                (-2.0 - 3.0 * s) / 225.0,
-            ],
-            [(16.0 - s) / 36.0, (16.0 + s) / 36.0, 1.0 / 9.0],
-        ];
-        // Eigenvalues of A: (6 + r - q)/30 and (12 - r + q)/60 +- i (r + q) sqrt(3)/60.
-        let (r, q) = (81_f64.cbrt(), 9_f64.cbrt());
-        let real = 30.0 / (6.0 + r - q);
-        let (alpha, beta) = ((12.0 - r + q) / 60.0, (r + q) * 3_f64.sqrt() / 60.0);
-        let square = alpha * alpha + beta * beta;
-        let complex = c64::new(alpha / square, beta / square);
-        let inverse = from_rows(&matrix).try_inverse().expect("A is regular");
-        let inverse = rows(&inverse);
-        let (real_right, real_left) = eigenvectors(&inverse, c64::new(real, 0.0));
-        let (complex_right, complex_left) = eigenvectors(&inverse, complex);
+        let nodes = nodes();
+        let weights = barycentric(&nodes);
+        let inverse: [[f64; S]; S] = std::array::from_fn(|i| derivative(&nodes, &weights, i + 1));
+        let mut found = decomposed(&inverse);
+        let real = found.remove(0);
         Self {
-            nodes: [(4.0 - s) / 10.0, (4.0 + s) / 10.0, 1.0],
+            nodes,
             inverse,
-            real,
-            complex,
-            real_right: real_right.map(|value| value.re),
-            real_left: real_left.map(|value| value.re),
-            complex_right,
-            complex_left,
-            embedded: [-(13.0 + 7.0 * s) / 3.0, (-13.0 + 7.0 * s) / 3.0, -1.0 / 3.0],
+            real: real.value.re,
+            real_right: real.right.map(|value| value.re),
+            real_left: real.left.map(|value| value.re),
+            pairs: found,
+            // It compares the derivative at the start with that of the polynomial there.
+            embedded: derivative(&nodes, &weights, 0).map(|value| -value),
         }
     }
 
-    /// Values at `at` (in steps) of the Lagrange polynomials on 0 and the nodes; the first one
-    /// belongs to 0.
-    pub(super) fn cubic(&self, at: f64) -> [f64; 4] {
-        let [a, b, c] = self.nodes;
-        lagrange([0.0, a, b, c], at)
+    /// Values at `at` (in steps) of the Lagrange polynomials on 0 and the nodes, that of 0 apart.
+    pub(super) fn with_start(&self, at: f64) -> (f64, [f64; S]) {
+        let first = self.nodes.iter().map(|node| (at - node) / -node).product();
+        let others = self.on_nodes(at);
+        (first, std::array::from_fn(|i| others[i] * at / self.nodes[i]))
     }
 
     /// Values at `at` (in steps) of the Lagrange polynomials on the nodes.
-    pub(super) fn quadratic(&self, at: f64) -> Row {
-        lagrange(self.nodes, at)
+    pub(super) fn on_nodes(&self, at: f64) -> [f64; S] {
+        let nodes = &self.nodes;
+        std::array::from_fn(|i| {
+            (0..S)
+                .filter(|&j| j != i)
+                .map(|j| (at - nodes[j]) / (nodes[i] - nodes[j]))
+                .product()
+        })
     }
 }
 
-fn lagrange<const N: usize>(nodes: [f64; N], at: f64) -> [f64; N] {
+/// The zeros of `P_S(x) - P_(S-1)(x)` with x = 2 c - 1, the last one 1, by Newton's method from those of Chebyshev's polynomials.
+fn nodes<const S: usize>() -> [f64; S] {
     std::array::from_fn(|i| {
-        (0..N)
-            .filter(|&j| j != i)
-            .map(|j| (at - nodes[j]) / (nodes[i] - nodes[j]))
-            .product()
+        let from_the_end = (S - 1 - i) as f64;
+        if from_the_end == 0.0 {
+            return 1.0;
+        }
+        let mut x = (TAU * from_the_end / (2 * S - 1) as f64).cos();
+        for _ in 0..8 {
+            // Legendre's polynomials of the degrees n - 1 and n.
+            let (mut before, mut own) = (1.0, x);
+            let mut older = 0.0;
+            for n in 2..=S {
+                let n = n as f64;
+                (older, before, own) = (before, own, ((2.0 * n - 1.0) * x * own - (n - 1.0) * before) / n);
+            }
+            let s = S as f64;
+            let slope = |n: f64, own: f64, before: f64| n * (x * own - before) / (x * x - 1.0);
+            x -= (own - before) / (slope(s, own, before) - slope(s - 1.0, before, older));
+        }
+        0.5 + 0.5 * x
     })
 }
 
-fn cross<T: crate::linalg::Scalar>(a: [T; 3], b: [T; 3]) -> [T; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
+/// Place k of interpolation: 0 and the nodes.
+fn place<const S: usize>(nodes: &[f64; S], k: usize) -> f64 {
+    if k == 0 { 0.0 } else { nodes[k - 1] }
 }
 
-fn dot<T: crate::linalg::Scalar>(a: [T; 3], b: [T; 3]) -> T {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+/// Barycentric weights of 0, and of the nodes.
+fn barycentric<const S: usize>(nodes: &[f64; S]) -> (f64, [f64; S]) {
+    let of = |k: usize| -> f64 {
+        let others = (0..=S).filter(|&j| j != k);
+        1.0 / others.map(|j| place(nodes, k) - place(nodes, j)).product::<f64>()
+    };
+    (of(0), std::array::from_fn(|i| of(i + 1)))
 }
 
-fn transpose<T: Copy>(m: &[[T; 3]; 3]) -> [[T; 3]; 3] {
-    std::array::from_fn(|i| std::array::from_fn(|j| m[j][i]))
+/// The derivative at place k of a polynomial that vanishes at 0, by its values at the nodes.
+fn derivative<const S: usize>(nodes: &[f64; S], (first, weights): &(f64, [f64; S]), k: usize) -> [f64; S] {
+    let at = place(nodes, k);
+    let own = if k == 0 { *first } else { weights[k - 1] };
+    std::array::from_fn(|j| {
+        if j + 1 != k {
+            return weights[j] / own / (at - nodes[j]);
+        }
+        // The Lagrange polynomial of this place.
+        (0..=S).filter(|&j| j != k).map(|j| 1.0 / (at - place(nodes, j))).sum()
+    })
 }
 
-/// Right and left eigenvector of a simple eigenvalue, of product 1: the null space of a matrix of
-/// rank 2 is the cross product of two of its rows.
-fn eigenvectors(m: &Matrix, eigenvalue: c64) -> ([c64; 3], [c64; 3]) {
-    let shifted: [[c64; 3]; 3] = std::array::from_fn(|i| {
-        std::array::from_fn(|j| c64::new(m[i][j], 0.0) - if i == j { eigenvalue } else { c64::new(0.0, 0.0) })
-    });
-    let columns = transpose(&shifted);
-    let right = cross(shifted[0], shifted[1]);
-    let left = cross(columns[0], columns[1]);
-    let product = dot(right, left);
-    (right, left.map(|value| value / product))
+/// Eigenvalues, the real one first, and their vectors.
+fn decomposed<const S: usize>(matrix: &[[f64; S]; S]) -> Vec<Pair<S>> {
+    let entries: Vec<f64> = matrix.iter().flatten().copied().collect();
+    let (mut values, _) = general_eigen(S, &entries).expect("A^-1 has eigenvalues");
+    values.retain(|value| value.im >= 0.0);
+    values.sort_by(|a, b| a.im.total_cmp(&b.im));
+    let of = |value: c64| {
+        let right = null_vector(value, |i, j| matrix[i][j]);
+        let left = null_vector(value, |i, j| matrix[j][i]);
+        let scale = product(&left, &right);
+        let left = left.map(|value| value / scale);
+        // Of second order in the errors of both vectors.
+        let image = std::array::from_fn(|i| (0..S).map(|j| right[j] * matrix[i][j]).sum::<c64>());
+        let value = product(&left, &image);
+        Pair { value, right, left }
+    };
+    values.into_iter().map(of).collect()
+}
+
+/// The vector of an eigenvalue by inverse iteration.
+fn null_vector<const S: usize>(value: c64, matrix: impl Fn(usize, usize) -> f64) -> [c64; S] {
+    let beside = value * (1.0 + BESIDE);
+    let mut shifted = Dense::new(S);
+    for i in 0..S {
+        for j in 0..S {
+            let diagonal = if i == j { beside } else { c64::default() };
+            shifted.add(i, j, c64::new(matrix(i, j), 0.0) - diagonal, matrix(i, j).abs());
+        }
+    }
+    shifted.factor().expect("it is regular beside an eigenvalue");
+    let mut vector = [c64::new(1.0, 0.0); S];
+    for _ in 0..3 {
+        shifted.solve(&mut vector);
+        let size = vector.iter().map(|value| value.norm()).fold(0.0, f64::max);
+        vector = vector.map(|value| value / size);
+    }
+    vector
+}
+
+fn product<const S: usize>(a: &[c64; S], b: &[c64; S]) -> c64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 #[cfg(test)]
@@ -124,19 +176,69 @@ mod tests {
     use super::*;
 
     #[test]
-    fn decomposition_gives_the_inverse_back() {
-        let c = Coefficients::new();
+    fn three_stages_are_those_of_the_literature() {
+        let c = Coefficients::<3>::new();
+        let s = 6_f64.sqrt();
+        // Hairer, Wanner, Solving Ordinary Differential Equations II, IV.8.
         assert!((c.real - 3.637_834_252_744_496).abs() < 1e-14);
-        assert!((c.complex - c64::new(2.681_082_873_627_752, 3.050_430_199_247_41)).norm() < 1e-14);
-        for i in 0..3 {
-            // A^-1 c = 1 and A^-1 c^2 = 2 c, by the stage order.
-            let of = |power: i32| (0..3).map(|j| c.inverse[i][j] * c.nodes[j].powi(power)).sum::<f64>();
-            assert!((of(1) - 1.0).abs() < 1e-13 && (of(2) - 2.0 * c.nodes[i]).abs() < 1e-13);
-            for j in 0..3 {
-                let complex = c.complex_right[i] * c.complex * c.complex_left[j];
-                let value = c.real_right[i] * c.real * c.real_left[j] + 2.0 * complex.re;
-                assert!((value - c.inverse[i][j]).abs() < 1e-12, "{i} {j}: {value}");
+        assert!((c.pairs[0].value - c64::new(2.681_082_873_627_752, 3.050_430_199_247_41)).norm() < 1e-14);
+        let near = |a: &[f64; 3], b: [f64; 3]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-14);
+        assert!(near(&c.nodes, [(4.0 - s) / 10.0, (4.0 + s) / 10.0, 1.0]));
+        assert!(near(
+            &c.embedded,
+            [-(13.0 + 7.0 * s) / 3.0, (-13.0 + 7.0 * s) / 3.0, -1.0 / 3.0]
+        ));
+    }
+
+    /// Conditions that have one solution.
+    fn assert_is_radau<const S: usize>(real: f64) {
+        let c = Coefficients::<S>::new();
+        assert!((c.real - real).abs() < 1e-13 * real, "{}", c.real);
+        assert_eq!(c.pairs.len(), S / 2);
+        for i in 0..S {
+            for power in 1..=S as i32 {
+                // Derivatives of powers at the nodes, and at the start by the embedded formula.
+                let of: f64 = (0..S).map(|j| c.inverse[i][j] * c.nodes[j].powi(power)).sum();
+                assert!(
+                    (of - f64::from(power) * c.nodes[i].powi(power - 1)).abs() < 1e-12,
+                    "{of}"
+                );
+                let at_start: f64 = (0..S).map(|j| c.embedded[j] * c.nodes[j].powi(power)).sum();
+                assert!((at_start + f64::from(u8::from(power == 1))).abs() < 1e-12, "{at_start}");
+            }
+            // Vectors of seven stages lose three digits, which Newton's matrix can do without.
+            for j in 0..S {
+                let complex: f64 = c.pairs.iter().map(|p| (p.right[i] * p.value * p.left[j]).re).sum();
+                let value = c.real_right[i] * c.real * c.real_left[j] + 2.0 * complex;
+                assert!(
+                    (value - c.inverse[i][j]).abs() < 1e-10,
+                    "{S} {i} {j}: {:e}",
+                    value - c.inverse[i][j]
+                );
             }
         }
+        let (first, others) = c.with_start(0.3);
+        let sum = |power: i32| (0..S).map(|j| others[j] * c.nodes[j].powi(power)).sum::<f64>();
+        assert!((first + sum(0) - 1.0).abs() < 1e-13 && (sum(S as i32) - 0.3_f64.powi(S as i32)).abs() < 1e-13);
+        // Zeros of the polynomial of the nodes are orthogonal to all powers below S - 1.
+        let mut polynomial = vec![1.0];
+        for node in c.nodes {
+            let lower = polynomial.iter().map(|value| -node * value).chain([0.0]);
+            let higher = [0.0].iter().chain(&polynomial).copied();
+            polynomial = lower.zip(higher).map(|(a, b)| a + b).collect();
+        }
+        for power in 0..S - 1 {
+            let terms = polynomial.iter().enumerate();
+            let moment: f64 = terms.map(|(k, value)| value / (k + power + 1) as f64).sum();
+            assert!(moment.abs() < 1e-15, "{moment}");
+        }
+    }
+
+    #[test]
+    fn decompositions_give_the_inverse_back() {
+        // The real eigenvalues of the program RADAU of Hairer and Wanner.
+        assert_is_radau::<3>(3.637_834_252_744_496);
+        assert_is_radau::<5>(6.286_704_751_729_277);
+        assert_is_radau::<7>(8.936_832_788_405_216);
     }
 }

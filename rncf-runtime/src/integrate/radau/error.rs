@@ -19,7 +19,7 @@
 
 use super::coefficients::Coefficients;
 use super::matrices::Matrices;
-use super::stages::Stages;
+use super::stages::{Stages, combine};
 use crate::archive::{Archive, Keep};
 use crate::integrate::norms::largest;
 use crate::integrate::statistics::Statistics;
@@ -77,22 +77,21 @@ impl Estimate {
     }
 
     /// Weighted size of the error of `stages`, which start at `start`.
-    pub(super) fn error(
+    pub(super) fn error<const S: usize>(
         &mut self,
-        coefficients: &Coefficients,
-        matrices: &mut Matrices,
+        coefficients: &Coefficients<S>,
+        matrices: &mut Matrices<S>,
         start: &State,
-        stages: &Stages,
+        stages: &Stages<S>,
         statistics: &mut Statistics,
     ) -> f64 {
-        let [a, b, c] = coefficients.embedded.map(|value| value / stages.h);
+        let weights = coefficients.embedded.map(|value| value / stages.h);
         let g = coefficients.real / stages.h;
+        // The embedded weights make -1 of the nodes: v_n + (e . Z) / h = (e . W) / h.
+        combine(&weights, &stages.w, &mut self.first);
+        combine(&weights, &stages.change, &mut self.work);
         for i in 0..self.x.len() {
-            // The embedded weights make -1 of the nodes: v_n + (e . Z) / h = (e . W) / h.
-            let (w, change) = (&stages.w, &stages.change);
-            self.first[i] = a * w[0][i] + b * w[1][i] + c * w[2][i];
-            let rate = start.a[i] + a * change[0][i] + b * change[1][i] + c * change[2][i];
-            self.work[i] = rate + g * self.first[i];
+            self.work[i] = (start.a[i] + self.work[i]) + g * self.first[i];
         }
         self.x.fill(0.0);
         self.finish(coefficients, matrices, stages.h, statistics)
@@ -100,23 +99,24 @@ impl Estimate {
 
     /// The estimate once more from the slope at `start` + error: it no longer sees motions that
     /// are far faster than the step.
-    pub(super) fn filtered(
+    pub(super) fn filtered<const S: usize>(
         &mut self,
         system: &mut dyn System,
-        coefficients: &Coefficients,
-        matrices: &mut Matrices,
+        coefficients: &Coefficients<S>,
+        matrices: &mut Matrices<S>,
         start: &State,
-        stages: &Stages,
+        stages: &Stages<S>,
         statistics: &mut Statistics,
     ) -> f64 {
-        let [a, b, c] = coefficients.embedded.map(|value| value / stages.h);
+        let weights = coefficients.embedded.map(|value| value / stages.h);
         self.state.clone_from(start);
+        combine(&weights, &stages.w, &mut self.first);
+        combine(&weights, &stages.change, &mut self.work);
         for i in 0..self.x.len() {
-            let (w, change) = (&stages.w, &stages.change);
             self.state.x[i] += self.x[i];
             self.state.v[i] += self.v[i];
-            self.first[i] = self.v[i] + a * w[0][i] + b * w[1][i] + c * w[2][i];
-            self.work[i] = -(a * change[0][i] + b * change[1][i] + c * change[2][i]);
+            self.first[i] += self.v[i];
+            self.work[i] = -self.work[i];
         }
         // M a + f at a = -(e . (V - v_n)) / h is -F2.
         self.state.a.copy_from_slice(&self.work);
@@ -139,10 +139,10 @@ impl Estimate {
     }
 
     /// Completes `x` to the right side, solves, and measures; `work` is what the mass multiplies beside it.
-    fn finish(
+    fn finish<const S: usize>(
         &mut self,
-        coefficients: &Coefficients,
-        matrices: &mut Matrices,
+        coefficients: &Coefficients<S>,
+        matrices: &mut Matrices<S>,
         h: f64,
         statistics: &mut Statistics,
     ) -> f64 {

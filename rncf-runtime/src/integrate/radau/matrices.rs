@@ -1,17 +1,18 @@
-//! The two factorizations of a step: the Newton matrix of three stages, split by the
-//! eigenvectors of A^-1 into a real and a complex system of the size of one stage.
+//! The factorizations of a step: the Newton matrix of S stages, split by the eigenvectors of A^-1
+//! into a real system and (S - 1) / 2 complex ones of the size of one stage.
 
 use pulp::Arch;
 
 use super::chart::Chart;
 use super::coefficients::Coefficients;
 use super::stabilised::{Slopes, Stabilised};
+use super::stages::{combine, combined, slices};
 use crate::integrate::statistics::Statistics;
 use crate::linalg::{Pattern, Saddle, Singular, Vectorised, c64, dispatch};
 use crate::system::{State, System, Tangent};
 
 /// Tangent, constraint Jacobian and the factorizations made of them, in the chart.
-pub(super) struct Matrices {
+pub(super) struct Matrices<const S: usize> {
     pub(super) chart: Chart,
     /// The system's own pattern of `C^T`.
     pub(super) constraint_pattern: Pattern,
@@ -25,19 +26,20 @@ pub(super) struct Matrices {
     pub(super) slopes: Slopes,
     state: State,
     real: Saddle<f64>,
-    complex: Saddle<c64>,
+    /// One of each pair of eigenvalues.
+    complex: Vec<Saddle<c64>>,
     /// With the stabilised index 2.
-    stabilised: Option<Box<(Stabilised<f64>, Stabilised<c64>)>>,
+    stabilised: Option<Box<(Stabilised<f64>, Vec<Stabilised<c64>>)>>,
     real_block: Vec<f64>,
     complex_block: Vec<c64>,
     /// Right sides: equations of motion, constraints, their rates.
     real_sides: [Vec<f64>; 3],
-    complex_sides: [Vec<c64>; 3],
+    complex_sides: Vec<[Vec<c64>; 3]>,
     /// Step size of the factorizations; none if they do not fit the tangent.
     factored: Option<f64>,
 }
 
-impl Matrices {
+impl<const S: usize> Matrices<S> {
     pub(super) fn new(system: &mut dyn System, stabilised: bool) -> Self {
         let chart = Chart::new(system.turns(), system.pattern(), system.constraint_pattern());
         let (n, m) = (system.unknowns(), system.constraints());
@@ -65,12 +67,17 @@ impl Matrices {
             },
             state: State::of(system, 0.0),
             real: Saddle::new(&chart.block, system.border(), &chart.constraints).sized(system.sizes()),
-            complex: Saddle::new(&chart.block, system.border(), &chart.constraints).sized(system.sizes()),
-            stabilised: stabilised.then(|| Box::new((Stabilised::new(n, m), Stabilised::new(n, m)))),
+            complex: (0..S / 2)
+                .map(|_| Saddle::new(&chart.block, system.border(), &chart.constraints).sized(system.sizes()))
+                .collect(),
+            stabilised: stabilised.then(|| {
+                let complex = (0..S / 2).map(|_| Stabilised::new(n, m)).collect();
+                Box::new((Stabilised::new(n, m), complex))
+            }),
             real_block: vec![0.0; entries],
             complex_block: vec![c64::default(); entries],
             real_sides: [n, m, rates].map(|length| vec![0.0; length]),
-            complex_sides: [n, m, rates].map(|length| vec![c64::default(); length]),
+            complex_sides: vec![[n, m, rates].map(|length| vec![c64::default(); length]); S / 2],
             factored: None,
             constraint_pattern,
             chart,
@@ -112,7 +119,7 @@ impl Matrices {
     /// Factors for step size `h` unless that is done.
     pub(super) fn factor(
         &mut self,
-        coefficients: &Coefficients,
+        coefficients: &Coefficients<S>,
         h: f64,
         statistics: &mut Statistics,
     ) -> Result<(), Singular> {
@@ -120,23 +127,27 @@ impl Matrices {
             return Ok(());
         }
         self.factored = None;
-        let (g, z) = (coefficients.real / h, coefficients.complex / h);
-        let square = z * z;
-        let blocks = Blocks {
-            tangent: &self.tangent,
-            real: (g, &mut self.real_block),
-            complex: ([z, square], &mut self.complex_block),
-        };
-        dispatch(Arch::new(), blocks);
-        statistics.factorizations += 2;
+        let g = coefficients.real / h;
+        let (tangent, block) = (&self.tangent, &mut self.real_block);
+        dispatch(Arch::new(), RealBlock { tangent, g, block });
         let (forces, slopes) = (&self.forces, &self.slopes);
         self.real.factor(&self.real_block, forces, &slopes.jacobian)?;
-        self.complex.factor(&self.complex_block, forces, &slopes.jacobian)?;
         if let Some(second) = &mut self.stabilised {
-            let (real, complex) = &mut **second;
-            real.factor(&self.chart, g, &self.tangent, slopes, &mut self.real)?;
-            complex.factor(&self.chart, z, &self.tangent, slopes, &mut self.complex)?;
-            statistics.solves += 2 * self.constraint_pattern.columns() as u64;
+            second.0.factor(&self.chart, g, tangent, slopes, &mut self.real)?;
+        }
+        for (k, (pair, saddle)) in coefficients.pairs.iter().zip(&mut self.complex).enumerate() {
+            let z = pair.value / h;
+            let block = &mut self.complex_block;
+            dispatch(Arch::new(), ComplexBlock { tangent, z, block });
+            saddle.factor(&self.complex_block, forces, &slopes.jacobian)?;
+            if let Some(second) = &mut self.stabilised {
+                second.1[k].factor(&self.chart, z, tangent, slopes, saddle)?;
+            }
+        }
+        let count = 1 + self.complex.len() as u64;
+        statistics.factorizations += count;
+        if self.stabilised.is_some() {
+            statistics.solves += count * self.constraint_pattern.columns() as u64;
         }
         self.factored = Some(h);
         Ok(())
@@ -146,33 +157,43 @@ impl Matrices {
     /// G = A^-1 / h in place; with the stabilised index 2 also for mu, `super::stabilised`.
     pub(super) fn solve_stages(
         &mut self,
-        coefficients: &Coefficients,
+        coefficients: &Coefficients<S>,
         h: f64,
-        sides: [&mut [Vec<f64>; 3]; 3],
+        sides: [&mut [Vec<f64>; S]; 3],
         statistics: &mut Statistics,
     ) {
-        for (k, stages) in sides.iter().enumerate() {
-            let (real, complex) = (&mut self.real_sides[k], &mut self.complex_sides[k]);
-            dispatch(Arch::new(), ToEigenvectors(coefficients, stages, real, complex));
+        for (stages, real) in sides.iter().zip(&mut self.real_sides) {
+            dispatch(Arch::new(), ToReal(&coefficients.real_left, stages, real));
         }
-        let ([f, c, r], [zf, zc, zr]) = (&mut self.real_sides, &mut self.complex_sides);
+        let [f, c, r] = &mut self.real_sides;
         match &mut self.stabilised {
-            None => {
-                self.real.solve(f, c);
-                self.complex.solve(zf, zc);
-            }
+            None => self.real.solve(f, c),
             Some(second) => {
-                let (real, complex) = &mut **second;
-                let (pattern, slopes) = (&self.chart.constraints, &self.slopes);
-                let (g, z) = (coefficients.real / h, coefficients.complex / h);
-                real.solve(pattern, g, slopes, &mut self.real, (f, c, r));
-                complex.solve(pattern, z, slopes, &mut self.complex, (zf, zc, zr));
+                let (pattern, slopes, g) = (&self.chart.constraints, &self.slopes, coefficients.real / h);
+                second.0.solve(pattern, g, slopes, &mut self.real, (f, c, r));
             }
         }
-        statistics.solves += 2;
+        for (k, (pair, saddle)) in coefficients.pairs.iter().zip(&mut self.complex).enumerate() {
+            let parts = &mut self.complex_sides[k];
+            for (stages, complex) in sides.iter().zip(&mut *parts) {
+                dispatch(Arch::new(), ToPair(&pair.left, stages, complex));
+            }
+            let [f, c, r] = parts;
+            match &mut self.stabilised {
+                None => saddle.solve(f, c),
+                Some(second) => {
+                    let (pattern, slopes, z) = (&self.chart.constraints, &self.slopes, pair.value / h);
+                    second.1[k].solve(pattern, z, slopes, saddle, (f, c, r));
+                }
+            }
+        }
+        statistics.solves += 1 + self.complex.len() as u64;
         for (k, stages) in sides.into_iter().enumerate() {
-            let (real, complex) = (&self.real_sides[k], &self.complex_sides[k]);
-            dispatch(Arch::new(), FromEigenvectors(coefficients, stages, real, complex));
+            let (real, complex) = (&self.real_sides[k], &self.complex_sides);
+            dispatch(Arch::new(), FromFirst(coefficients, stages, real, &complex[0][k]));
+            for (pair, parts) in coefficients.pairs.iter().zip(complex).skip(1) {
+                dispatch(Arch::new(), FromPair(&pair.right, stages, &parts[k]));
+            }
         }
     }
 
@@ -183,67 +204,112 @@ impl Matrices {
     }
 }
 
-/// The real and the complex matrix made of a tangent.
-struct Blocks<'a> {
+/// The real matrix made of a tangent.
+struct RealBlock<'a> {
     tangent: &'a Tangent,
-    real: (f64, &'a mut [f64]),
-    /// Its factor and the square of that.
-    complex: ([c64; 2], &'a mut [c64]),
+    g: f64,
+    block: &'a mut [f64],
 }
 
-impl Vectorised for Blocks<'_> {
+impl Vectorised for RealBlock<'_> {
     type Output = ();
 
     #[inline(always)]
     fn run<const F: bool>(self) {
-        let (g, real) = self.real;
-        let ([z, square], complex) = self.complex;
-        let n = real.len();
-        let (mass, damping) = (&self.tangent.mass[..n], &self.tangent.damping[..n]);
-        let (stiffness, complex) = (&self.tangent.stiffness[..n], &mut complex[..n]);
+        let Self { tangent, g, block } = self;
+        let n = block.len();
+        let (mass, damping) = (&tangent.mass[..n], &tangent.damping[..n]);
+        let stiffness = &tangent.stiffness[..n];
+        for i in 0..n {
+            block[i] = (g * mass[i] + damping[i]) * g + stiffness[i];
+        }
+    }
+}
+
+/// A complex matrix made of a tangent.
+struct ComplexBlock<'a> {
+    tangent: &'a Tangent,
+    z: c64,
+    block: &'a mut [c64],
+}
+
+impl Vectorised for ComplexBlock<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<const F: bool>(self) {
+        let Self { tangent, z, block } = self;
+        let square = z * z;
+        let n = block.len();
+        let (mass, damping) = (&tangent.mass[..n], &tangent.damping[..n]);
+        let stiffness = &tangent.stiffness[..n];
         for i in 0..n {
             let (m, d, k) = (mass[i], damping[i], stiffness[i]);
-            real[i] = (g * m + d) * g + k;
-            complex[i] = c64::new(square.re * m + z.re * d + k, square.im * m + z.im * d);
+            block[i] = c64::new(square.re * m + z.re * d + k, square.im * m + z.im * d);
         }
     }
 }
 
-/// What the stages have along the real and the complex eigenvector of A^-1.
-struct ToEigenvectors<'a>(&'a Coefficients, &'a [Vec<f64>; 3], &'a mut [f64], &'a mut [c64]);
+/// What the stages have along the real eigenvector of A^-1.
+struct ToReal<'a, const S: usize>(&'a [f64; S], &'a [Vec<f64>; S], &'a mut [f64]);
 
-impl Vectorised for ToEigenvectors<'_> {
+impl<const S: usize> Vectorised for ToReal<'_, S> {
     type Output = ();
 
     #[inline(always)]
     fn run<const F: bool>(self) {
-        let Self(coefficients, [f0, f1, f2], real, complex) = self;
-        let n = real.len();
-        let (f0, f1, f2, complex) = (&f0[..n], &f1[..n], &f2[..n], &mut complex[..n]);
-        let (r, c) = (coefficients.real_left, coefficients.complex_left);
-        for i in 0..n {
-            real[i] = r[0] * f0[i] + r[1] * f1[i] + r[2] * f2[i];
-            complex[i] = c64::new(
-                c[0].re * f0[i] + c[1].re * f1[i] + c[2].re * f2[i],
-                c[0].im * f0[i] + c[1].im * f1[i] + c[2].im * f2[i],
-            );
+        combine(self.0, self.1, self.2);
+    }
+}
+
+/// What the stages have along a complex eigenvector of A^-1.
+struct ToPair<'a, const S: usize>(&'a [c64; S], &'a [Vec<f64>; S], &'a mut [c64]);
+
+impl<const S: usize> Vectorised for ToPair<'_, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<const F: bool>(self) {
+        let Self(left, stages, complex) = self;
+        let (re, im) = (left.map(|value| value.re), left.map(|value| value.im));
+        let stages = slices(stages, complex.len());
+        for (i, value) in complex.iter_mut().enumerate() {
+            *value = c64::new(combined(&re, &stages, i), combined(&im, &stages, i));
         }
     }
 }
 
-/// The stages from what they have along these eigenvectors.
-struct FromEigenvectors<'a>(&'a Coefficients, &'a mut [Vec<f64>; 3], &'a [f64], &'a [c64]);
+/// The stages' part along the real eigenvector and the first pair, in their place.
+struct FromFirst<'a, const S: usize>(&'a Coefficients<S>, &'a mut [Vec<f64>; S], &'a [f64], &'a [c64]);
 
-impl Vectorised for FromEigenvectors<'_> {
+impl<const S: usize> Vectorised for FromFirst<'_, S> {
     type Output = ();
 
     #[inline(always)]
     fn run<const F: bool>(self) {
         let Self(coefficients, stages, real, complex) = self;
+        let first = &coefficients.pairs[0];
         for (s, stage) in stages.iter_mut().enumerate() {
-            let (a, b) = (coefficients.real_right[s], coefficients.complex_right[s]);
+            let (a, b) = (coefficients.real_right[s], first.right[s]);
             for ((value, real), complex) in stage.iter_mut().zip(real).zip(complex) {
                 *value = a * real + 2.0 * (b.re * complex.re - b.im * complex.im);
+            }
+        }
+    }
+}
+
+/// Adds the stages' part along a complex eigenvector and its conjugate.
+struct FromPair<'a, const S: usize>(&'a [c64; S], &'a mut [Vec<f64>; S], &'a [c64]);
+
+impl<const S: usize> Vectorised for FromPair<'_, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<const F: bool>(self) {
+        let Self(right, stages, complex) = self;
+        for (stage, b) in stages.iter_mut().zip(right) {
+            for (value, complex) in stage.iter_mut().zip(complex) {
+                *value += 2.0 * (b.re * complex.re - b.im * complex.im);
             }
         }
     }

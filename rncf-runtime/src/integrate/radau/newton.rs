@@ -2,7 +2,7 @@
 
 use super::coefficients::Coefficients;
 use super::matrices::Matrices;
-use super::stages::Stages;
+use super::stages::{Stages, combined, slices};
 use crate::archive::{Archive, Keep};
 use crate::integrate::anderson::Acceleration;
 use crate::integrate::bordered::add;
@@ -12,8 +12,9 @@ use crate::integrate::norms::norm;
 use crate::integrate::statistics::Statistics;
 use crate::system::{ConstraintLevel, State, System};
 
-/// Most iterations of a step whose size is free.
+/// Most iterations of a step whose size is free, with three stages and for each more.
 const ITERATIONS: u32 = 10;
+const MORE: u32 = 2;
 /// Most iterations of a fixed step: a slow iteration is all there is.
 const PATIENT: u32 = 50;
 /// Contraction at which the iteration is given up.
@@ -56,7 +57,7 @@ pub(super) struct Converged {
 }
 
 /// Memory and settings of the iteration.
-pub(super) struct Newton {
+pub(super) struct Newton<const S: usize> {
     inverse_weights: Vec<f64>,
     inverse_sizes: Vec<f64>,
     /// Error of a converged iterate as a part of the weights.
@@ -70,12 +71,12 @@ pub(super) struct Newton {
     /// theta / (1 - theta) of the last step, and its size.
     amplification: f64,
     seen_at: f64,
-    dynamics: [Vec<f64>; 3],
-    constraints: [Vec<f64>; 3],
+    dynamics: [Vec<f64>; S],
+    constraints: [Vec<f64>; S],
     /// Right sides of the constraints' rates; empty with index 3.
-    rates: [Vec<f64>; 3],
+    rates: [Vec<f64>; S],
     /// `C_x^T` of the stages, and one of them in the chart.
-    jacobians: [Vec<f64>; 3],
+    jacobians: [Vec<f64>; S],
     jacobian: Vec<f64>,
     /// Change of a stage's drift.
     drift: Vec<f64>,
@@ -86,7 +87,7 @@ pub(super) struct Newton {
 }
 
 /// What is known beyond one iteration.
-impl Keep for Newton {
+impl<const S: usize> Keep for Newton<S> {
     fn keep(&mut self, archive: &mut Archive<'_>) {
         let Self {
             inverse_weights: _,
@@ -113,10 +114,10 @@ impl Keep for Newton {
     }
 }
 
-impl Newton {
+impl<const S: usize> Newton<S> {
     pub(super) fn new(
         system: &dyn System,
-        matrices: &Matrices,
+        matrices: &Matrices<S>,
         (rtol, tolerance): (f64, f64),
         lasting: Lasting,
         patient: bool,
@@ -141,10 +142,10 @@ impl Newton {
             drift: vec![0.0; if stabilised { n } else { 0 }],
             stage: State::of(system, 0.0),
             acceleration: Acceleration::new(
-                3 * (n + m + rates),
-                system.sizes().repeat(3).iter().map(|size| 1.0 / size).collect(),
+                S * (n + m + rates),
+                system.sizes().repeat(S).iter().map(|size| 1.0 / size).collect(),
             ),
-            increment: Vec::with_capacity(3 * (n + m + rates)),
+            increment: Vec::with_capacity(S * (n + m + rates)),
         }
     }
 
@@ -159,10 +160,10 @@ impl Newton {
     pub(super) fn solve(
         &mut self,
         system: &mut dyn System,
-        coefficients: &Coefficients,
-        matrices: &mut Matrices,
+        coefficients: &Coefficients<S>,
+        matrices: &mut Matrices<S>,
         (start, is_fresh): (&State, bool),
-        stages: &mut Stages,
+        stages: &mut Stages<S>,
         statistics: &mut Statistics,
     ) -> Result<Converged, Failure> {
         let floor = ROUND_OFF / self.rtol * (1.0 + norm(&start.x, &self.inverse_sizes));
@@ -174,7 +175,8 @@ impl Newton {
         let mut converged = None;
         self.acceleration.restart();
         self.lasting.begin();
-        let most = if self.patient { PATIENT } else { ITERATIONS };
+        let free = ITERATIONS + MORE * (S as u32 - 3);
+        let most = if self.patient { PATIENT } else { free };
         for iteration in 1..=most {
             self.differentiate(system, coefficients, matrices, start, stages);
             self.residual(system, coefficients, matrices, start, stages, statistics);
@@ -195,10 +197,9 @@ impl Newton {
                 last_ratio = ratio;
                 amplification = contraction / (1.0 - contraction);
             }
-            let (row, rate) = (coefficients.inverse[2], 1.0 / (stages.h * stages.h));
-            let changes = &self.dynamics;
-            self.lasting
-                .note(|i| (row[0] * changes[0][i] + row[1] * changes[1][i] + row[2] * changes[2][i]) * rate);
+            let (row, rate) = (&coefficients.inverse[S - 1], 1.0 / (stages.h * stages.h));
+            let changes = slices(&self.dynamics, start.x.len());
+            self.lasting.note(|i| combined(row, &changes, i) * rate);
             self.apply(stages, iteration > 1 && last_ratio > ACCELERATED);
             let stagnates = contraction > STAGNANT;
             let at_noise =
@@ -242,16 +243,16 @@ impl Newton {
     fn complete(
         &mut self,
         system: &mut dyn System,
-        coefficients: &Coefficients,
-        matrices: &Matrices,
+        coefficients: &Coefficients<S>,
+        matrices: &Matrices<S>,
         start: &State,
-        stages: &mut Stages,
+        stages: &mut Stages<S>,
     ) -> Result<(), Failure> {
         if !self.rates[0].is_empty() {
             self.differentiate(system, coefficients, matrices, start, stages);
         }
         stages.differentiate(coefficients, start);
-        match matrices.chart.left_by(&stages.z[2]) {
+        match matrices.chart.left_by(&stages.z[S - 1]) {
             None => Ok(()),
             Some(turn) => Err(Failure::Slow {
                 worst: Some(turn),
@@ -264,13 +265,13 @@ impl Newton {
     fn differentiate(
         &mut self,
         system: &mut dyn System,
-        coefficients: &Coefficients,
-        matrices: &Matrices,
+        coefficients: &Coefficients<S>,
+        matrices: &Matrices<S>,
         start: &State,
-        stages: &mut Stages,
+        stages: &mut Stages<S>,
     ) {
         let chart = &matrices.chart;
-        for s in 0..3 {
+        for s in 0..S {
             if stages.lambda[s].is_empty() {
                 break;
             }
@@ -291,14 +292,14 @@ impl Newton {
     fn residual(
         &mut self,
         system: &mut dyn System,
-        coefficients: &Coefficients,
-        matrices: &Matrices,
+        coefficients: &Coefficients<S>,
+        matrices: &Matrices<S>,
         start: &State,
-        stages: &Stages,
+        stages: &Stages<S>,
         statistics: &mut Statistics,
     ) {
         let pattern = &matrices.constraint_pattern;
-        for s in 0..3 {
+        for s in 0..S {
             let (state, out, values) = (&mut self.stage, &mut self.dynamics[s], &self.jacobians[s]);
             stages.stage(coefficients, &matrices.chart, s, start, state);
             if state.lambda.is_empty() {
@@ -316,19 +317,19 @@ impl Newton {
                 sides.iter_mut().for_each(|value| *value = -*value);
             }
         }
-        statistics.residual_evaluations += 3;
+        statistics.residual_evaluations += S as u64;
     }
 
     /// Weighted size of the increments, h times the change of drift like one of position.
-    fn size(&mut self, matrices: &Matrices, h: f64) -> f64 {
+    fn size(&mut self, matrices: &Matrices<S>, h: f64) -> f64 {
         let mut sum = 0.0;
-        for s in 0..3 {
-            sum += norm(&self.dynamics[s], &self.inverse_weights).powi(2) / 3.0;
+        for s in 0..S {
+            sum += norm(&self.dynamics[s], &self.inverse_weights).powi(2) / S as f64;
             if !self.rates[s].is_empty() {
                 self.drift.fill(0.0);
                 let (pattern, slopes) = (&matrices.chart.constraints, &matrices.slopes.jacobian);
                 pattern.multiply_add(h, slopes, &self.rates[s], &mut self.drift);
-                sum += norm(&self.drift, &self.inverse_weights).powi(2) / 3.0;
+                sum += norm(&self.drift, &self.inverse_weights).powi(2) / S as f64;
             }
             // Multipliers carry no weight, but must be finite.
             sum += self.constraints[s].iter().map(|change| 0.0 * change).sum::<f64>();
@@ -337,7 +338,7 @@ impl Newton {
     }
 
     /// Adds the increments, accelerated or as they are.
-    fn apply(&mut self, stages: &mut Stages, accelerated: bool) {
+    fn apply(&mut self, stages: &mut Stages<S>, accelerated: bool) {
         if self.patient {
             // Iterated down to round-off, where differences tell nothing.
             for (values, changes) in [
@@ -377,7 +378,7 @@ impl Newton {
 
     fn slow(&self, ratio: f64) -> Failure {
         let size = |&i: &usize| -> f64 {
-            (0..3)
+            (0..S)
                 .map(|s| (self.dynamics[s][i] * self.inverse_sizes[i]).abs())
                 .sum()
         };

@@ -8,30 +8,30 @@ use crate::archive::{Archive, Keep};
 use crate::linalg::{Vectorised, dispatch};
 use crate::system::State;
 
-/// Values at the three stages of a step, in its chart.
+/// Values at the S stages of a step, in its chart.
 #[derive(Clone, Debug)]
-pub(super) struct Stages {
+pub(super) struct Stages<const S: usize> {
     /// Step size, s.
     pub(super) h: f64,
     /// Increments of position from the start of the step, less those at the velocity of the start:
     /// the unknowns.
-    pub(super) w: [Vec<f64>; 3],
+    pub(super) w: [Vec<f64>; S],
     /// Increments of position from the start of the step.
-    pub(super) z: [Vec<f64>; 3],
+    pub(super) z: [Vec<f64>; S],
     /// Changes of the rates since the start of the step.
-    pub(super) change: [Vec<f64>; 3],
+    pub(super) change: [Vec<f64>; S],
     /// Rates that the positions have less their drift: those that enter the equations of motion.
-    pub(super) v: [Vec<f64>; 3],
+    pub(super) v: [Vec<f64>; S],
     /// Derivatives of the rates.
-    pub(super) a: [Vec<f64>; 3],
+    pub(super) a: [Vec<f64>; S],
     /// Multipliers.
-    pub(super) lambda: [Vec<f64>; 3],
+    pub(super) lambda: [Vec<f64>; S],
     /// Multipliers mu of the stabilised index 2, and the drift `C_y^T mu`; empty with index 3.
-    pub(super) mu: [Vec<f64>; 3],
-    pub(super) drift: [Vec<f64>; 3],
+    pub(super) mu: [Vec<f64>; S],
+    pub(super) drift: [Vec<f64>; S],
 }
 
-impl Keep for Stages {
+impl<const S: usize> Keep for Stages<S> {
     fn keep(&mut self, archive: &mut Archive<'_>) {
         let Self {
             h,
@@ -51,7 +51,7 @@ impl Keep for Stages {
     }
 }
 
-impl Stages {
+impl<const S: usize> Stages<S> {
     pub(super) fn new(n: usize, m: usize, stabilised: bool) -> Self {
         let vectors = |length: usize| std::array::from_fn(|_| vec![0.0; length]);
         Self {
@@ -69,25 +69,23 @@ impl Stages {
 
     /// Increments, rates and their derivatives at the stages from the unknowns and the drift:
     /// `Z = W + c h v_n`, `V - v_n = A^-1 W / h + drift`, `A = A^-1 (V - v_n) / h`.
-    pub(super) fn differentiate(&mut self, coefficients: &Coefficients, start: &State) {
+    pub(super) fn differentiate(&mut self, coefficients: &Coefficients<S>, start: &State) {
         dispatch(Arch::new(), Differentiated(self, coefficients, start));
     }
 
     #[inline(always)]
-    fn differentiated(&mut self, coefficients: &Coefficients, start: &State) {
+    fn differentiated(&mut self, coefficients: &Coefficients<S>, start: &State) {
         let rates = &start.v[..];
         let n = rates.len();
-        let [w0, w1, w2] = &self.w;
-        let [w0, w1, w2] = [&w0[..n], &w1[..n], &w2[..n]];
+        let w = slices(&self.w, n);
         let h = self.h;
         for (s, row) in coefficients.inverse.iter().enumerate() {
-            let [a, b, c] = [row[0] / h, row[1] / h, row[2] / h];
+            let row = row.map(|value| value / h);
             let dt = coefficients.nodes[s] * h;
-            let own = [w0, w1, w2][s];
             let (z, change) = (&mut self.z[s][..n], &mut self.change[s][..n]);
             for i in 0..n {
-                z[i] = dt * rates[i] + own[i];
-                change[i] = a * w0[i] + b * w1[i] + c * w2[i];
+                z[i] = dt * rates[i] + w[s][i];
+                change[i] = combined(&row, &w, i);
             }
             for (change, drift) in change.iter_mut().zip(&self.drift[s]) {
                 *change += drift;
@@ -96,20 +94,19 @@ impl Stages {
                 *v = rate + change;
             }
         }
-        let [c0, c1, c2] = &self.change;
-        let [c0, c1, c2] = [&c0[..n], &c1[..n], &c2[..n]];
+        let change = slices(&self.change, n);
         for (row, out) in coefficients.inverse.iter().zip(&mut self.a) {
-            let [a, b, c] = [row[0] / h, row[1] / h, row[2] / h];
+            let row = row.map(|value| value / h);
             let out = &mut out[..n];
             for i in 0..n {
-                out[i] = a * c0[i] + b * c1[i] + c * c2[i];
+                out[i] = combined(&row, &change, i);
             }
         }
     }
 
     /// Increments and multipliers at the stages of a first step from a consistent state: a motion
     /// of constant acceleration.
-    pub(super) fn predict_first(&mut self, coefficients: &Coefficients, start: &State, h: f64) {
+    pub(super) fn predict_first(&mut self, coefficients: &Coefficients<S>, start: &State, h: f64) {
         self.h = h;
         for (s, node) in coefficients.nodes.iter().enumerate() {
             let dt = node * h;
@@ -126,19 +123,19 @@ impl Stages {
     /// polynomials continued, in the chart that begins at its end.
     pub(super) fn extrapolate(
         &mut self,
-        coefficients: &Coefficients,
+        coefficients: &Coefficients<S>,
         chart: &Chart,
-        last: &Stages,
+        last: &Stages<S>,
         start: &State,
         h: f64,
     ) {
         self.h = h;
-        let end = &last.z[2];
+        let end = &last.z[S - 1];
         for (s, node) in coefficients.nodes.iter().enumerate() {
             let at = 1.0 + node * h / last.h;
-            let [_, a, b, c] = coefficients.cubic(at);
+            let (_, weights) = coefficients.with_start(at);
             let z = &mut self.z[s];
-            combine([a, b, c], &last.z, z);
+            combine(&weights, &last.z, z);
             chart.transport(end, z);
             let mut turns = chart.turns().iter().copied().peekable();
             let mut i = 0;
@@ -153,7 +150,7 @@ impl Stages {
             for ((w, z), rate) in self.w[s].iter_mut().zip(&*z).zip(&start.v) {
                 *w = z - node * h * rate;
             }
-            combine(coefficients.quadratic(at), &last.lambda, &mut self.lambda[s]);
+            combine(&coefficients.on_nodes(at), &last.lambda, &mut self.lambda[s]);
         }
         self.begin_without_drift();
     }
@@ -167,7 +164,7 @@ impl Stages {
     }
 
     /// Time and position of stage `s` into `state`; its rates are left as they are.
-    pub(super) fn place(&self, coefficients: &Coefficients, s: usize, start: &State, state: &mut State) {
+    pub(super) fn place(&self, coefficients: &Coefficients<S>, s: usize, start: &State, state: &mut State) {
         let dt = coefficients.nodes[s] * self.h;
         state.t = start.t + dt;
         state.turns.clone_from(&start.turns);
@@ -178,7 +175,7 @@ impl Stages {
     }
 
     /// Stage `s` into `state` in the chart: rates and their derivatives for velocity and acceleration.
-    pub(super) fn in_chart(&self, coefficients: &Coefficients, s: usize, start: &State, state: &mut State) {
+    pub(super) fn in_chart(&self, coefficients: &Coefficients<S>, s: usize, start: &State, state: &mut State) {
         self.place(coefficients, s, start, state);
         state.v.copy_from_slice(&self.v[s]);
         state.a.copy_from_slice(&self.a[s]);
@@ -186,44 +183,50 @@ impl Stages {
     }
 
     /// Stage `s` into `state`.
-    pub(super) fn stage(&self, coefficients: &Coefficients, chart: &Chart, s: usize, start: &State, state: &mut State) {
+    pub(super) fn stage(
+        &self,
+        coefficients: &Coefficients<S>,
+        chart: &Chart,
+        s: usize,
+        start: &State,
+        state: &mut State,
+    ) {
         self.in_chart(coefficients, s, start, state);
         chart.leave(state);
     }
 
-    /// The state at `t` within the step from `start`: in the chart cubic positions and rates (with
-    /// those at the start), quadratic accelerations and multipliers.
+    /// The state at `t` within the step from `start`: in the chart polynomials of degree S for positions and rates (with
+    /// those at the start), of degree S - 1 for accelerations and multipliers.
     pub(super) fn interpolate(
         &self,
-        coefficients: &Coefficients,
+        coefficients: &Coefficients<S>,
         chart: &Chart,
         start: &State,
         t: f64,
         out: &mut State,
     ) {
         let at = (t - start.t) / self.h;
-        let [first, a, b, c] = coefficients.cubic(at);
-        let quadratic = coefficients.quadratic(at);
+        let (first, weights) = coefficients.with_start(at);
+        let on_nodes = coefficients.on_nodes(at);
         out.clone_from(start);
         out.t = t;
         let n = start.x.len();
-        let ([z0, z1, z2], [v0, v1, v2]) = (&self.z, &self.v);
-        let (z, v) = ([z0, z1, z2].map(|z| &z[..n]), [v0, v1, v2].map(|v| &v[..n]));
+        let (z, v) = (slices(&self.z, n), slices(&self.v, n));
         let (x, rates) = (&mut out.x[..n], &mut out.v[..n]);
         for i in 0..n {
-            x[i] += a * z[0][i] + b * z[1][i] + c * z[2][i];
-            rates[i] = first * rates[i] + a * v[0][i] + b * v[1][i] + c * v[2][i];
+            x[i] += combined(&weights, &z, i);
+            rates[i] = first * rates[i] + combined(&weights, &v, i);
         }
-        combine(quadratic, &self.a, &mut out.a);
-        combine(quadratic, &self.lambda, &mut out.lambda);
+        combine(&on_nodes, &self.a, &mut out.a);
+        combine(&on_nodes, &self.lambda, &mut out.lambda);
         chart.leave(out);
     }
 }
 
 /// [`Stages::differentiate`] with the instructions of the processor.
-struct Differentiated<'a>(&'a mut Stages, &'a Coefficients, &'a State);
+struct Differentiated<'a, const S: usize>(&'a mut Stages<S>, &'a Coefficients<S>, &'a State);
 
-impl Vectorised for Differentiated<'_> {
+impl<const S: usize> Vectorised for Differentiated<'_, S> {
     type Output = ();
 
     #[inline(always)]
@@ -232,8 +235,26 @@ impl Vectorised for Differentiated<'_> {
     }
 }
 
-fn combine([a, b, c]: [f64; 3], [first, second, third]: &[Vec<f64>; 3], out: &mut [f64]) {
-    for (((out, first), second), third) in out.iter_mut().zip(first).zip(second).zip(third) {
-        *out = a * first + b * second + c * third;
+/// The first n values of all stages.
+#[inline(always)]
+pub(super) fn slices<const S: usize>(stages: &[Vec<f64>; S], n: usize) -> [&[f64]; S] {
+    std::array::from_fn(|s| &stages[s][..n])
+}
+
+/// What the stages have for unknown i, by weights.
+#[inline(always)]
+pub(super) fn combined<const S: usize>(weights: &[f64; S], stages: &[&[f64]; S], i: usize) -> f64 {
+    let mut sum = weights[0] * stages[0][i];
+    for s in 1..S {
+        sum += weights[s] * stages[s][i];
+    }
+    sum
+}
+
+/// What the stages have, by weights.
+pub(super) fn combine<const S: usize>(weights: &[f64; S], stages: &[Vec<f64>; S], out: &mut [f64]) {
+    let stages = slices(stages, out.len());
+    for (i, out) in out.iter_mut().enumerate() {
+        *out = combined(weights, &stages, i);
     }
 }

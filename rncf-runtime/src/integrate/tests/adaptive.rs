@@ -213,6 +213,9 @@ fn settings_out_of_range_are_named() {
     let method = |method| refusal(start(), 1.0, method, default).to_string();
     assert!(method(Method::Hht { alpha: 0.1 }).contains("[-1/3, 0]"));
     assert!(method(Method::GeneralizedAlpha { rho_inf: f64::NAN }).contains("rho_inf"));
+    let loose = Options { rtol: 1e-4, ..default };
+    let of_high_order = refusal(start(), 1.0, Method::Radau13, loose).to_string();
+    assert!(of_high_order.contains("rtol = 0.0001 is out of range: it must be at most 1e-5 with radau13"));
     assert!(refusal(start(), 0.0, METHODS[0], default).to_string().contains("t_end"));
     let short = State {
         x: vec![1.0],

@@ -9,6 +9,7 @@ mod long;
 mod order;
 mod radau;
 mod radau_lie;
+mod radau_orders;
 mod renewal;
 mod start;
 mod swarm;

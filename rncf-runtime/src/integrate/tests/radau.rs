@@ -83,15 +83,27 @@ fn start(x: f64, v: f64) -> State {
     }
 }
 
-/// Runs to `t_end` and shows every accepted step.
+/// Runs with three stages to `t_end` and shows every accepted step.
 fn run<S: System>(
+    system: &mut S,
+    start: State,
+    t_end: f64,
+    options: Options,
+    see: impl FnMut(&Integrator<S>),
+) -> (State, Statistics) {
+    run_by(Method::Radau, system, start, t_end, options, see)
+}
+
+/// Runs to `t_end` and shows every accepted step.
+pub(super) fn run_by<S: System>(
+    method: Method,
     system: &mut S,
     start: State,
     t_end: f64,
     options: Options,
     mut see: impl FnMut(&Integrator<S>),
 ) -> (State, Statistics) {
-    let mut integrator = Integrator::new(system, start, t_end, Method::Radau, options).unwrap();
+    let mut integrator = Integrator::new(system, start, t_end, method, options).unwrap();
     while integrator.step().unwrap() != Stop::End {
         see(&integrator);
     }
@@ -106,7 +118,7 @@ fn fixed(h: f64) -> Options {
     }
 }
 
-fn adaptive(rtol: f64) -> Options {
+pub(super) fn adaptive(rtol: f64) -> Options {
     Options {
         rtol,
         ..Options::default()
@@ -179,14 +191,15 @@ fn driven_oscillator_converges_with_order_5_and_between_steps_with_4() {
     assert!(orders(&between).iter().all(|order| *order > 3.7));
 }
 
-#[test]
-fn index_3_pendulum_converges_with_orders_5_3_2() {
+/// Largest errors of positions, velocities, multipliers and accelerations of the pendulum of index 3 over a second, by steps in it.
+pub(super) fn errors_of_pendulum(method: Method, steps: &[f64]) -> [Vec<f64>; 4] {
     let reference = Pendulum::at_rest();
     let mut errors = [const { Vec::new() }; 4];
-    for steps in [20.0, 40.0, 80.0] {
+    for steps in steps {
         let (mut t, mut y) = (0.0, [0.0, -3.0]);
         let mut largest = [0.0_f64; 4];
-        run(
+        run_by(
+            method,
             &mut Pendulum::at_rest(),
             reference.state(0.0, 0.0, -3.0),
             1.0,
@@ -212,6 +225,12 @@ fn index_3_pendulum_converges_with_orders_5_3_2() {
             .zip(largest)
             .for_each(|(errors, largest)| errors.push(largest));
     }
+    errors
+}
+
+#[test]
+fn index_3_pendulum_converges_with_orders_5_3_2() {
+    let errors = errors_of_pendulum(Method::Radau, &[20.0, 40.0, 80.0]);
     for (errors, least) in errors.iter().zip([4.7, 2.7, 1.7, 1.7]) {
         println!("{errors:?} {:?}", orders(errors));
         assert!(
