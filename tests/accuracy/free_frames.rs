@@ -245,6 +245,34 @@ fn a_satellite_flies_in_its_hub_as_in_absolute_coordinates() {
     }
 }
 
+rncf::model! {
+    /// Two masses on stiff springs that whirl about the origin: springs pull along their lines alone, so that angular momentum stays.
+    model Whirling {
+        param k = 1e9 N/m;
+        rigid near { plane xy; mass = 1 kg; origin = [1, 0, 0] m; velocity = [0, 0.5, 0] m/s; }
+        rigid far { plane xy; mass = 2 kg; origin = [1.5, 0, 0] m; }
+        spring inner = linear(near, inertial, stiffness = k, length = 1 m);
+        spring outer = linear(near, far, stiffness = 10*k, length = 0.5 m);
+        output spin = total.angular_momentum;
+    }
+}
+
+/// A force of 1 GN/m turns within a step, so that increments of Newton's iteration fall in one iteration and rise in the next: what stagnates
+/// far above round-off is no noise.
+#[test]
+fn stiff_forces_that_turn_keep_the_angular_momentum() {
+    let times = grid(0.1, 20.0);
+    for (k, rtol) in [(1e9, 1e-5), (1e9, 1e-6), (1e11, 1e-5)] {
+        let (rows, statistics) = history(&Whirling { k }, RNCF, Method::Radau, adaptive(rtol), &times);
+        let lost = rows.iter().map(|row| (row[0] / 0.5 - 1.0).abs()).fold(0.0, f64::max);
+        println!(
+            "{k:e} N/m at {rtol:e}: {lost:.1e} of the angular momentum lost, {} steps",
+            statistics.steps
+        );
+        assert!(lost < 10.0 * rtol, "{k:e} N/m at {rtol:e}: {lost:e}");
+    }
+}
+
 /// The table of docs/free_frames.md: ten elements, 8 s.
 #[test]
 #[ignore = "a study of minutes"]

@@ -33,6 +33,8 @@ const LEAST: f64 = 0.008;
 const FEW: u32 = 1;
 /// Increments below this, relative to the sizes of the unknowns, are noise.
 const ROUND_OFF: f64 = 4.0 * f64::EPSILON;
+/// Increments near it that do not fall are noise whatever lasts.
+const CERTAIN: f64 = 32.0;
 /// Noise that the residual may add to that.
 const AMPLIFIED: f64 = 1e3;
 
@@ -214,13 +216,19 @@ impl<const S: usize> Newton<S> {
                 });
             }
             if let Some(converged) = converged {
-                if at_noise || self.lasting.is_settled() || is_fresh && self.lasting.is_stagnant() {
+                // What does not fall any more is noise near round-off alone: elsewhere the iteration contracts slowly.
+                let is_least = size <= CERTAIN * floor || at_noise && self.is_at_noise(system, start, size);
+                let is_noise = size <= AMPLIFIED * floor || self.is_at_noise(system, start, size);
+                let (is_stagnant, is_last) = (self.lasting.is_stagnant(), iteration == most);
+                let is_left = is_stagnant && (at_noise || is_fresh && (is_noise || self.patient && is_last));
+                let is_settled = is_least && at_noise || self.lasting.is_settled();
+                if is_settled || is_left || at_noise && is_last {
                     self.lasting.accept();
                     self.complete(system, coefficients, matrices, start, stages)?;
                     let is_slow = iteration > converged.iterations + FEW;
                     return Ok(Converged { is_slow, ..converged });
                 }
-                if !is_fresh && self.lasting.is_stagnant() {
+                if is_stagnant && !(is_fresh && self.patient) {
                     return Err(self.slow(0.5));
                 }
             } else if iteration > 1 {
