@@ -288,8 +288,8 @@ impl<const S: usize> Scheme for Radau<S> {
             return Outcome::Rejected { next, cause };
         }
         if error > 1.0 {
-            if self.controller.is_new() {
-                // Refused again: the middle of so much shorter a step is elsewhere.
+            if S > 3 && self.controller.is_new() {
+                // Refused again: the middle of so much shorter a step is elsewhere. Steps of three stages are short enough for the old one.
                 self.tangent = Age::Stale;
             }
             let mut next = self.controller.reject(h, error);

@@ -29,7 +29,7 @@ pub(super) struct Matrices<const S: usize> {
     /// One of each pair of eigenvalues.
     complex: Vec<Saddle<c64>>,
     /// With the stabilised index 2.
-    stabilised: Option<Box<(Stabilised<f64>, Vec<Stabilised<c64>>)>>,
+    stabilised: Option<Box<Borders>>,
     real_block: Vec<f64>,
     complex_block: Vec<c64>,
     /// Right sides: equations of motion, constraints, their rates.
@@ -37,6 +37,12 @@ pub(super) struct Matrices<const S: usize> {
     complex_sides: Vec<[Vec<c64>; 3]>,
     /// Step size of the factorizations; none if they do not fit the tangent.
     factored: Option<f64>,
+}
+
+/// The second constraint blocks, of the real eigenvalue and of one of each pair.
+struct Borders {
+    real: Stabilised<f64>,
+    complex: Vec<Stabilised<c64>>,
 }
 
 impl<const S: usize> Matrices<S> {
@@ -71,8 +77,10 @@ impl<const S: usize> Matrices<S> {
                 .map(|_| Saddle::new(&chart.block, system.border(), &chart.constraints).sized(system.sizes()))
                 .collect(),
             stabilised: stabilised.then(|| {
-                let complex = (0..S / 2).map(|_| Stabilised::new(n, m)).collect();
-                Box::new((Stabilised::new(n, m), complex))
+                Box::new(Borders {
+                    real: Stabilised::new(n, m),
+                    complex: (0..S / 2).map(|_| Stabilised::new(n, m)).collect(),
+                })
             }),
             real_block: vec![0.0; entries],
             complex_block: vec![c64::default(); entries],
@@ -133,7 +141,7 @@ impl<const S: usize> Matrices<S> {
         let (forces, slopes) = (&self.forces, &self.slopes);
         self.real.factor(&self.real_block, forces, &slopes.jacobian)?;
         if let Some(second) = &mut self.stabilised {
-            second.0.factor(&self.chart, g, tangent, slopes, &mut self.real)?;
+            second.real.factor(&self.chart, g, tangent, slopes, &mut self.real)?;
         }
         for (k, (pair, saddle)) in coefficients.pairs.iter().zip(&mut self.complex).enumerate() {
             let z = pair.value / h;
@@ -141,7 +149,7 @@ impl<const S: usize> Matrices<S> {
             dispatch(Arch::new(), ComplexBlock { tangent, z, block });
             saddle.factor(&self.complex_block, forces, &slopes.jacobian)?;
             if let Some(second) = &mut self.stabilised {
-                second.1[k].factor(&self.chart, z, tangent, slopes, saddle)?;
+                second.complex[k].factor(&self.chart, z, tangent, slopes, saddle)?;
             }
         }
         let count = 1 + self.complex.len() as u64;
@@ -170,7 +178,7 @@ impl<const S: usize> Matrices<S> {
             None => self.real.solve(f, c),
             Some(second) => {
                 let (pattern, slopes, g) = (&self.chart.constraints, &self.slopes, coefficients.real / h);
-                second.0.solve(pattern, g, slopes, &mut self.real, (f, c, r));
+                second.real.solve(pattern, g, slopes, &mut self.real, (f, c, r));
             }
         }
         for (k, (pair, saddle)) in coefficients.pairs.iter().zip(&mut self.complex).enumerate() {
@@ -183,7 +191,7 @@ impl<const S: usize> Matrices<S> {
                 None => saddle.solve(f, c),
                 Some(second) => {
                     let (pattern, slopes, z) = (&self.chart.constraints, &self.slopes, pair.value / h);
-                    second.1[k].solve(pattern, z, slopes, saddle, (f, c, r));
+                    second.complex[k].solve(pattern, z, slopes, saddle, (f, c, r));
                 }
             }
         }

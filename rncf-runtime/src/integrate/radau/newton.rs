@@ -217,11 +217,16 @@ impl<const S: usize> Newton<S> {
             }
             if let Some(converged) = converged {
                 // What does not fall any more is noise near round-off alone: elsewhere the iteration contracts slowly.
-                let is_least = size <= CERTAIN * floor || at_noise && self.is_at_noise(system, start, size);
-                let is_noise = size <= AMPLIFIED * floor || self.is_at_noise(system, start, size);
                 let (is_stagnant, is_last) = (self.lasting.is_stagnant(), iteration == most);
-                let is_left = is_stagnant && (at_noise || is_fresh && (is_noise || self.patient && is_last));
-                let is_settled = is_least && at_noise || self.lasting.is_settled();
+                let is_settled = self.lasting.is_settled()
+                    || at_noise && (size <= CERTAIN * floor || self.is_at_noise(system, start, size));
+                let is_left = !is_settled
+                    && is_stagnant
+                    && (at_noise
+                        || is_fresh
+                            && (self.patient && is_last
+                                || size <= AMPLIFIED * floor
+                                || self.is_at_noise(system, start, size)));
                 if is_settled || is_left || at_noise && is_last {
                     self.lasting.accept();
                     self.complete(system, coefficients, matrices, start, stages)?;
