@@ -30,8 +30,10 @@ pub(super) struct Lasting {
     /// Sizes of the last increments, newest first.
     sizes: [f64; 4],
     count: usize,
-    /// Size at which increments did not fall any more.
-    noise: f64,
+    /// Size of the step, s.
+    h: f64,
+    /// Size at which increments did not fall any more, and of the step in which that was, s.
+    noise: (f64, f64),
 }
 
 impl Keep for Lasting {
@@ -42,12 +44,15 @@ impl Keep for Lasting {
             amplification,
             sizes,
             count,
-            noise,
+            h,
+            noise: (noise, noise_at),
         } = self;
         amplification.keep(archive);
         sizes.keep(archive);
         count.keep(archive);
+        h.keep(archive);
         noise.keep(archive);
+        noise_at.keep(archive);
     }
 }
 
@@ -62,13 +67,15 @@ impl Lasting {
             amplification: 1.0,
             sizes: [f64::INFINITY; 4],
             count: 0,
-            noise: 0.0,
+            h: 0.0,
+            noise: (0.0, 0.0),
         }
     }
 
-    /// Begins the iteration of another step, or with another matrix.
-    pub(super) fn begin(&mut self) {
+    /// Begins the iteration of another step, of `h` s, or with another matrix.
+    pub(super) fn begin(&mut self, h: f64) {
         self.count = 0;
+        self.h = h;
     }
 
     /// Forgets the contraction that was seen: another matrix.
@@ -96,7 +103,13 @@ impl Lasting {
     /// Whether what is left moves no pose by more than the tolerance until the end of the run, or is noise.
     pub(super) fn is_settled(&self) -> bool {
         let size = self.sizes[0];
-        self.factors.is_empty() || size <= self.noise || size == 0.0 || size * self.amplification <= 1.0
+        self.factors.is_empty() || size <= self.noise() || size == 0.0 || size * self.amplification <= 1.0
+    }
+
+    /// What is expected of noise in this step. That of places is an acceleration of `1 / h^2` as much: seen in a short step, it is little in a long one.
+    fn noise(&self) -> f64 {
+        let (size, at) = self.noise;
+        size * (at / self.h).powi(2).min(1.0)
     }
 
     /// Whether the increments do not fall any more.
@@ -106,9 +119,9 @@ impl Lasting {
 
     /// The iteration is accepted as it is: at noise where it stagnates.
     pub(super) fn accept(&mut self) {
-        self.noise *= FORGETTING;
+        self.noise.0 *= FORGETTING;
         if !self.is_settled() {
-            self.noise = EXCEEDED * self.sizes[0];
+            self.noise = (EXCEEDED * self.sizes[0], self.h);
         }
     }
 }

@@ -249,7 +249,7 @@ impl Newton {
         let mut before: Option<f64> = None;
         let mut seen: Option<f64> = None;
         let mut is_converged = false;
-        self.lasting.begin();
+        self.lasting.begin(h);
         for _ in 0..ITERATIONS {
             uses = uses.map(|uses| uses + 1);
             let Moved {

@@ -176,7 +176,7 @@ impl<const S: usize> Newton<S> {
         // Set when the positions are converged.
         let mut converged = None;
         self.acceleration.restart();
-        self.lasting.begin();
+        self.lasting.begin(stages.h);
         let free = ITERATIONS + MORE * (S as u32 - 3);
         let most = if self.patient { PATIENT } else { free };
         for iteration in 1..=most {
