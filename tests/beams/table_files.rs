@@ -170,6 +170,11 @@ fn wrong_rows_are_told() {
         short.contains("has rows from 0 to 1.5 m") && short.contains("short.csv` for `rows`"),
         "{short}"
     );
+    let jump = told("jump", &format!("{head}0, 200, 0\n1, 200, 0\n1, 200, 10\n2, 200, 10\n"));
+    assert!(
+        jump.contains("twist jumps by 10.0000 deg at x = 1.000000 m") && jump.contains("jump.csv` for `rows`"),
+        "{jump}"
+    );
     let order = told("order", &format!("{head}0, 200, 0\n-1, 200, 0\n"));
     assert!(order.contains("line 3: places of rows ascend"), "{order}");
     // A number that no file has.

@@ -5,7 +5,7 @@ pub mod members;
 
 pub use law::{
     CENTRES, DAMPINGS, LAW, MASS_ENTRIES, MASSES, PIVOTS, PIVOTS_OF_RATES, STIFFNESS_ENTRIES, from_beamdyn,
-    pivot_dimension,
+    of_either_triangle, pivot_dimension,
 };
 
 /// Which values of a property make sense.

@@ -111,13 +111,19 @@ impl Table {
         (weights[0] + weights[1]) / (weights[0] / left + weights[1] / right)
     }
 
-    /// Refuses an axis that the table does not cover.
+    /// Refuses an axis that the table does not cover, and rows beyond the whole length.
     ///
     /// # Errors
     /// The table, the body and both ends.
     pub fn check(&self, body: &str, length: f64) -> Result<(), ModelError> {
         let end = if self.is_relative { 1.0 } else { length };
         let (first, last) = (self.places[0], self.places[self.places.len() - 1]);
+        if self.is_relative && last > 1.0 + ROUND_OFF {
+            return Err(ModelError::new(format!(
+                "table `{}` has rows up to {last} of the length, and every axis ends at 1: `eta` counts parts of the length, so divide percentages by 100",
+                self.name
+            )));
+        }
         if first <= ROUND_OFF * end && last >= end * (1.0 - ROUND_OFF) {
             return Ok(());
         }
@@ -153,6 +159,16 @@ impl Table {
         let [x, y, z] = coordinates;
         let points: Vec<[f64; 3]> = (0..x.len()).map(|row| [x[row], y[row], z[row]]).collect();
         Curve::through(&points).told(|mistake| format!("{mistake}, in table `{}`", self.name))
+    }
+
+    /// The first step of the table at which a function of the fraction of an axis (m) jumps by more than `least`: the arclength there,
+    /// m, and the jump.
+    pub(crate) fn jump(&self, length: f64, least: f64, value: impl Fn(f64) -> f64) -> Option<(f64, f64)> {
+        let whole = if self.is_relative { 1.0 } else { length };
+        let steps = self.places.windows(2).filter(|pair| pair[0] == pair[1]);
+        let inside = steps.map(|pair| pair[0] / whole).filter(|u| (0.0..=1.0).contains(u));
+        let jump = |u: f64| (u * length, value(u * (1.0 + ROUND_OFF)) - value(u * (1.0 - ROUND_OFF)));
+        inside.map(jump).find(|(_, jump)| jump.abs() > least)
     }
 
     /// Fractions of an axis (m) at the rows, steps once, each span in `each` parts. Rows beyond the end of the axis are left out.
@@ -288,6 +304,13 @@ mod tests {
                 .to_string()
                 .contains("from 0 to 3 m")
         );
+        let percent = Table {
+            is_relative: true,
+            places: &[0.0, 40.0, 40.0, 100.0],
+            ..MAST
+        };
+        let told = percent.check("pole", 3.0).unwrap_err().to_string();
+        assert!(told.contains("rows up to 100 of the length"), "{told}");
         assert_eq!(MAST.stations(3.0, 1), vec![0.0, 1.0 / 3.0, 1.0]);
         assert_eq!(MAST.stations(4.0, 2).len(), 7);
     }

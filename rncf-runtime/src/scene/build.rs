@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 use super::mesh_scene::MeshScene;
-use super::sound::{check_absolute, check_body, check_instances, check_joint};
+use super::sound::{check_absolute, check_body, check_instances, check_joint, check_twists};
 use crate::emitted::{BodySpec, ConstraintSpec, Fidelity, FrameMotion, FrameTie, Line, LoadKind, Parts, When};
 use crate::error::ModelError;
 use crate::linalg::Pattern;
@@ -89,6 +89,7 @@ impl MeshScene {
         describe(&mut specs)?;
         check_instances(&*parts, &specs)?;
         specs.iter().try_for_each(check_body)?;
+        check_twists(&*parts, &specs)?;
         declare_normals(&*parts, &mut specs)?;
         let specs = specs;
         let Frames {

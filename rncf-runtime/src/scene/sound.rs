@@ -104,6 +104,23 @@ pub(crate) fn check_body(spec: &BodySpec) -> Result<(), ModelError> {
     spec.check_directions()
 }
 
+/// Refuses a twist that jumps at a step of its table: both elements there have one section. The macro has the same limit.
+pub(crate) fn check_twists(parts: &dyn Parts, specs: &[BodySpec]) -> Result<(), ModelError> {
+    for (body, spec) in specs.iter().enumerate() {
+        for table in parts.tables(body) {
+            if let Some((x, jump)) = table.jump(spec.line.length(), 1e-6, |u| spec.twist.at(u)) {
+                return Err(ModelError::new(format!(
+                    "body `{}`: its twist jumps by {:.4} deg at x = {x:.6} m, at a step of table `{}`, and both elements there have one section: let it turn from row to row, or end the body there and `weld` the next one to it",
+                    spec.label(),
+                    jump.to_degrees(),
+                    table.name
+                )));
+            }
+        }
+    }
+    Ok(())
+}
+
 /// Refuses nodes that do not go from start to end.
 fn check_stations(spec: &BodySpec) -> Result<(), ModelError> {
     let stations = &spec.stations;

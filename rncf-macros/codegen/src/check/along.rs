@@ -20,6 +20,9 @@ const MEASURED: f64 = 1e-6;
 /// Relative size of what counts as round-off of declared properties of a section: that of the runtime's check.
 const DECLARED: f64 = 1e-6;
 
+/// Angle of a twist, rad, beyond what it turns by within the round-off of places.
+const AT_ONCE: f64 = 1e-6;
+
 /// Parts of an axis between which values are looked at, beside the rows of tables.
 const PARTS: usize = 64;
 
@@ -141,6 +144,7 @@ impl<'a> Check<'a> {
                 continue;
             };
             mistakes.extend(self.uncovered(item, body, &axis));
+            mistakes.extend(self.twist_in_steps(item, body, &axis));
             mistakes.extend(self.out_of_range(body, &axis));
         }
         for (area, message) in mistakes {
@@ -179,6 +183,29 @@ impl<'a> Check<'a> {
         }
         let uncovered = |(table, area)| Some((area, uncovered(table, item, axis)?));
         read.into_iter().filter_map(uncovered).collect()
+    }
+
+    /// A twist that jumps at a step of its table: both elements there have one section.
+    fn twist_in_steps(&self, item: &'a Item, body: &Body, axis: &Axis) -> Option<(Area, String)> {
+        let ItemKind::Body { statements, .. } = &item.kind else {
+            return None;
+        };
+        let area = statements.iter().find_map(|statement| match statement {
+            Statement::Twist { value, .. } => Some(value.area),
+            _ => None,
+        })?;
+        let turned = |x: f64| fold::fixed_along(&self.model, &body.twist, x, axis.whole);
+        tables_of(&self.model, [&body.twist]).into_iter().find_map(|table| {
+            let steps = table.places.windows(2).filter(|pair| pair[0] == pair[1]);
+            let scale = if table.is_relative { axis.whole } else { 1.0 };
+            let places = steps.map(|pair| pair[0] * scale);
+            let inside = places.filter(|x| (axis.from..=axis.to).contains(x));
+            inside.into_iter().find_map(|x| {
+                let step = turned(x * (1.0 + ROUND_OFF))? - turned(x * (1.0 - ROUND_OFF))?;
+                let is_step = step.abs() > AT_ONCE;
+                is_step.then(|| (area, say::twist_in_steps(&table.name, x, step)))
+            })
+        })
     }
 
     /// The first value out of range of each property that varies.
@@ -286,6 +313,9 @@ fn uncovered(table: &Table, item: &Item, axis: &Axis) -> Option<String> {
         (axis.whole, "m")
     };
     let (first, last) = (table.places[0], table.places[table.places.len() - 1]);
+    if table.is_relative && last > end * (1.0 + axis.round_off) {
+        return Some(say::beyond_the_length(&table.name, last));
+    }
     if first <= axis.round_off * end && last >= end * (1.0 - axis.round_off) {
         return None;
     }

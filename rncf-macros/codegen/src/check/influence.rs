@@ -290,22 +290,26 @@ fn unread_properties(tree: &Tree, model: &Model, library: &Library) -> Vec<Mista
 }
 
 fn unread<'a>(fields: &'a Fields, bodies: &[&Body], library: &Library) -> Vec<&'a Field> {
-    let read: HashSet<&str> = bodies.iter().flat_map(|body| reads(body, library)).collect();
-    let is_read = |field: &&Field| {
-        let word = field.name.text.as_str();
-        let both = BOTH_AXES.iter().find(|(both, _)| *both == word);
-        read.contains(word) || both.is_some_and(|(_, axes)| axes.iter().any(|axis| read.contains(axis)))
-    };
-    fields.fields.iter().filter(|field| !is_read(field)).collect()
+    let read: HashSet<&str> = (bodies.iter())
+        .flat_map(|body| reads(body, body.space, library))
+        .collect();
+    let is_unread = |field: &&Field| !is_among(&read, &field.name.text);
+    fields.fields.iter().filter(is_unread).collect()
 }
 
-/// Fields of material and section that a body reads.
-fn reads(body: &Body, library: &Library) -> Vec<&'static str> {
+/// Whether a field, or one of those for which it stands, is among what is read.
+fn is_among(read: &HashSet<&str>, field: &str) -> bool {
+    let both = BOTH_AXES.iter().find(|(both, _)| *both == field);
+    read.contains(field) || both.is_some_and(|(_, axes)| axes.iter().any(|axis| read.contains(axis)))
+}
+
+/// Fields of material and section that a body reads, or would read in a space.
+fn reads(body: &Body, space: Space, library: &Library) -> Vec<&'static str> {
     if body.law.is_some() {
         return LAW.iter().map(|property| property.name).collect();
     }
     let element = &library.elements[body.element.0];
-    let is_planar = body.space != Space::Spatial;
+    let is_planar = space != Space::Spatial;
     // `yield` and the extents are read by reports of stresses.
     let mut read = vec!["density", "area", "yield", "energy", "extent_y"];
     if !is_planar {
@@ -314,7 +318,7 @@ fn reads(body: &Body, library: &Library) -> Vec<&'static str> {
     if body.fidelity.deforms() {
         read.push(element.damping);
     }
-    for coefficient in element.coefficients_in(body.space.dimension(), &body.options) {
+    for coefficient in element.coefficients_in(space.dimension(), &body.options) {
         for factor in &coefficient.factors {
             let derived = DERIVED.iter().find(|derived| derived.name == *factor);
             read.extend(derived.map_or(vec![*factor], |derived| derived.from.to_vec()));
@@ -349,6 +353,14 @@ fn why(property: &str, bodies: &[&Body], library: &Library) -> String {
             format!("{} has no shear", names.join(" and "))
         }
         "poisson" => "its bodies have no shear".to_string(),
-        _ => "its bodies stay in a plane".to_string(),
+        _ => {
+            let in_space = |body: &&Body| reads(body, Space::Spatial, library);
+            let in_space: HashSet<&str> = bodies.iter().flat_map(in_space).collect();
+            let is_planar = bodies.iter().any(|body| body.space != Space::Spatial);
+            match is_planar && is_among(&in_space, property) {
+                true => "its bodies stay in a plane".to_string(),
+                false => format!("no coefficient of {} is made of it here", names.join(" and ")),
+            }
+        }
     }
 }

@@ -9,7 +9,9 @@ use crate::errors::Area;
 use crate::model::{Column, Expr as Value, Law, TableId};
 use crate::parse::tree::{Call, ExprKind};
 use crate::suggest;
-use crate::vocabulary::{CENTRES, DAMPINGS, LAW, MASS_ENTRIES, MASSES, Property, STIFFNESS_ENTRIES, from_beamdyn};
+use crate::vocabulary::{
+    CENTRES, DAMPINGS, LAW, MASS_ENTRIES, MASSES, Property, STIFFNESS_ENTRIES, from_beamdyn, of_either_triangle,
+};
 
 /// Words before parentheses that make a section of a table.
 pub const OF_TABLE: [&str; 2] = ["columns", "beamdyn"];
@@ -59,11 +61,12 @@ impl<'a> Check<'a> {
         let columns = self.model.tables[table.0].columns.clone();
         let mut taken: BTreeMap<&'static str, &Column> = BTreeMap::new();
         for (at, column) in columns.iter().enumerate() {
-            let own = if is_beamdyn {
-                from_beamdyn(&column.name).and_then(law_property)
+            let name = if is_beamdyn {
+                from_beamdyn(&column.name)
             } else {
-                law_property(&column.name)
+                of_either_triangle(&column.name).or(Some(column.name.as_str()))
             };
+            let own = name.and_then(law_property);
             let Some(property) = own else {
                 // Places, and what a name with an underscore tells to be spare, are nobody's field.
                 if !self.model.tables[table.0].is_place(at) && !column.name.starts_with('_') {

@@ -164,6 +164,24 @@ pub fn not_covered(table: &str, [first, last]: [f64; 2], body: &str, end: f64, u
     )
 }
 
+pub fn two_places(table: &str) -> String {
+    format!("table `{table}` has its places twice, as `x` and as `eta`: say which of them hold, `at = x` or `at = eta`")
+}
+
+pub fn beyond_the_length(table: &str, last: f64) -> String {
+    format!(
+        "table `{table}` has rows up to {last} of the length, and every axis ends at 1: `eta` counts parts of the length, so divide percentages by 100"
+    )
+}
+
+pub fn twist_in_steps(table: &str, x: f64, step: f64) -> String {
+    format!(
+        "the twist jumps by {} deg at x = {} m, at a step of table `{table}`, and both elements there have one section: let it turn from row to row, or end the body there and `weld` the next one to it",
+        written(step.to_degrees()),
+        written(x)
+    )
+}
+
 pub fn value_along(place: &str, name: &str, value: f64, unit: &str, range: &str) -> String {
     let value = written(value);
     let unit = if unit == "1" { String::new() } else { format!(" {unit}") };

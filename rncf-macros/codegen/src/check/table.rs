@@ -1,5 +1,7 @@
 //! Tables of numbers along an axis: columns in the declaration, or a file beside the crate's manifest.
 
+use std::collections::HashSet;
+
 use proc_macro2::TokenStream;
 
 use super::distributed::PARTICLE;
@@ -41,6 +43,10 @@ impl<'a> Check<'a> {
     fn table_of_columns(&mut self, item: &Item, fields: &'a Fields) -> Option<TableId> {
         let (mut columns, mut is_smooth, mut is_whole) = (Vec::new(), Some(false), fields.complete);
         let mut places = None;
+        let words = fields.fields.iter().filter(|field| !is_column(field));
+        if !self.once(words.map(|field| &field.name)) {
+            return None;
+        }
         for field in &fields.fields {
             if field.name.text == "interpolation" {
                 is_smooth = self.interpolation(&field.value);
@@ -61,12 +67,10 @@ impl<'a> Check<'a> {
             }
         }
         let rows = columns.first().map_or(0, |column| column.values.len());
-        for (column, field) in columns.iter().zip(
-            fields
-                .fields
-                .iter()
-                .filter(|field| field.name.text != "interpolation" && places_named(field).is_none()),
-        ) {
+        for (column, field) in columns
+            .iter()
+            .zip(fields.fields.iter().filter(|field| is_column(field)))
+        {
             if is_whole && column.values.len() != rows {
                 let message = say::rows_differ(&column.name, column.values.len(), &columns[0].name, rows);
                 self.errors.at(field.name.span, message);
@@ -80,6 +84,16 @@ impl<'a> Check<'a> {
         self.add_table(item, columns, (is_smooth?, places), None, &|row| {
             format!("value {}", row + 1)
         })
+    }
+
+    /// Whether no word is given twice.
+    fn once(&mut self, words: impl Iterator<Item = &'a Name>) -> bool {
+        let mut seen = HashSet::new();
+        let twice = words.into_iter().find(|word| !seen.insert(&word.text));
+        if let Some(word) = twice {
+            self.errors.at(word.span, say::twice(&word.text));
+        }
+        twice.is_none()
     }
 
     /// Values of a column in SI, and their dimension.
@@ -132,9 +146,12 @@ impl<'a> Check<'a> {
         found.map(|found| found == 1)
     }
 
-    fn table_of_file(&mut self, item: &Item, path: &str, area: Area, arguments: &[Argument]) -> Option<TableId> {
+    fn table_of_file(&mut self, item: &Item, path: &str, area: Area, arguments: &'a [Argument]) -> Option<TableId> {
         let mut is_smooth = Some(false);
         let mut places = None;
+        if !self.once(arguments.iter().filter_map(|argument| argument.name.as_ref())) {
+            return None;
+        }
         for argument in arguments {
             match (&argument.name, &argument.value.kind) {
                 (Some(name), ExprKind::Name(column)) if name.text == "at" => places = Some(column.text.clone()),
@@ -250,10 +267,19 @@ impl<'a> Check<'a> {
         } else if let [Some(x), Some(y), Some(z)] = coordinates {
             (chords([&x.values, &y.values, &z.values]), true, true)
         } else {
-            let found = PLACES.iter().enumerate().find_map(|(at, (name, dimension))| {
+            let own = |(at, (name, dimension)): (usize, &(&str, [i8; 6]))| {
                 Some((at, find(name).filter(|column| column.dimension == *dimension)?))
-            });
-            let Some((at, column)) = found else {
+            };
+            let found: Vec<_> = PLACES.iter().enumerate().filter_map(own).collect();
+            if found.len() == PLACES.len() && named.is_none() {
+                self.errors.at(area, say::two_places(&item.name.text));
+                return None;
+            }
+            // What is named was put last, under the name of what it is.
+            let found = named
+                .and_then(|_| found.iter().find(|(_, column)| column.header.is_some()))
+                .or(found.first());
+            let Some(&(at, column)) = found else {
                 self.errors.at(area, say::table_without_places(&item.name.text));
                 return None;
             };
@@ -425,6 +451,11 @@ impl<'a> Check<'a> {
         }
         result
     }
+}
+
+/// Whether a field of a table is a column.
+fn is_column(field: &Field) -> bool {
+    field.name.text != "interpolation" && places_named(field).is_none()
 }
 
 /// The column that a field `at = column` names as the places of a table.

@@ -72,17 +72,18 @@ fn named(cursor: &mut Cursor) -> Parsed<(Name, Group)> {
 /// Items of a library, into a model; nothing warns about those that it does not use.
 fn shared(items: &Group, tree: &mut Tree, errors: &mut Errors) {
     let first = tree.items.len();
+    let words: Vec<&str> = SHARED.iter().map(|keyword| keyword.word()).collect();
     item::items(&mut Cursor::of(items), tree, None, errors);
     for item in &mut tree.items[first..] {
         item.is_shared = true;
         // A table whose file a run names, too.
         if item.is_param() || !SHARED.contains(&item.keyword) {
             let keyword = if item.is_param() { Keyword::Param } else { item.keyword };
-            errors.at(item.name.span, say::not_shared(keyword.word()));
+            errors.at(item.name.span, say::not_shared(keyword.word(), &words));
         }
     }
     for run in tree.runs.drain(..) {
-        errors.at(run.area, say::not_shared("run"));
+        errors.at(run.area, say::not_shared("run", &words));
     }
 }
 

@@ -1,6 +1,7 @@
 //! What is said about text that cannot be read: what is wrong, and what would be right.
 
 pub use crate::messages::{POWER, meaning_of_its_own, not_a_number, not_ascii};
+use crate::suggest::a;
 pub use crate::suggest::unknown;
 
 pub const TOO_DEEP: &str = "this is nested too deeply: give parts of it names with `const` or `motion`";
@@ -48,7 +49,6 @@ pub const ELEMENT_DOMAIN: &str =
 messages! {
     coefficient_without_unit(name) = "the unit of `{name}` is missing: write e.g. `coefficient {name}: N = ..;`";
     outside_of_loops(word) = "`{word}` stands outside of loops: it is the same for all repetitions";
-    not_shared(word) = "a `{word}` belongs to a model: in a library there are `component`, `material`, `section`, `table`, `const`, `let` and `motion`";
     after_library(found) = "one `library!` declares one library: nothing may follow its braces, found {found}";
     library_twice(name) = "the library `{name}` is used twice: leave one out";
     parameter_twice(name) = "the component is told `{name}` twice: leave one out";
@@ -86,4 +86,14 @@ pub fn inertia_components(count: usize) -> String {
 /// `[..]` with another number of components.
 pub fn three_components(count: usize) -> String {
     format!("a vector has three components `[x, y, z]`, this one has {count}")
+}
+
+/// What belongs to a model and stands in a library, which may hold `shared` and components.
+pub fn not_shared(word: &str, shared: &[&str]) -> String {
+    let list: Vec<String> = shared.iter().map(|word| format!("`{word}`")).collect();
+    format!(
+        "{} belongs to a model: in a library there are {} and `component`",
+        a(&format!("`{word}`")),
+        list.join(", ")
+    )
 }

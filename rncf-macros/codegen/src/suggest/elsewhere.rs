@@ -61,8 +61,17 @@ pub fn synonyms<'a>(word: &str, valid: &[&'a str]) -> Vec<&'a str> {
     // One letter is another symbol in the other case.
     let is_same = |other: &str| other == word || word.len() > 1 && other.eq_ignore_ascii_case(word);
     let Some((_, own)) = WORDS.iter().find(|(other, _)| is_same(other)) else {
-        return Vec::new();
+        return transposed(word, valid).into_iter().collect();
     };
     let known = |own: &&str| valid.iter().find(|word| *word == own).copied();
     own.iter().filter_map(known).collect()
+}
+
+/// `K12` of `K21`: the entry of a symmetric matrix is called after its row in the upper triangle.
+fn transposed<'a>(word: &str, valid: &[&'a str]) -> Option<&'a str> {
+    let mut letters = word.chars();
+    let (name, row, column) = (letters.next()?, letters.next()?, letters.next()?);
+    let is_entry = row.is_ascii_digit() && column.is_ascii_digit() && letters.next().is_none();
+    let other = format!("{name}{column}{row}");
+    valid.iter().find(|entry| is_entry && **entry == other).copied()
 }

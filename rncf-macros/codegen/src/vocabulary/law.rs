@@ -150,10 +150,20 @@ pub static LAW: LazyLock<Vec<Property>> = LazyLock::new(|| {
     list
 });
 
-/// The place of an entry, counted from 1, of BeamDyn's matrices (shear x, shear y, axial z, bending x, bending y, torsion z)
-/// in the order of this program: its x is BeamDyn's z, its y is x, its z is y.
+/// The entry of a matrix of this program that an entry of BeamDyn's (shear x, shear y, axial z, bending x, bending y, torsion z)
+/// is, of either triangle: its x is BeamDyn's z, its y is x, its z is y.
 pub fn from_beamdyn(name: &str) -> Option<&'static str> {
-    const OWN: [usize; 6] = [2, 3, 1, 5, 6, 4];
+    entry(name, [2, 3, 1, 5, 6, 4])
+}
+
+/// The entry of the upper triangle of `K` or `M` that `name` is, which may be one of the lower one.
+pub fn of_either_triangle(name: &str) -> Option<&'static str> {
+    entry(name, [1, 2, 3, 4, 5, 6])
+}
+
+/// The entry of a symmetric matrix whose rows and columns stand in another order: `order[0]` is the place of its first one here,
+/// counted from 1.
+fn entry(name: &str, order: [usize; 6]) -> Option<&'static str> {
     let all = match name.as_bytes().first()? {
         b'K' => STIFFNESS_ENTRIES,
         b'M' => MASS_ENTRIES,
@@ -161,7 +171,7 @@ pub fn from_beamdyn(name: &str) -> Option<&'static str> {
     };
     let digit = |at: usize| {
         let digit = (*name.as_bytes().get(at)?).checked_sub(b'1')?;
-        OWN.get(usize::from(digit)).copied()
+        order.get(usize::from(digit)).copied()
     };
     let (row, column) = (digit(1)?, digit(2)?);
     let wanted = format!("{}{}{}", &name[..1], row.min(column), row.max(column));
@@ -187,5 +197,9 @@ mod tests {
         }
         assert_eq!(from_beamdyn("K71"), None);
         assert_eq!(from_beamdyn("eta"), None);
+        assert_eq!(
+            ["K12", "K21", "M64", "K7", "EA"].map(of_either_triangle),
+            [Some("K12"), Some("K12"), Some("M46"), None, None]
+        );
     }
 }

@@ -27,6 +27,8 @@ messages! {
     missing(what, example) = "this element has no `{what}`: write e.g. `{example}`";
     taken(name) = "`{name}` has a meaning of its own in elements: choose another name";
     no_vector(of) = "`{of}` is no nodal vector: there are `r`, `r_x`, `r_y` and `r_z`";
+    not_interpolated(of, vector) = "no nodal vector interpolates `{of}`: declare some, e.g. `vector d0 = {vector} at 0, shape 1 - xi;` and `vector d1 = {vector} at 1, shape xi;`";
+    always_zero(of, degree) = "`{of}` is zero everywhere: the shape functions that it is a derivative of have degree {degree}";
     not_the_coordinate(name, coordinate) = "a shape function is a polynomial of `{coordinate}`, and `{name}` is something else";
     coefficient_unit(name, own, declared) = "`{name}` is {own}, and its declared unit is that of {declared}";
     coefficient_si(unit, si) = "coefficients are in SI units: write `{si}` instead of `{unit}`";

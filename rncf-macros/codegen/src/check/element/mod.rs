@@ -229,6 +229,7 @@ impl<'a> Check<'a> {
         }
         if !draft.is_vector_lost {
             self.shapes(&draft);
+            self.interpolated(statements, &draft);
         }
         self.formulas(statements, &mut draft);
         // Of what is lost others may be to blame, and have been told.
@@ -489,9 +490,11 @@ impl<'a> Check<'a> {
         }
         let text = coefficient.text.as_str();
         let Some((_, one, dimension)) = draft.coefficients.iter().find(|(name, ..)| name.text == text) else {
-            let known = draft.coefficients.iter().map(|(name, ..)| name.text.as_str());
-            self.errors
-                .at(coefficient.span, suggest::unknown("coefficient", text, known));
+            if !self.unknown.contains(text) {
+                let known = draft.coefficients.iter().map(|(name, ..)| name.text.as_str());
+                self.errors
+                    .at(coefficient.span, suggest::unknown("coefficient", text, known));
+            }
             return None;
         };
         if draft.timed.contains_key(text) {

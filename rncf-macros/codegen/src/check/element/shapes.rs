@@ -4,7 +4,7 @@ use super::{Draft, say};
 use crate::check::Check;
 use crate::elements::{Interpolant, NodalVector, word};
 use crate::model::Binary;
-use crate::parse::tree::{Expr, ExprKind, Name};
+use crate::parse::tree::{ElementKind, ElementStatement, Expr, ExprKind, Name};
 use crate::tensors::{Polynomial, Rational};
 
 /// Highest degree of a shape function: beyond it exact tensors have no room.
@@ -146,6 +146,25 @@ impl<'a> Check<'a> {
             } else if of == Interpolant::Position && linear != Polynomial::whole(&[0, 1]) {
                 self.errors.at(first.span, say::not_linear(&text_of(&linear)));
             }
+        }
+    }
+
+    /// Fields and inertia are of what nodal vectors interpolate; anything else would be zero everywhere.
+    pub(super) fn interpolated(&mut self, statements: &'a [ElementStatement], draft: &Draft<'a>) {
+        for statement in statements {
+            let (ElementKind::Field { of, .. } | ElementKind::Inertia { of, .. }) = &statement.kind else {
+                continue;
+            };
+            let Some((interpolant, order)) = super::derivative(&of.text) else {
+                continue;
+            };
+            let vectors = draft.vectors.iter().filter(|(_, vector)| vector.of == interpolant);
+            let message = match vectors.map(|(_, vector)| vector.shape.degree()).max() {
+                None => say::not_interpolated(&of.text, &of.text[..of.text.len() - order]),
+                Some(degree) if degree < order => say::always_zero(&of.text, &degree.to_string()),
+                Some(_) => continue,
+            };
+            self.errors.at(of.span, message);
         }
     }
 

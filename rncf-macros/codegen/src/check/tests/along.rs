@@ -15,3 +15,16 @@ pub const ALONG: &str = "pub model Mast {
     output top = mast.end.position;
     output tip = bent.end.position;
 }";
+
+/// Of a table that has its places twice those hold that it names.
+#[test]
+fn the_places_that_are_named_hold() {
+    let places = |named: &str| {
+        let rows = format!("eta = [0, 0.5, 0.6, 1]; at = {named}; x = [0, 4, 4, 10] m;");
+        let model = super::model(&ALONG.replace("x = [0, 4, 4, 10] m;", &rows));
+        let table = model.tables.iter().find(|table| table.name == "rows").expect("rows");
+        (table.places.clone(), table.is_relative)
+    };
+    assert_eq!(places("x"), (vec![0.0, 4.0, 4.0, 10.0], false));
+    assert_eq!(places("eta"), (vec![0.0, 0.5, 0.6, 1.0], true));
+}

@@ -266,7 +266,7 @@ fn wrong_libraries_say_what_would_be_right() {
     let model = "model M { part a = Weight(); output x = a.ball.x; }";
     assert!(
         told(&format!("library w {{ rigid b {{ mass = 1 kg; }} }} {LIBRARY} {model}"))
-            .contains("a `rigid` belongs to a model")
+            .contains("a `rigid` belongs to a model: in a library there are `const`, `let`, `table`, `material`, `section`, `element`, `motion` and `component`")
     );
     assert!(told(&format!("{LIBRARY} {LIBRARY} {model}")).contains("the library `weights` is used twice"));
     assert!(
