@@ -1,6 +1,6 @@
 """What rust-analyzer finds in the text of `model!`: definitions, hovers, uses, new names, and how words go on.
 
-python3 tools/test_editor.py            it needs rust-analyzer: rustup component add rust-analyzer
+python3 tools/test_editor.py            it needs rust-analyzer
 
 A crate with a model of every kind of name is made in a folder of its own, and the server is asked at words of its text.
 """
@@ -16,6 +16,9 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 ROTOR = (ROOT / "rncf-macros/codegen/src/editor/rotor.txt").read_text()
+# Where there is no rustup, or it does not reach its server, there is the other way.
+NEEDED = """it needs rust-analyzer: `rustup component add rust-analyzer`, or the program of a release of
+https://github.com/rust-lang/rust-analyzer or of a package of the system, in a folder of PATH"""
 MODEL = f"""rncf::model! {{
 {ROTOR}}}
 fn main() {{
@@ -195,6 +198,6 @@ if __name__ == "__main__":
     try:
         subprocess.run(["rust-analyzer", "--version"], check=True, capture_output=True)
     except (OSError, subprocess.CalledProcessError):
-        sys.exit("it needs rust-analyzer: rustup component add rust-analyzer")
+        sys.exit(NEEDED)
     with tempfile.TemporaryDirectory() as made:
         check(pathlib.Path(made))

@@ -60,6 +60,18 @@ mod models {
         }
     }
     rncf::model! {
+        /// Two balls on a spring that grows steeper and steeper.
+        pub model Steep {
+            /// Way within which the force grows by e.
+            param width = 1 m;
+            rigid first { mass = 1 kg; }
+            rigid second { mass = 1 kg; origin = [1, 0, 0] m; }
+            spring wall = law(first, second, force = 1 [N] * sinh((length - 0.5 m) / width));
+            output x = second.x;
+            run { t_end = 0.1 s; every = 0.1 s; }
+        }
+    }
+    rncf::model! {
         /// A wheel on an axle, with or without a spring and under a moment.
         pub model Wheel {
             /// Stiffness of the spring on its axle.
@@ -93,7 +105,7 @@ mod models {
         }
     }
 }
-use models::{Drawn, Nut, Spun, Stretched, Wheel};
+use models::{Drawn, Nut, Spun, Steep, Stretched, Wheel};
 
 fn model(name: &str) -> Box<dyn AnyModel> {
     match name {
@@ -101,6 +113,7 @@ fn model(name: &str) -> Box<dyn AnyModel> {
         "Door" => Box::new(Door::default()),
         "DoorOnOne" => Box::new(DoorOnOne::default()),
         "Drawn" => Box::new(Drawn::default()),
+        "Steep" => Box::new(Steep::default()),
         "Hung" => Box::new(Hung::default()),
         "Masses" => Box::new(Masses::default()),
         "Mast" => Box::new(Mast::default()),

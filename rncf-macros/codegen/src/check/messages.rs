@@ -196,7 +196,8 @@ messages! {
     usage(name, usage) = "`{name}` is not complete: write e.g. `{usage}`";
     number_range(text) = "`{text}` with this unit is outside the range of numbers";
     missing_star(name) = "`{name}` is no unit: a product is written with `*`";
-    unit_or_name(name, unit) = "`{name}` could be a unit or the name that is declared: write `[{unit}]` for the unit, or parentheses around the number with its own unit";
+    unit_or_name(name, unit, line) = "`{name}` is a unit, too, and could be either in `{unit}` (line {line}): give it another name, or write such units in brackets, `[{unit}]`";
+    name_in_unit(name) = "`{name}` is no unit, and the name of a value: put the number with its own unit in parentheses, `(3 N)/{name}`";
     part(what) = "{what} is a part of a whole: it must be greater than zero and at most 1";
     torsion_beyond(polar) = "no section has this torsion constant: it is at most the sum of the second moments, {polar} m^4 (of a round section just that)";
     moment_beyond(extent, most) = "no section has this second moment: with its `area` and `{extent}` it is at most `area * {extent}^2`, {most} m^4";
@@ -218,6 +219,7 @@ messages! {
     not_a_value(name, kind) = "`{name}` is {kind} and has no value";
     function_without_argument(name) = "`{name}` is a function: write `{name}(..)`";
     or_unit(message, name) = "{message}; as a unit `{name}` stands right behind a number, and a compound unit in brackets: `4 [rad/s]`";
+    split_units(unit) = "in an expression a compound unit stands in brackets: write it once behind the vector, `[1, 2, 3] {unit}`, or `1 [{unit}]` in each component";
     split_unit(number, unit) = "in an expression a compound unit stands in brackets: write `{number} [{unit}]`";
     stray_unit(name) = "unknown name `{name}`; a unit stands behind its number, and in an expression a compound one in brackets: `4 [rad/s]`";
     named_argument(name) = "`{name}` takes no named arguments";

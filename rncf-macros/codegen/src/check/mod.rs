@@ -71,7 +71,7 @@ use proc_macro2::Span;
 use crate::elements::Library;
 use crate::errors::{Area, Errors};
 use crate::model::{BodyId, Frame, FrameId, Model, MotionId, TableId, fold};
-use crate::parse::tree::{Argument, Call, Expr, Item, ItemKind, Keyword, Name, Tree};
+use crate::parse::tree::{Argument, Call, Expr, Item, ItemKind, Keyword, Name, Tree, UnitText};
 use crate::suggest;
 use balance::TOTAL;
 use messages as say;
@@ -131,6 +131,7 @@ pub fn check_with_elements(tree: &Tree, library: &Library, errors: &mut Errors) 
     check.cautions();
     check.run();
     check.unread_columns();
+    check.names_as_units();
     if tree.complete && check.errors.len() == before {
         check.ties();
     }
@@ -161,6 +162,8 @@ struct Check<'a> {
     read_columns: HashSet<(TableId, usize)>,
     /// Columns of tables of sections that are no field of a section, and the word that took the table.
     spare_columns: Vec<(TableId, usize, &'a Call)>,
+    /// Declared names that are units, too, with the first unit in which they could be either.
+    clashes: HashMap<String, UnitText>,
     /// Readable sections and materials.
     sections: HashMap<&'a str, section::Section>,
     materials: HashMap<&'a str, material::Material>,
@@ -225,6 +228,7 @@ impl<'a> Check<'a> {
             tables: HashMap::new(),
             read_columns: HashSet::new(),
             spare_columns: Vec::new(),
+            clashes: HashMap::new(),
             sections: HashMap::new(),
             materials: HashMap::new(),
             bodies: HashMap::new(),

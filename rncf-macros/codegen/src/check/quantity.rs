@@ -265,6 +265,9 @@ impl<'a> Check<'a> {
             self.errors.at(expr.area, say::vector_wanted(wanted.what, wanted.unit));
             return None;
         };
+        if self.split_vector(expr) {
+            return None;
+        }
         let values: Vec<Option<model::Expr>> = match unit {
             None => components
                 .iter()

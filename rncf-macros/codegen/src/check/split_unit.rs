@@ -22,6 +22,27 @@ impl Check<'_> {
         Some((split.number.to(right.area), message))
     }
 
+    /// Reports several components of a vector that have such units, once.
+    pub(super) fn split_vector(&mut self, expr: &Expr) -> bool {
+        let ExprKind::Vector { components, unit: None } = &expr.kind else {
+            return false;
+        };
+        let units: Vec<String> = components.iter().filter_map(|part| self.unit_of_split(part)).collect();
+        let is_told = units.len() > 1 && units.iter().all(|unit| *unit == units[0]);
+        if is_told {
+            self.errors.at(expr.area, say::split_units(&units[0]));
+        }
+        is_told
+    }
+
+    fn unit_of_split(&self, expr: &Expr) -> Option<String> {
+        match &expr.kind {
+            ExprKind::Negate(inner) => self.unit_of_split(inner),
+            ExprKind::Binary(operator, left, right) => Some(self.joined(*operator, left, right)?.unit),
+            _ => None,
+        }
+    }
+
     fn joined(&self, operator: Binary, left: &Expr, right: &Expr) -> Option<Split> {
         let sign = match operator {
             Binary::Multiply => '*',

@@ -37,11 +37,17 @@ impl Check<'_> {
         let found = units::find(word);
         let message = match found {
             // Behind the first symbol a declared name could be meant as a value.
-            Some(_) if is_declared && at > 0 && !text.is_delimited => say::unit_or_name(word, &text.text),
+            Some(_) if is_declared && at > 0 && !text.is_delimited => {
+                let first = self.clashes.entry(word.to_string()).or_insert_with(|| text.clone());
+                if text.area.line() < first.area.line() {
+                    *first = text.clone();
+                }
+                return None;
+            }
             Some(_) if word == "t" && text.factors.len() == 1 && !text.is_delimited => say::LONE_T.into(),
             Some(unit) => return Some(unit),
             None if is_declared && at == 0 => say::missing_star(word),
-            None if is_declared => say::unit_or_name(word, &text.text),
+            None if is_declared => say::name_in_unit(word),
             None => match ascii::suggestion(word) {
                 Some(plain) => say::not_ascii(word, &plain),
                 None => unknown(word),
@@ -49,6 +55,17 @@ impl Check<'_> {
         };
         self.errors.at(name.span, message);
         None
+    }
+
+    /// Names that could be units as well, each told once, where it is declared.
+    pub(super) fn names_as_units(&mut self) {
+        let mut clashes: Vec<_> = std::mem::take(&mut self.clashes).into_iter().collect();
+        clashes.sort_by_key(|(name, unit)| (unit.area.line(), name.clone()));
+        for (name, unit) in clashes {
+            let message = say::unit_or_name(&name, &unit.text, &unit.area.line().to_string());
+            let declared = self.names.get(name.as_str()).map(|item| Area::from(item.name.span));
+            self.errors.at(declared.unwrap_or(unit.area), message);
+        }
     }
 
     /// Value in SI of a literal.

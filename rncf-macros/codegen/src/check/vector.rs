@@ -77,6 +77,7 @@ impl<'a> Check<'a> {
             return self.expr(expr, scope).map(Quantity::Scalar);
         }
         self.nested(expr, |check| match &expr.kind {
+            ExprKind::Vector { .. } if check.split_vector(expr) => None,
             ExprKind::Vector { components, unit } => check
                 .literal(expr, components, unit.as_ref(), scope)
                 .map(Quantity::Vector),

@@ -6,8 +6,10 @@ use crate::scene::pieces::marker::Linked;
 use crate::space::Vector;
 use crate::system::System;
 
-/// What can be done where markers meet.
-const APART: &str = "a length, direction or divisor in it is zero or outside the range of a function; move its points apart or change its parameters";
+/// What can be wrong, and what can be done, where markers may meet.
+const APART: &str = "a length, direction or divisor in it is zero, or a function in it is outside its range or too large for a number; move its points apart where they meet, or change its parameters";
+/// The same where they do not.
+const BEYOND: &str = "a divisor in it is zero, or a function in it is outside its range or too large for a number, as `cosh(x)` is beyond x = 710; its points are apart, so change its parameters or formula";
 
 fn finite(values: &[f64]) -> bool {
     values.iter().all(|value| value.is_finite())
@@ -32,6 +34,20 @@ impl MeshScene {
             if let Some(&first) = points[..index].iter().find(near) {
                 z[place] = z[first];
             }
+        }
+    }
+
+    /// What can be wrong with a function of the values of markers whose meeting points have been merged.
+    fn cause(&self, markers: &[usize], z: &[Vector]) -> &'static str {
+        let places = 0..z.len();
+        let points: Vec<Vector> = places
+            .filter(|&place| self.links.markers[markers[place]].is_point())
+            .map(|place| z[place])
+            .collect();
+        let meets = |place: usize| points[..place].contains(&points[place]);
+        match points.len() > 1 && !(1..points.len()).any(meets) {
+            true => BEYOND,
+            false => APART,
         }
     }
 
@@ -103,7 +119,8 @@ impl MeshScene {
             let [mut by_value, mut by_velocity] = [vec![0.0; size], vec![0.0; size]];
             self.push_tangent(index, t, &z, &velocity, [&mut by_value, &mut by_velocity]);
             if !(finite(&forces) && finite(&by_value) && finite(&by_velocity)) {
-                return Some(format!("the force of `{}` is not finite: {APART}", spec.name));
+                let cause = self.cause(&spec.markers, &z);
+                return Some(format!("the force of `{}` is not finite: {cause}", spec.name));
             }
         }
         None
