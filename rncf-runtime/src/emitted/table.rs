@@ -164,11 +164,16 @@ impl Table {
     /// The first step of the table at which a function of the fraction of an axis (m) jumps by more than `least`: the arclength there,
     /// m, and the jump.
     pub(crate) fn jump(&self, length: f64, least: f64, value: impl Fn(f64) -> f64) -> Option<(f64, f64)> {
-        let whole = if self.is_relative { 1.0 } else { length };
-        let steps = self.places.windows(2).filter(|pair| pair[0] == pair[1]);
-        let inside = steps.map(|pair| pair[0] / whole).filter(|u| (0.0..=1.0).contains(u));
+        let inside = self.steps(length).filter(|u| (0.0..=1.0).contains(u));
         let jump = |u: f64| (u * length, value(u * (1.0 + ROUND_OFF)) - value(u * (1.0 - ROUND_OFF)));
         inside.map(jump).find(|(_, jump)| jump.abs() > least)
+    }
+
+    /// Fractions of an axis (m) at the steps, in it or not.
+    pub(crate) fn steps(&self, length: f64) -> impl Iterator<Item = f64> {
+        let whole = if self.is_relative { 1.0 } else { length };
+        let steps = self.places.windows(2).filter(|pair| pair[0] == pair[1]);
+        steps.map(move |pair| pair[0] / whole)
     }
 
     /// Fractions of an axis (m) at the rows, steps once, each span in `each` parts. Rows beyond the end of the axis are left out.

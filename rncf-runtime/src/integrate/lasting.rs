@@ -32,8 +32,10 @@ pub(super) struct Lasting {
     count: usize,
     /// Size of the step, s.
     h: f64,
-    /// Size at which increments did not fall any more, and of the step in which that was, s.
-    noise: (f64, f64),
+    /// Size at which increments did not fall any more.
+    noise: f64,
+    /// Size of the step in which that was, s.
+    noise_at: f64,
 }
 
 impl Keep for Lasting {
@@ -45,7 +47,8 @@ impl Keep for Lasting {
             sizes,
             count,
             h,
-            noise: (noise, noise_at),
+            noise,
+            noise_at,
         } = self;
         amplification.keep(archive);
         sizes.keep(archive);
@@ -68,7 +71,8 @@ impl Lasting {
             sizes: [f64::INFINITY; 4],
             count: 0,
             h: 0.0,
-            noise: (0.0, 0.0),
+            noise: 0.0,
+            noise_at: 0.0,
         }
     }
 
@@ -103,13 +107,12 @@ impl Lasting {
     /// Whether what is left moves no pose by more than the tolerance until the end of the run, or is noise.
     pub(super) fn is_settled(&self) -> bool {
         let size = self.sizes[0];
-        self.factors.is_empty() || size <= self.noise() || size == 0.0 || size * self.amplification <= 1.0
+        self.factors.is_empty() || size <= self.expected_noise() || size == 0.0 || size * self.amplification <= 1.0
     }
 
     /// What is expected of noise in this step. That of places is an acceleration of `1 / h^2` as much: seen in a short step, it is little in a long one.
-    fn noise(&self) -> f64 {
-        let (size, at) = self.noise;
-        size * (at / self.h).powi(2).min(1.0)
+    fn expected_noise(&self) -> f64 {
+        self.noise * (self.noise_at / self.h).powi(2).min(1.0)
     }
 
     /// Whether the increments do not fall any more.
@@ -119,9 +122,9 @@ impl Lasting {
 
     /// The iteration is accepted as it is: at noise where it stagnates.
     pub(super) fn accept(&mut self) {
-        self.noise.0 *= FORGETTING;
+        self.noise *= FORGETTING;
         if !self.is_settled() {
-            self.noise = (EXCEEDED * self.sizes[0], self.h);
+            (self.noise, self.noise_at) = (EXCEEDED * self.sizes[0], self.h);
         }
     }
 }

@@ -199,8 +199,8 @@ impl<'a> Check<'a> {
             let steps = table.places.windows(2).filter(|pair| pair[0] == pair[1]);
             let scale = if table.is_relative { axis.whole } else { 1.0 };
             let places = steps.map(|pair| pair[0] * scale);
-            let inside = places.filter(|x| (axis.from..=axis.to).contains(x));
-            inside.into_iter().find_map(|x| {
+            let mut inside = places.filter(|x| (axis.from..=axis.to).contains(x));
+            inside.find_map(|x| {
                 let step = turned(x * (1.0 + ROUND_OFF))? - turned(x * (1.0 - ROUND_OFF))?;
                 let is_step = step.abs() > AT_ONCE;
                 is_step.then(|| (area, say::twist_in_steps(&table.name, x, step)))

@@ -357,9 +357,10 @@ fn why(property: &str, bodies: &[&Body], library: &Library) -> String {
             let in_space = |body: &&Body| reads(body, Space::Spatial, library);
             let in_space: HashSet<&str> = bodies.iter().flat_map(in_space).collect();
             let is_planar = bodies.iter().any(|body| body.space != Space::Spatial);
-            match is_planar && is_among(&in_space, property) {
-                true => "its bodies stay in a plane".to_string(),
-                false => format!("no coefficient of {} is made of it here", names.join(" and ")),
+            if is_planar && is_among(&in_space, property) {
+                "its bodies stay in a plane".to_string()
+            } else {
+                format!("no coefficient of {} is made of it here", names.join(" and "))
             }
         }
     }

@@ -87,9 +87,9 @@ impl<'a> Check<'a> {
     }
 
     /// Whether no word is given twice.
-    fn once(&mut self, words: impl Iterator<Item = &'a Name>) -> bool {
+    fn once(&mut self, mut words: impl Iterator<Item = &'a Name>) -> bool {
         let mut seen = HashSet::new();
-        let twice = words.into_iter().find(|word| !seen.insert(&word.text));
+        let twice = words.find(|word| !seen.insert(&word.text));
         if let Some(word) = twice {
             self.errors.at(word.span, say::twice(&word.text));
         }

@@ -204,8 +204,7 @@ impl<const S: usize> Newton<S> {
             self.lasting.note(|i| combined(row, &changes, i) * rate);
             self.apply(stages, iteration > 1 && last_ratio > ACCELERATED);
             let stagnates = contraction > STAGNANT;
-            let at_noise =
-                size <= floor || stagnates && (size <= AMPLIFIED * floor || self.is_at_noise(system, start, size));
+            let at_noise = size <= floor || stagnates && self.is_noise(system, start, size, AMPLIFIED * floor);
             if converged.is_none() && (at_noise || contraction < DIVERGING && amplification * size <= self.tolerance) {
                 self.seen_at = stages.h;
                 self.amplification = if contraction < DIVERGING { amplification } else { 1.0 };
@@ -218,16 +217,12 @@ impl<const S: usize> Newton<S> {
             if let Some(converged) = converged {
                 // What does not fall any more is noise near round-off alone: elsewhere the iteration contracts slowly.
                 let (is_stagnant, is_last) = (self.lasting.is_stagnant(), iteration == most);
-                let is_settled = self.lasting.is_settled()
-                    || at_noise && (size <= CERTAIN * floor || self.is_at_noise(system, start, size));
-                let is_left = !is_settled
-                    && is_stagnant
-                    && (at_noise
-                        || is_fresh
-                            && (self.patient && is_last
-                                || size <= AMPLIFIED * floor
-                                || self.is_at_noise(system, start, size)));
-                if is_settled || is_left || at_noise && is_last {
+                let is_accepted = self.lasting.is_settled()
+                    || at_noise && (is_stagnant || is_last || self.is_noise(system, start, size, CERTAIN * floor))
+                    || is_stagnant
+                        && is_fresh
+                        && (self.patient && is_last || self.is_noise(system, start, size, AMPLIFIED * floor));
+                if is_accepted {
                     self.lasting.accept();
                     self.complete(system, coefficients, matrices, start, stages)?;
                     let is_slow = iteration > converged.iterations + FEW;
@@ -382,11 +377,11 @@ impl<const S: usize> Newton<S> {
         }
     }
 
-    /// Whether round-off of constraints is all that is left of increments of this size; where the step is fixed nobody asks
-    /// for a tolerance.
-    fn is_at_noise(&self, system: &mut dyn System, start: &State, size: f64) -> bool {
+    /// Whether increments of this size are at most `least`, or round-off of constraints is all that is left of them; where the
+    /// step is fixed nobody asks for a tolerance.
+    fn is_noise(&self, system: &mut dyn System, start: &State, size: f64, least: f64) -> bool {
         let bearable = if self.patient { f64::INFINITY } else { BEARABLE };
-        noise::is_all_that_is_left(system, start, &self.inverse_weights, size, bearable)
+        size <= least || noise::is_all_that_is_left(system, start, &self.inverse_weights, size, bearable)
     }
 
     fn slow(&self, ratio: f64) -> Failure {

@@ -45,13 +45,7 @@ impl MeshScene {
     fn hidden_step(&self, body: usize, table: &Table) -> Option<f64> {
         let spec = &self.bodies[body].spec;
         let length = spec.line.length();
-        let steps = table
-            .places
-            .windows(2)
-            .filter(|pair| pair[0] == pair[1])
-            .map(|pair| pair[0]);
-        let fractions = steps.map(|place| if table.is_relative { place } else { place / length });
-        let inside = fractions.filter(|fraction| (0.0..1.0).contains(fraction));
+        let inside = table.steps(length).filter(|fraction| (0.0..1.0).contains(fraction));
         let mut hidden = inside.filter(|&fraction| spec.find(fraction).1 > 1e-9);
         hidden.next().map(|fraction| fraction * length)
     }

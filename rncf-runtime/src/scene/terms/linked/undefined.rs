@@ -21,9 +21,7 @@ const ROUND_OFF: f64 = 1e3 * f64::EPSILON;
 impl MeshScene {
     /// Puts points into one place that are apart by a round-off: a direction between them would be one of round-off, too.
     fn merge_points(&self, markers: &[usize], z: &mut [Vector]) {
-        let points: Vec<usize> = (0..z.len())
-            .filter(|&place| self.links.markers[markers[place]].is_point())
-            .collect();
+        let points = self.points(markers);
         let at: Vec<Vector> = markers
             .iter()
             .map(|&marker| self.jet(&self.links.markers[marker])[0])
@@ -39,16 +37,20 @@ impl MeshScene {
 
     /// What can be wrong with a function of the values of markers whose meeting points have been merged.
     fn cause(&self, markers: &[usize], z: &[Vector]) -> &'static str {
-        let places = 0..z.len();
-        let points: Vec<Vector> = places
-            .filter(|&place| self.links.markers[markers[place]].is_point())
-            .map(|place| z[place])
-            .collect();
-        let meets = |place: usize| points[..place].contains(&points[place]);
-        match points.len() > 1 && !(1..points.len()).any(meets) {
-            true => BEYOND,
-            false => APART,
+        let points: Vec<Vector> = self.points(markers).iter().map(|&place| z[place]).collect();
+        let is_apart = |place: usize| !points[..place].contains(&points[place]);
+        if points.len() > 1 && (1..points.len()).all(is_apart) {
+            BEYOND
+        } else {
+            APART
         }
+    }
+
+    /// Places of the markers in a list that are points.
+    fn points(&self, markers: &[usize]) -> Vec<usize> {
+        (0..markers.len())
+            .filter(|&place| self.links.markers[markers[place]].is_point())
+            .collect()
     }
 
     /// dC/dz of a constraint with such points in one place.
