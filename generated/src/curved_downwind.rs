@@ -1460,6 +1460,9 @@ pub mod curved_downwind_equations {
             times.to_vec()
         }
         fn gaps(&self, t: f64, out: &mut ::std::vec::Vec<[f64; 2]>) {}
+        fn courses(&self) -> ::std::vec::Vec<::rncf::emitted::Courses> {
+            ::std::vec::Vec::new()
+        }
         fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
             motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
             frame_hub(&self.model, t, &mut motions[1]);

@@ -1998,6 +1998,9 @@ pub mod free_flight_equations {
             ::std::vec::Vec::new()
         }
         fn gaps(&self, t: f64, out: &mut ::std::vec::Vec<[f64; 2]>) {}
+        fn courses(&self) -> ::std::vec::Vec<::rncf::emitted::Courses> {
+            ::std::vec::Vec::new()
+        }
         fn frames(&self, t: f64, motions: &mut [::rncf::emitted::FrameMotion]) {
             motions[0] = ::rncf::emitted::FrameMotion::INERTIAL;
         }

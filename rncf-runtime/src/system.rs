@@ -441,6 +441,15 @@ pub trait System {
         None
     }
 
+    /// Kinetic energy of the rates of the unknowns, J: of what bodies do in prescribed frames, without what the frames do.
+    fn kinetic_energy(&mut self, state: &State) -> f64 {
+        let mut mass = vec![0.0; self.pattern().entries()];
+        self.mass(state, &mut mass);
+        let mut momentum = vec![0.0; state.v.len()];
+        self.pattern().multiply_add(1.0, &mass, &state.v, &mut momentum);
+        0.5 * momentum.iter().zip(&state.v).map(|(p, v)| p * v).sum::<f64>()
+    }
+
     /// Total energy (J) where the model conserves it, else `None`.
     fn energy(&mut self, state: &State) -> Option<f64>;
 

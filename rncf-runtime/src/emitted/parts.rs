@@ -50,9 +50,7 @@ pub trait Parts:
     /// by [`Parts::kinks`], at time `t`, s, and their time derivatives.
     fn gaps(&self, t: f64, out: &mut Vec<[f64; 2]>);
     /// What motions and loads do over time that a step could jump over.
-    fn courses(&self) -> Vec<Courses> {
-        Vec::new()
-    }
+    fn courses(&self) -> Vec<Courses>;
     /// Motion of every prescribed frame at `t`, jerks included where there are constraints on
     /// markers or mean axes; entries of free frames are not read.
     fn frames(&self, t: f64, motions: &mut [FrameMotion]);

@@ -287,14 +287,17 @@ impl Driver {
         while let Some(kink) = self.switches.next(from, to, |t, out| system.gaps(t, out)) {
             // What is as near as round-off to where the segment begins is one with that.
             if !self.segments.is_near(t, kink) {
-                return self.segments.insert(kink);
+                let until = kink + self.segments.one_kink();
+                let last = self.switches.last(kink, until, &mut |t, out| system.gaps(t, out));
+                return self.segments.insert(kink, last);
             }
             from = kink.next_up();
         }
         false
     }
 
-    /// The longest step at `t` up to `h` (s) that jumps over nothing that motions and loads do. Of what a fixed step jumps over a note tells.
+    /// The longest step at `t` up to `h` (s) that jumps over nothing that motions and loads do. Notes tell of what a fixed step jumps over, and of what
+    /// no step excludes.
     fn seen(&mut self, system: &dyn System, t: f64, h: f64) -> f64 {
         let segments = &self.segments;
         let sight = self
@@ -306,11 +309,14 @@ impl Driver {
         } else {
             self.previous_time
         };
-        let (seen, of) = sight.longest(before, t, h, segments.smallest_step(t));
-        if let (Some(of), StepSize::Fixed(_)) = (of, self.options.step) {
-            self.statistics.note_unseen(t + seen, of);
+        let seen = sight.longest(before, t, h, segments.smallest_step(t));
+        if let (Some(of), StepSize::Fixed(_)) = (seen.beyond, self.options.step) {
+            self.statistics.note_unseen(t + seen.step, of);
         }
-        seen
+        if let Some(of) = seen.unseen {
+            self.statistics.note_vague(t, of);
+        }
+        seen.step
     }
 
     /// Ends the present segment where the step just taken first passed a kink of a law; false if it passed none, or if something rattles.
@@ -394,17 +400,15 @@ impl Driver {
         if fixed || stop == Stop::End || h >= AT_CEILING * self.options.max_step {
             return None;
         }
-        let (state, sizes) = (self.scheme.state(), system.sizes());
-        let fastest = || {
-            let speeds = state.v.iter().zip(sizes).map(|(v, size)| v.abs() / size);
-            let fastest = speeds.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
-            fastest.unwrap_or_default()
-        };
-        let trouble = self.watch.accepted(t, self.segments.end() - t, || fastest().1)?;
-        let fastest = describe(system, fastest().0);
+        let state = self.scheme.state();
+        let left = self.segments.end() - t;
+        let trouble = self.watch.accepted(t, left, || system.kinetic_energy(state))?;
+        let speeds = state.v.iter().zip(system.sizes()).map(|(v, size)| v.abs() / size);
+        let fastest = speeds.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
+        let fastest = describe(system, fastest.unwrap_or_default().0);
         let text = match trouble {
             Trouble::Grows { factor, steps } => format!(
-                "the motion grows without end: {fastest} moves {factor:.3} times as fast as {steps} steps before, and the step has fallen to {h:.1e} s: {CAUSES}"
+                "the motion grows without end: its kinetic energy has grown to {factor:.3e} times that of {steps} steps before, the fastest is {fastest}, and the step has fallen to {h:.1e} s: {CAUSES}"
             ),
             Trouble::Endless { left } => format!(
                 "the step stays at {h:.1e} s, and with it {left:.0e} steps are left to the end; the fastest is {fastest}: look for a load, stiffness or start that is far too large, or for a tolerance that is too fine"

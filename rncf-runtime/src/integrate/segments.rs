@@ -86,21 +86,26 @@ impl Segments {
         segments
     }
 
-    /// Ends the present segment at a kink (s) found within it; false if one is known there, or the end.
-    pub(super) fn insert(&mut self, kink: f64) -> bool {
-        let near = ONE_KINK * self.span;
+    /// How near kinks are one, s.
+    pub(super) fn one_kink(&self) -> f64 {
+        ONE_KINK * self.span
+    }
+
+    /// Ends the present segment at a kink (s) found within it, which is over at `last`; false if one is known there, or the end.
+    pub(super) fn insert(&mut self, kink: f64, last: f64) -> bool {
+        let near = self.one_kink();
         let is_end = kink >= self.end - near;
         let is_known = self.kinks.get(self.passed).is_some_and(|next| kink >= next.0 - near);
         if is_end || is_known {
             return false;
         }
-        self.kinks.insert(self.passed, (kink, kink));
+        self.kinks.insert(self.passed, (kink, last));
         true
     }
 
     /// [`Segments::insert`] of a kink of a law.
     pub(super) fn meet(&mut self, kink: f64) -> bool {
-        let is_new = self.insert(kink);
+        let is_new = self.insert(kink, kink);
         self.met += u64::from(is_new);
         is_new
     }
@@ -112,7 +117,7 @@ impl Segments {
 
     /// Whether two times (s) count as one kink.
     pub(super) fn is_near(&self, a: f64, b: f64) -> bool {
-        (a - b).abs() <= ONE_KINK * self.span
+        (a - b).abs() <= self.one_kink()
     }
 
     /// From the start to the end time, s.

@@ -17,29 +17,49 @@ const ALIKE: f64 = 2.0;
 /// Halvings of a step after which a pulse is located well enough, and after which bounds are those of one number.
 const LOCATED: u32 = 6;
 const DEEPEST: u32 = 40;
-/// Evaluations of bounds for one step, and halvings of a step for bounds that stay too wide.
+/// Evaluations of bounds for one step, and halvings for bounds that stay too wide: of a step, and of all steps for one function, at which nobody looks after that.
 const EVALUATIONS: u32 = 2000;
 const VAGUE: u32 = 6;
-/// Parts of the run in which its courses are bounded.
+const GIVEN_UP: u32 = 100;
+/// Parts of the run in which its courses are bounded, and how many of them are halved where their bounds are more than so many times as wide as what their
+/// ends show: products of what grows and what falls have bounds of wide parts that are a thousand times too large.
 const PARTS: u32 = 256;
+const HALVED: u32 = 512;
+const SHARP: f64 = 4.0;
 
 /// Bounds of all courses over the run, and memory.
 pub(super) struct Sight {
     courses: Vec<Courses>,
-    /// Widths of what each function takes on in the run.
+    /// Widths of what each function takes on in the run, and how often steps were halved as its bounds stayed too wide.
     widths: Vec<f64>,
+    vague: Vec<u32>,
     /// What functions may take on in a step, in one order.
     allowed: Vec<Interval>,
+    /// Values at the end of the step before, and at the ends of the pieces of a step.
+    before: Vec<Interval>,
+    shown: [Vec<Interval>; PIECES + 1],
+    /// Bounds of all operations.
     all: Vec<Interval>,
     evaluations: u32,
+}
+
+/// A step that shows what happens in it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Seen {
+    /// Its length, s.
+    pub(super) step: f64,
+    /// What a longer one would jump over.
+    pub(super) beyond: Option<&'static str>,
+    /// What may be over within this one: no shorter one is taken for it.
+    pub(super) unseen: Option<&'static str>,
 }
 
 /// What a step would jump over.
 struct Hidden {
     /// From when on, s.
     from: f64,
-    /// What it belongs to.
-    of: &'static str,
+    /// The function that does it: its number, and what it belongs to.
+    function: (usize, &'static str),
     /// Whether that is only not excluded.
     vague: bool,
 }
@@ -51,75 +71,93 @@ impl Sight {
         let mut sight = Self {
             courses,
             widths: Vec::new(),
+            vague: Vec::new(),
             allowed: Vec::new(),
+            before: Vec::new(),
+            shown: Default::default(),
             all: Vec::new(),
             evaluations: 0,
         };
-        let mut taken: Vec<Option<Interval>> = Vec::new();
         if !sight.courses.is_empty() {
-            let part = (end - start) / f64::from(PARTS);
-            for number in 0..PARTS {
-                let from = start + part * f64::from(number);
-                let functions = sight.bounds(Interval::new(from, from + part));
-                taken.resize(functions.len(), None);
-                for (taken, bounds) in taken.iter_mut().zip(functions) {
-                    if bounds.width().is_finite() {
-                        *taken = Some(taken.map_or(bounds, |known| known.hull(bounds)));
-                    }
-                }
-            }
+            sight.widths = taken(&sight.courses, start, end, &mut sight.all);
+            sight.vague = vec![0; sight.widths.len()];
         }
-        sight.widths = taken.iter().map(|taken| taken.map_or(0.0, Interval::width)).collect();
         sight
     }
 
-    /// The longest step from `t` (s) up to `h` whose ends, with that of the step before, show all that happens in it; and what a longer one jumps over.
-    pub(super) fn longest(&mut self, before: f64, t: f64, h: f64, least: f64) -> (f64, Option<&'static str>) {
-        let (mut longest, mut of, mut vague) = (h, None, 0);
-        while let Some(hidden) = self.hidden(before, t, t + longest) {
+    /// The longest step from `t` (s) up to `h` whose ends, with that of the step before, show all that happens in it.
+    pub(super) fn longest(&mut self, before: f64, t: f64, h: f64, least: f64) -> Seen {
+        let mut seen = Seen {
+            step: h,
+            beyond: None,
+            unseen: None,
+        };
+        let mut vague = 0;
+        while let Some(hidden) = self.hidden(before, t, t + seen.step) {
+            let (number, of) = hidden.function;
             vague += u32::from(hidden.vague);
+            self.vague[number] += u32::from(hidden.vague);
             let until = hidden.from - t;
-            let shorter = if until > 0.25 * longest { until } else { 0.5 * longest };
+            let shorter = if until > 0.25 * seen.step {
+                until
+            } else {
+                0.5 * seen.step
+            };
+            if self.vague[number] == GIVEN_UP {
+                seen.unseen = Some(of);
+                continue;
+            }
             if vague > VAGUE || shorter < least {
+                seen.unseen = Some(of);
                 break;
             }
-            of = Some(hidden.of);
-            longest = shorter;
+            seen.beyond = Some(of);
+            seen.step = shorter;
         }
-        (longest, of)
+        seen
     }
 
     fn hidden(&mut self, before: f64, from: f64, to: f64) -> Option<Hidden> {
-        if self.courses.is_empty() {
+        if self.courses.is_empty() || self.is_quiet(Interval::new(from, to)) {
             return None;
         }
         self.evaluations = 0;
         let h = to - from;
-        let times: Vec<f64> = (0..PIECES)
-            .map(|piece| from + h * piece as f64 / PIECES as f64)
-            .chain([to])
-            .collect();
-        let values: Vec<Vec<Interval>> = times.iter().map(|&t| self.bounds(Interval::point(t))).collect();
-        let mut ends = hulls(&values[0], &values[PIECES]);
-        if h <= ALIKE * (from - before) {
-            ends = hulls(&ends, &self.bounds(Interval::point(before)));
-        }
-        let all = values[1..].iter().fold(ends.clone(), |all, values| hulls(&all, values));
-        let margins = |shown: &[Interval], part: f64, widths: &[f64]| -> Vec<f64> {
-            shown
-                .iter()
-                .zip(widths)
-                .map(|(shown, width)| part * shown.width() + LEAST * width)
-                .collect()
+        let time = |end: usize| {
+            if end < PIECES {
+                from + h * end as f64 / PIECES as f64
+            } else {
+                to
+            }
         };
-        let beyond = margins(&ends, BEYOND, &self.widths);
-        let beside = margins(&all, BESIDE, &self.widths);
-        self.allow(ends, &beyond);
+        for (end, shown) in self.shown.iter_mut().enumerate() {
+            bounds(&self.courses, Interval::point(time(end)), &mut self.all, shown);
+        }
+        let tells = h <= ALIKE * (from - before);
+        if tells {
+            bounds(&self.courses, Interval::point(before), &mut self.all, &mut self.before);
+        }
+        self.allowed.clear();
+        for (number, width) in self.widths.iter().enumerate() {
+            let mut ends = self.shown[0][number].hull(self.shown[PIECES][number]);
+            if tells {
+                ends = ends.hull(self.before[number]);
+            }
+            self.allowed.push(wider(ends, BEYOND * ends.width() + LEAST * width));
+        }
         let first = self.leaves(Interval::new(from, to), 0);
-        let mut pieces = times.windows(2).zip(values.windows(2));
-        let second = pieces.find_map(|(times, values)| {
-            self.allow(hulls(&values[0], &values[1]), &beside);
-            self.leaves(Interval::new(times[0], times[1]), 0)
+        let second = (0..PIECES).find_map(|piece| {
+            self.allowed.clear();
+            for (number, width) in self.widths.iter().enumerate() {
+                let shown = |end: usize| self.shown[end][number];
+                let mut all = (1..=PIECES).fold(shown(0), |all, end| all.hull(shown(end)));
+                if tells {
+                    all = all.hull(self.before[number]);
+                }
+                let ends = shown(piece).hull(shown(piece + 1));
+                self.allowed.push(wider(ends, BESIDE * all.width() + LEAST * width));
+            }
+            self.leaves(Interval::new(time(piece), time(piece + 1)), 0)
         });
         [first, second]
             .into_iter()
@@ -127,20 +165,23 @@ impl Sight {
             .min_by(|a, b| a.from.total_cmp(&b.from))
     }
 
-    fn allow(&mut self, shown: Vec<Interval>, margins: &[f64]) {
-        self.allowed = shown;
-        for (allowed, margin) in self.allowed.iter_mut().zip(margins) {
-            *allowed = Interval::new(allowed.low - margin, allowed.high + margin);
-        }
+    /// Whether no function changes over a span by what counts: then nothing leaves what the ends of its pieces show.
+    fn is_quiet(&mut self, span: Interval) -> bool {
+        let mut widths = self.widths.iter();
+        self.courses.iter().all(|courses| {
+            courses.bounds(span, &mut self.all);
+            let mut functions = courses.functions.iter().zip(&mut widths);
+            functions.all(|(&(_, at), width)| self.all[at].width() <= LEAST * width)
+        })
     }
 
     /// Where in a span a function first leaves what is allowed.
     fn leaves(&mut self, span: Interval, depth: u32) -> Option<Hidden> {
-        let of = self.outside(span)?;
+        let function = self.outside(span)?;
         let hidden = |vague| {
             Some(Hidden {
                 from: span.low,
-                of,
+                function,
                 vague,
             })
         };
@@ -158,35 +199,98 @@ impl Sight {
             .or_else(|| self.leaves(Interval::new(middle, span.high), depth + 1))
     }
 
-    /// What a function belongs to whose bounds over a span are not within what is allowed.
-    fn outside(&mut self, span: Interval) -> Option<&'static str> {
+    /// A function whose bounds over a span are not within what is allowed: its number, and what it belongs to.
+    fn outside(&mut self, span: Interval) -> Option<(usize, &'static str)> {
         self.evaluations += 1;
         let mut number = 0;
         for courses in &self.courses {
             courses.bounds(span, &mut self.all);
             for &(of, at) in courses.functions {
-                if !self.allowed[number].contains(self.all[at]) {
-                    return Some(of);
+                if self.vague[number] < GIVEN_UP && !self.allowed[number].contains(self.all[at]) {
+                    return Some((number, of));
                 }
                 number += 1;
             }
         }
         None
     }
+}
 
-    /// Bounds of every function over a span.
-    fn bounds(&mut self, span: Interval) -> Vec<Interval> {
-        let mut bounds = Vec::with_capacity(self.widths.len());
-        for courses in &self.courses {
-            courses.bounds(span, &mut self.all);
-            bounds.extend(courses.functions.iter().map(|&(_, at)| self.all[at]));
-        }
-        bounds
+/// Bounds of every function over a span, and in `all` those of operations.
+fn bounds(courses: &[Courses], span: Interval, all: &mut Vec<Interval>, functions: &mut Vec<Interval>) {
+    functions.clear();
+    for courses in courses {
+        courses.bounds(span, all);
+        functions.extend(courses.functions.iter().map(|&(_, at)| all[at]));
     }
 }
 
-fn hulls(these: &[Interval], others: &[Interval]) -> Vec<Interval> {
-    these.iter().zip(others).map(|(a, b)| a.hull(*b)).collect()
+/// Bounds of functions in a part of the run.
+struct Part {
+    span: Interval,
+    bounds: Vec<Interval>,
+}
+
+impl Part {
+    fn new(courses: &[Courses], span: Interval, all: &mut Vec<Interval>) -> Self {
+        let mut functions = Vec::new();
+        bounds(courses, span, all, &mut functions);
+        Self {
+            span,
+            bounds: functions,
+        }
+    }
+
+    /// Width of a function in it; zero where it has no bounds.
+    fn width(&self, number: usize) -> f64 {
+        let width = self.bounds[number].width();
+        if width.is_finite() { width } else { 0.0 }
+    }
+}
+
+/// Widths of what functions take on between two times, s.
+fn taken(courses: &[Courses], start: f64, end: f64, all: &mut Vec<Interval>) -> Vec<f64> {
+    let at = |number: u32| start + (end - start) * f64::from(number) / f64::from(PARTS);
+    let spans = (0..PARTS).map(|number| Interval::new(at(number), at(number + 1)));
+    let mut parts: Vec<Part> = spans.map(|span| Part::new(courses, span, all)).collect();
+    let mut shown = Part::new(courses, Interval::point(start), all).bounds;
+    let show = |t: f64, shown: &mut [Interval], all: &mut Vec<Interval>| {
+        let there = Part::new(courses, Interval::point(t), all);
+        for (number, shown) in shown.iter_mut().enumerate() {
+            if there.bounds[number].width().is_finite() {
+                *shown = shown.hull(there.bounds[number]);
+            }
+        }
+    };
+    (1..=PARTS).for_each(|number| show(at(number), &mut shown, all));
+    let mut halvings = 0;
+    for number in 0..shown.len() {
+        loop {
+            let widths = parts.iter().map(|part| part.width(number)).enumerate();
+            let widest = widths.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or_default();
+            let span = parts[widest.0].span;
+            let middle = 0.5 * (span.low + span.high);
+            let is_sharp = widest.1 <= SHARP * shown[number].width() || middle <= span.low || middle >= span.high;
+            if is_sharp || halvings == HALVED {
+                break;
+            }
+            halvings += 1;
+            show(middle, &mut shown, all);
+            parts[widest.0] = Part::new(courses, Interval::new(span.low, middle), all);
+            parts.push(Part::new(courses, Interval::new(middle, span.high), all));
+        }
+    }
+    let hull = |number: usize| {
+        let bounded = parts.iter().filter(|part| part.bounds[number].width().is_finite());
+        bounded.map(|part| part.bounds[number]).reduce(Interval::hull)
+    };
+    (0..shown.len())
+        .map(|number| hull(number).map_or(0.0, Interval::width))
+        .collect()
+}
+
+fn wider(interval: Interval, margin: f64) -> Interval {
+    Interval::new(interval.low - margin, interval.high + margin)
 }
 
 #[cfg(test)]
@@ -194,8 +298,7 @@ mod tests {
     use super::*;
     use crate::course::Operation::{Add, Divide, Multiply, Number, Power, Sin, Subtract, Time};
 
-    /// Walks over 100 s with steps that grow to what is asked for, and returns where they end.
-    fn steps(operations: &'static [crate::course::Operation], numbers: &[f64]) -> Vec<f64> {
+    fn sight(operations: &'static [crate::course::Operation], numbers: &[f64]) -> Sight {
         let functions: &[(&str, usize)] = Box::leak(vec![("load", operations.len() - 1)].into_boxed_slice());
         let courses = Courses {
             operations,
@@ -203,12 +306,17 @@ mod tests {
             tables: Vec::new(),
             functions,
         };
-        let mut sight = Sight::new(vec![courses], 0.0, 100.0);
+        Sight::new(vec![courses], 0.0, 100.0)
+    }
+
+    /// Walks over 100 s with steps that grow to what is asked for, and returns where they end.
+    fn steps(operations: &'static [crate::course::Operation], numbers: &[f64]) -> Vec<f64> {
+        let mut sight = sight(operations, numbers);
         let (mut times, mut wanted) = (vec![0.0], 1e-3);
         while times[times.len() - 1] < 100.0 {
             let t = times[times.len() - 1];
             let before = times[times.len().saturating_sub(2)];
-            let (h, _) = sight.longest(before, t, wanted, 1e-10);
+            let h = sight.longest(before, t, wanted, 1e-10).step;
             times.push(t + h);
             wanted = 5.0 * h;
         }
@@ -244,5 +352,15 @@ mod tests {
             let peak = std::f64::consts::PI * (0.5 + f64::from(number));
             assert!(times.iter().any(|t| (t - peak).abs() < 0.08), "{peak}: {times:?}");
         }
+    }
+
+    /// The difference of two equal sines is zero, and nothing that can be bounded; nothing is told of one sine of which half a wave lies in a step.
+    #[test]
+    fn bounds_that_stay_wide_are_told() {
+        let same = &[Time, Number(0), Multiply(0, 1), Sin(2), Sin(2), Subtract(3, 4)];
+        let seen = sight(same, &[1e7]).longest(0.0, 0.0, 0.1, 1e-12);
+        assert!(seen.unseen == Some("load") && seen.step > 1e-4, "{seen:?}");
+        let seen = sight(&[Time, Sin(0)], &[]).longest(0.0, 0.0, 1.5, 1e-12);
+        assert_eq!(seen.unseen, None, "{seen:?}");
     }
 }

@@ -126,6 +126,17 @@ impl Statistics {
         }
     }
 
+    /// Notes that nothing excludes that a motion or load comes and goes within a step at a time, s: once for each.
+    pub(super) fn note_vague(&mut self, t: f64, of: &str) {
+        let what = format!("{of} may come and go within steps");
+        if self.jumps.len() < MOST_JUMPS && !self.jumps.iter().any(|told| told.starts_with(&what)) {
+            self.jumps.push(format!(
+                "{what}, first at t = {t:.6} s: its bounds over a step stay much wider than its values, so that nothing tells whether the run feels all of it; \
+                 compare with a ceiling of the step, or write it with fewer terms that cancel each other"
+            ));
+        }
+    }
+
     /// Accepted steps for each factorization: how often one is used again; `None` without any. Radau makes two at a time, a
     /// real and a complex one.
     pub fn steps_per_factorization(&self) -> Option<f64> {

@@ -7,6 +7,8 @@
 
 /// Intervals in which a step is looked through.
 const INTERVALS: u32 = 32;
+/// Most switches that are one: of round-off there are some.
+const MOST: usize = 64;
 
 /// Gaps of a system and memory for them.
 #[derive(Debug, Default)]
@@ -62,6 +64,19 @@ impl Switches {
             last = t;
         }
         None
+    }
+
+    /// The last switch from the one at `kink` to `until`, s. A gap of numbers that nearly cancel is zero in many neighbouring times: what it decides
+    /// changes at the end of these, or at the begin.
+    pub(super) fn last(&mut self, kink: f64, until: f64, gaps: &mut dyn FnMut(f64, &mut Vec<[f64; 2]>)) -> f64 {
+        let mut last = kink;
+        for _ in 0..MOST {
+            match self.next(last, until, &mut *gaps) {
+                Some(next) => last = next,
+                None => break,
+            }
+        }
+        last
     }
 
     /// Whether a gap is zero at `t`, s: what is left and right of it differs.
@@ -145,6 +160,19 @@ mod tests {
             (found[0] - 0.699).abs() < 1e-12 && (found[1] - 0.701).abs() < 1e-12,
             "{found:?}"
         );
+    }
+
+    #[test]
+    fn a_gap_that_is_zero_for_a_while_switches_at_both_ends_of_that() {
+        // Zero by round-off within 1e-12 about t = 0.25.
+        let gap = |t: f64| (1.0 + (t - 0.25) * 1e-4) - 1.0;
+        let mut gaps = |t: f64, out: &mut Vec<[f64; 2]>| out.push([gap(t), 1e-4]);
+        let mut switches = Switches::default();
+        let first = switches.next(0.0, 1.0, &mut gaps).unwrap();
+        let last = switches.last(first, first + 1e-10, &mut gaps);
+        assert!(gap(first.next_down()) < 0.0 && gap(first.next_up()) == 0.0, "{first}");
+        assert!(gap(last.next_up()) > 0.0 && last - first < 3e-12, "{first} {last}");
+        assert_eq!(switches.last(0.5, 0.6, &mut gaps), 0.5);
     }
 
     #[test]

@@ -93,6 +93,10 @@ impl Parts for Arm {
         Vec::new()
     }
     fn gaps(&self, _t: f64, _out: &mut Vec<[f64; 2]>) {}
+
+    fn courses(&self) -> Vec<Courses> {
+        Vec::new()
+    }
     fn frames(&self, t: f64, motions: &mut [FrameMotion]) {
         motions[0] = FrameMotion::INERTIAL;
         motions[1] = FrameMotion {

@@ -11,10 +11,13 @@ const LIKE: f64 = 0.1;
 /// Least part that is told: less is round-off.
 const LEAST: f64 = 1e-15;
 
-/// One sentence on a run that was compared until its end, with finer meshes or not.
-pub(in crate::app) fn of_run(outputs: &[Output], off: &[Off], has_meshes: bool) -> Option<String> {
+/// One sentence on a run that was compared until its end, with finer meshes or not; where these had steps of a much `looser` tolerance, with that.
+pub(in crate::app) fn of_run(outputs: &[Output], off: &[Off], has_meshes: bool, looser: Option<f64>) -> Option<String> {
     let meshes = if has_meshes { "twice as many elements and " } else { "" };
-    sentence(outputs, off, &format!("{meshes}other steps"))
+    let steps = looser.map_or("other steps".to_string(), |rtol| {
+        format!("steps of the tolerance {rtol:.0e}, whose errors are in this")
+    });
+    sentence(outputs, off, &format!("{meshes}{steps}"))
 }
 
 /// The same of equilibria, which were compared with those of finer meshes, and of the critical values on their way.
@@ -69,16 +72,21 @@ mod tests {
         };
         let some = [off(2, 3.14e-4), off(0, 2e-4), off(1, 1e-6)];
         assert_eq!(
-            of_run(&outputs, &some, true).unwrap(),
+            of_run(&outputs, &some, true, None).unwrap(),
             "Compared with twice as many elements and other steps, outputs differ by at most 3.1e-4 of their largest change (`middle`, `tip`)."
         );
         assert!(
-            of_run(&outputs, &some, false)
+            of_run(&outputs, &some, false, None)
                 .unwrap()
                 .starts_with("Compared with other steps,")
         );
+        assert!(
+            of_run(&outputs, &some, true, Some(1e-4)).unwrap().starts_with(
+                "Compared with twice as many elements and steps of the tolerance 1e-4, whose errors are in this, outputs differ by at most 3.1e-4 of"
+            )
+        );
         // Warnings tell what is more.
-        assert_eq!(of_run(&outputs, &[off(0, 0.02)], true), None);
+        assert_eq!(of_run(&outputs, &[off(0, 0.02)], true, None), None);
         assert!(
             of_equilibria(&outputs, &some, Some(5e-3))
                 .unwrap()

@@ -76,6 +76,8 @@ pub(in crate::app) struct Found {
     pub rest: Option<String>,
     /// How far all outputs are off, for meshes or steps, as far as they were compared; the largest part first.
     pub off: Vec<Off>,
+    /// The tolerance of steps that are in this, where that is much larger than needed for the tolerance of the run.
+    pub looser: Option<f64>,
 }
 
 /// A scene with the state in which it starts.
@@ -99,8 +101,9 @@ struct Kind<'r> {
     /// Parts of outputs that are off for the mesh, until then, and, with the tolerance of Radau that tells it, for steps.
     mesh: Vec<Off>,
     steps: (f64, Vec<Off>),
-    /// What all outputs of this kind are off by, for the mesh and for steps.
+    /// What all outputs of this kind are off by, for the mesh and for steps, and the tolerance with which that was found.
     seen: [Vec<Off>; 2],
+    seen_with: f64,
     /// Whether ten times the tolerance of the run is so far away that a tenth has to tell.
     is_far: bool,
 }
@@ -118,6 +121,7 @@ impl<'r> Kind<'r> {
             mesh: Vec::new(),
             steps: (0.0, Vec::new()),
             seen: [Vec::new(), Vec::new()],
+            seen_with: 0.0,
             is_far: false,
         }
     }
@@ -146,6 +150,7 @@ impl<'r> Kind<'r> {
             if until >= self.until {
                 (self.until, self.mesh) = (until, Vec::new());
                 self.seen = [self.of(beyond), Vec::new()];
+                self.seen_with = rtol;
             }
         }
     }
@@ -183,6 +188,7 @@ impl<'r> Kind<'r> {
         }
         if until >= self.until {
             self.seen[0].clone_from(&meshes);
+            self.seen_with = rtol;
             // The run itself has no others.
             if !steps.is_empty() {
                 self.seen[1] = steps;
@@ -196,12 +202,13 @@ impl<'r> Kind<'r> {
     }
 
     /// What finer meshes make of all of the run with a tolerance near its own, where a larger one found that outputs hardly differ.
-    fn meet_near(&mut self, beyond: &[Off]) {
+    fn meet_near(&mut self, rtol: f64, beyond: &[Off]) {
         if !self.mesh.is_empty() {
             return;
         }
         let beyond = self.of(beyond);
         self.seen = [beyond.clone(), Vec::new()];
+        self.seen_with = rtol;
         self.mesh = beyond;
         self.mesh.retain(|mesh| mesh.part > TOLD);
     }
@@ -364,7 +371,7 @@ pub(in crate::app) fn compare(
         if there.len() == run.marks.rows.len() {
             found_so_far.meet(&there, near, true);
             let beyond = found_so_far.off(&there, near);
-            kinds.iter_mut().for_each(|kind| kind.meet_near(&beyond));
+            kinds.iter_mut().for_each(|kind| kind.meet_near(near, &beyond));
         }
     }
     let smaller = run.options.rtol / TEN;
@@ -402,6 +409,9 @@ fn found(
     let seen = kinds.iter().filter(|kind| !kind.mesh.is_empty()).map(|kind| kind.until);
     let seen = Some(seen.fold(whole, f64::min)).filter(|&seen| seen < whole);
     let off = each(kinds.iter().flat_map(|kind| kind.seen.concat()).collect());
+    let seen_with = kinds.iter().map(|kind| kind.seen_with).fold(0.0, f64::max);
+    let near = TEN * run.options.rtol;
+    let looser = Some(seen_with).filter(|&with| is_exact(run) && with > near && differ(with, near));
     let [motion, others] = kinds.map(|kind| kind.steps);
     // What is off in places is off in forces too.
     let rtol = if motion.1.is_empty() { others.0 } else { motion.0 };
@@ -414,6 +424,7 @@ fn found(
         mesh: told(outputs, &meshes).map(|names| on_meshes(scene, 1, ("this motion", seen), &names)),
         steps: sentence_on_steps(run, rtol, outputs, &steps),
         off,
+        looser,
     }
 }
 

@@ -149,7 +149,7 @@ fn look_again(
     let told = coarse.into_iter().chain(missed).chain(added_up.or(found.steps));
     let told: Vec<String> = told.chain(found.rest).collect();
     if found.is_whole && told.is_empty() {
-        result.agreement = agreement::of_run(model.outputs(), &off, found.has_meshes);
+        result.agreement = agreement::of_run(model.outputs(), &off, found.has_meshes, found.looser);
     }
     result.warnings.extend(told);
 }

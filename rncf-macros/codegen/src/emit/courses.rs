@@ -4,11 +4,12 @@ use super::parts::Parts;
 use crate::lower::courses::CourseKernel;
 
 impl Parts<'_> {
-    /// The method that returns them; nothing where there are none.
+    /// The method that returns them.
     pub(super) fn courses(&self) -> String {
         let all = &self.equations.courses;
         if all.is_empty() {
-            return String::new();
+            return "fn courses(&self) -> ::std::vec::Vec<::rncf::emitted::Courses> {\n::std::vec::Vec::new()\n}\n"
+                .to_string();
         }
         let each: String = all.iter().map(one).collect();
         format!(

@@ -83,7 +83,7 @@ impl Driver {
             options,
             segments,
             switches: _,
-            sight: _,
+            sight,
             bordered,
             wanted,
             at_kink,
@@ -100,6 +100,7 @@ impl Driver {
         statistics.keep(archive);
         watch.keep(archive);
         if archive.is_reading() {
+            *sight = None;
             *bordered = Bordered::new(system);
             *scheme = scheme_of(system, *method, options, segments.span());
         }

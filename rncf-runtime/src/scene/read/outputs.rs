@@ -20,7 +20,7 @@ impl MeshScene {
         self.load_state(state);
         let gravity = self.gravity(state.t);
         let mut energy = self.marker_energy(state.t)?;
-        energy += self.kinetic(state);
+        energy += self.kinetic_energy(state);
         self.load_state(state);
         for (index, body) in self.bodies.iter().enumerate() {
             let (dimension, size) = (body.spec.dimension(), body.spec.element_size());
@@ -70,15 +70,6 @@ impl MeshScene {
             }
         }
         Some(energy)
-    }
-
-    /// Kinetic energy, J.
-    fn kinetic(&mut self, state: &State) -> f64 {
-        let mut mass = vec![0.0; self.tabulated.pattern.entries()];
-        self.mass(state, &mut mass);
-        let mut momentum = vec![0.0; state.v.len()];
-        self.tabulated.pattern.multiply_add(1.0, &mass, &state.v, &mut momentum);
-        0.5 * momentum.iter().zip(&state.v).map(|(p, v)| p * v).sum::<f64>()
     }
 
     /// Origin of a free frame, inertial axes; prescribed ones add a constant to an energy at most.

@@ -218,6 +218,10 @@ impl Parts for Hand {
         Vec::new()
     }
     fn gaps(&self, _t: f64, _out: &mut Vec<[f64; 2]>) {}
+
+    fn courses(&self) -> Vec<crate::course::Courses> {
+        Vec::new()
+    }
     /// Frame 1 shifts along a curve; frame 2 turns about a fixed axis and shifts.
     fn frames(&self, t: f64, motions: &mut [FrameMotion]) {
         motions.fill(FrameMotion::INERTIAL);

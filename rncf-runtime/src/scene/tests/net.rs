@@ -121,6 +121,10 @@ impl Parts for Net {
         Vec::new()
     }
     fn gaps(&self, _t: f64, _out: &mut Vec<[f64; 2]>) {}
+
+    fn courses(&self) -> Vec<crate::course::Courses> {
+        Vec::new()
+    }
     fn frames(&self, _t: f64, motions: &mut [FrameMotion]) {
         motions.fill(FrameMotion::INERTIAL);
     }
