@@ -20,6 +20,7 @@ mod machines;
 mod mechanisms;
 mod modal;
 mod models;
+mod moving_loads;
 mod multibody;
 mod orbit;
 mod orders;

@@ -1,5 +1,5 @@
-//! Courses: what motions and loads do over time alone, as lists of operations, so that they can be bounded over a span of time and not only be
-//! evaluated at times. A load that is over between two evaluations is found so, whatever function it is made of.
+//! Courses: what motions and loads do over time alone, and loads per length along an axis, as lists of operations, so that they can be bounded over a
+//! span and not only be evaluated. A load that is over between two evaluations is found so, whatever function it is made of.
 
 mod interval;
 
@@ -16,6 +16,8 @@ pub trait Lookup: Send + Sync {
 pub enum Operation {
     /// Time, s.
     Time,
+    /// Arclength of an axis, m.
+    Place,
     /// What does not change: index into the numbers of a course.
     Number(usize),
     /// Sum.
@@ -70,7 +72,7 @@ pub enum Operation {
     Lookup(usize, usize, usize, usize),
 }
 
-/// Functions of time that share operations.
+/// Functions of time, or of it and the place along an axis, that share operations.
 pub struct Courses {
     /// Operations, operands first.
     pub operations: &'static [Operation],
@@ -80,21 +82,29 @@ pub struct Courses {
     pub tables: Vec<&'static dyn Lookup>,
     /// What each function belongs to, in the user's words, and the operation with its value.
     pub functions: &'static [(&'static str, usize)],
+    /// Arclength that they are looked at, m; of no account where they do not change along an axis.
+    pub place: f64,
 }
 
 impl Courses {
     /// Bounds of every operation over a span of time, s, written to `all`.
     pub fn bounds(&self, span: Interval, all: &mut Vec<Interval>) {
+        self.bounds_along(span, Interval::point(self.place), all);
+    }
+
+    /// The same over a part of an axis, m, too.
+    pub fn bounds_along(&self, span: Interval, places: Interval, all: &mut Vec<Interval>) {
         all.clear();
         for &operation in self.operations {
-            let bounds = self.of(operation, span, all);
+            let bounds = self.of(operation, [span, places], all);
             all.push(bounds);
         }
     }
 
-    fn of(&self, operation: Operation, span: Interval, at: &[Interval]) -> Interval {
+    fn of(&self, operation: Operation, [span, places]: [Interval; 2], at: &[Interval]) -> Interval {
         match operation {
             Operation::Time => span,
+            Operation::Place => places,
             Operation::Number(index) => Interval::point(self.numbers[index]),
             Operation::Add(a, b) => at[a].add(at[b]),
             Operation::Subtract(a, b) => at[a].subtract(at[b]),
@@ -175,6 +185,7 @@ mod tests {
                 numbers: vec![3.0],
                 tables: Vec::new(),
                 functions: &[],
+                place: 0.0,
             };
             let mut all = Vec::new();
             for (from, width) in [(-4.0, 9.0), (0.3, 1.1), (2.5, 1.0), (-1.7, 0.2), (1.0, 1e-6)] {

@@ -5,6 +5,7 @@ use super::lanes::LANES;
 use super::loads::LoadSpec;
 use super::markers::ForceSpec;
 use super::repeated::DensitySpec;
+use crate::course::Courses;
 use crate::space::Vector;
 
 /// Loads.
@@ -226,6 +227,8 @@ pub trait DistributedLoads {
         by_value: &mut [f64],
         by_velocity: &mut [f64],
     );
+    /// What such a load does along the axis and over time that points and steps could jump over, at an arclength of an axis with a length (m).
+    fn distributed_course(&self, load: usize, at: [f64; 2]) -> Option<Courses>;
 }
 
 /// Of a model without such loads.
@@ -255,6 +258,9 @@ impl<T: WithoutDistributedLoads> DistributedLoads for T {
         _by_value: &mut [f64],
         _by_velocity: &mut [f64],
     ) {
+    }
+    fn distributed_course(&self, _load: usize, _at: [f64; 2]) -> Option<Courses> {
+        None
     }
 }
 

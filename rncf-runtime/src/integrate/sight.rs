@@ -30,10 +30,13 @@ const SHARP: f64 = 4.0;
 /// Bounds of all courses over the run, and memory.
 pub(super) struct Sight {
     courses: Vec<Courses>,
+    /// Those that change over a step by what counts, and their functions, by number.
+    lively: Vec<usize>,
+    functions: Vec<usize>,
     /// Widths of what each function takes on in the run, and how often steps were halved as its bounds stayed too wide.
     widths: Vec<f64>,
     vague: Vec<u32>,
-    /// What functions may take on in a step, in one order.
+    /// What lively functions may take on in a step, in their order.
     allowed: Vec<Interval>,
     /// Values at the end of the step before, and at the ends of the pieces of a step.
     before: Vec<Interval>,
@@ -70,6 +73,8 @@ impl Sight {
         courses.retain(|one| !one.functions.is_empty());
         let mut sight = Self {
             courses,
+            lively: Vec::new(),
+            functions: Vec::new(),
             widths: Vec::new(),
             vague: Vec::new(),
             allowed: Vec::new(),
@@ -78,10 +83,10 @@ impl Sight {
             all: Vec::new(),
             evaluations: 0,
         };
-        if !sight.courses.is_empty() {
-            sight.widths = taken(&sight.courses, start, end, &mut sight.all);
-            sight.vague = vec![0; sight.widths.len()];
+        for courses in &sight.courses {
+            sight.widths.extend(taken(courses, start, end, &mut sight.all));
         }
+        sight.vague = vec![0; sight.widths.len()];
         sight
     }
 
@@ -118,7 +123,8 @@ impl Sight {
     }
 
     fn hidden(&mut self, before: f64, from: f64, to: f64) -> Option<Hidden> {
-        if self.courses.is_empty() || self.is_quiet(Interval::new(from, to)) {
+        self.find_lively(Interval::new(from, to));
+        if self.lively.is_empty() {
             return None;
         }
         self.evaluations = 0;
@@ -130,32 +136,35 @@ impl Sight {
                 to
             }
         };
+        let lively = || self.lively.iter().map(|&index| &self.courses[index]);
         for (end, shown) in self.shown.iter_mut().enumerate() {
-            bounds(&self.courses, Interval::point(time(end)), &mut self.all, shown);
+            bounds(lively(), Interval::point(time(end)), &mut self.all, shown);
         }
         let tells = h <= ALIKE * (from - before);
         if tells {
-            bounds(&self.courses, Interval::point(before), &mut self.all, &mut self.before);
+            bounds(lively(), Interval::point(before), &mut self.all, &mut self.before);
         }
         self.allowed.clear();
-        for (number, width) in self.widths.iter().enumerate() {
-            let mut ends = self.shown[0][number].hull(self.shown[PIECES][number]);
+        for (at, &number) in self.functions.iter().enumerate() {
+            let mut ends = self.shown[0][at].hull(self.shown[PIECES][at]);
             if tells {
-                ends = ends.hull(self.before[number]);
+                ends = ends.hull(self.before[at]);
             }
-            self.allowed.push(wider(ends, BEYOND * ends.width() + LEAST * width));
+            self.allowed
+                .push(wider(ends, BEYOND * ends.width() + LEAST * self.widths[number]));
         }
         let first = self.leaves(Interval::new(from, to), 0);
         let second = (0..PIECES).find_map(|piece| {
             self.allowed.clear();
-            for (number, width) in self.widths.iter().enumerate() {
-                let shown = |end: usize| self.shown[end][number];
+            for (at, &number) in self.functions.iter().enumerate() {
+                let shown = |end: usize| self.shown[end][at];
                 let mut all = (1..=PIECES).fold(shown(0), |all, end| all.hull(shown(end)));
                 if tells {
-                    all = all.hull(self.before[number]);
+                    all = all.hull(self.before[at]);
                 }
                 let ends = shown(piece).hull(shown(piece + 1));
-                self.allowed.push(wider(ends, BESIDE * all.width() + LEAST * width));
+                self.allowed
+                    .push(wider(ends, BESIDE * all.width() + LEAST * self.widths[number]));
             }
             self.leaves(Interval::new(time(piece), time(piece + 1)), 0)
         });
@@ -165,14 +174,21 @@ impl Sight {
             .min_by(|a, b| a.from.total_cmp(&b.from))
     }
 
-    /// Whether no function changes over a span by what counts: then nothing leaves what the ends of its pieces show.
-    fn is_quiet(&mut self, span: Interval) -> bool {
-        let mut widths = self.widths.iter();
-        self.courses.iter().all(|courses| {
+    /// Finds courses that change over a span by what counts: the others don't leave what the ends of its pieces show.
+    fn find_lively(&mut self, span: Interval) {
+        self.lively.clear();
+        self.functions.clear();
+        let mut first = 0;
+        for (index, courses) in self.courses.iter().enumerate() {
             courses.bounds(span, &mut self.all);
-            let mut functions = courses.functions.iter().zip(&mut widths);
-            functions.all(|(&(_, at), width)| self.all[at].width() <= LEAST * width)
-        })
+            let numbers = first..first + courses.functions.len();
+            first = numbers.end;
+            let mut functions = courses.functions.iter().zip(&self.widths[numbers.clone()]);
+            if functions.any(|(&(_, at), width)| self.all[at].width() > LEAST * width) {
+                self.lively.push(index);
+                self.functions.extend(numbers);
+            }
+        }
     }
 
     /// Where in a span a function first leaves what is allowed.
@@ -202,14 +218,14 @@ impl Sight {
     /// A function whose bounds over a span are not within what is allowed: its number, and what it belongs to.
     fn outside(&mut self, span: Interval) -> Option<(usize, &'static str)> {
         self.evaluations += 1;
-        let mut number = 0;
-        for courses in &self.courses {
+        let mut functions = self.functions.iter().zip(&self.allowed);
+        for &index in &self.lively {
+            let courses = &self.courses[index];
             courses.bounds(span, &mut self.all);
-            for &(of, at) in courses.functions {
-                if self.vague[number] < GIVEN_UP && !self.allowed[number].contains(self.all[at]) {
+            for (&(of, at), (&number, allowed)) in courses.functions.iter().zip(&mut functions) {
+                if self.vague[number] < GIVEN_UP && !allowed.contains(self.all[at]) {
                     return Some((number, of));
                 }
-                number += 1;
             }
         }
         None
@@ -217,7 +233,12 @@ impl Sight {
 }
 
 /// Bounds of every function over a span, and in `all` those of operations.
-fn bounds(courses: &[Courses], span: Interval, all: &mut Vec<Interval>, functions: &mut Vec<Interval>) {
+fn bounds<'c>(
+    courses: impl Iterator<Item = &'c Courses>,
+    span: Interval,
+    all: &mut Vec<Interval>,
+    functions: &mut Vec<Interval>,
+) {
     functions.clear();
     for courses in courses {
         courses.bounds(span, all);
@@ -232,9 +253,9 @@ struct Part {
 }
 
 impl Part {
-    fn new(courses: &[Courses], span: Interval, all: &mut Vec<Interval>) -> Self {
+    fn new(courses: &Courses, span: Interval, all: &mut Vec<Interval>) -> Self {
         let mut functions = Vec::new();
-        bounds(courses, span, all, &mut functions);
+        bounds(std::iter::once(courses), span, all, &mut functions);
         Self {
             span,
             bounds: functions,
@@ -242,35 +263,35 @@ impl Part {
     }
 
     /// Width of a function in it; zero where it has no bounds.
-    fn width(&self, number: usize) -> f64 {
-        let width = self.bounds[number].width();
+    fn width(&self, function: usize) -> f64 {
+        let width = self.bounds[function].width();
         if width.is_finite() { width } else { 0.0 }
     }
 }
 
 /// Widths of what functions take on between two times, s.
-fn taken(courses: &[Courses], start: f64, end: f64, all: &mut Vec<Interval>) -> Vec<f64> {
+fn taken(courses: &Courses, start: f64, end: f64, all: &mut Vec<Interval>) -> Vec<f64> {
     let at = |number: u32| start + (end - start) * f64::from(number) / f64::from(PARTS);
     let spans = (0..PARTS).map(|number| Interval::new(at(number), at(number + 1)));
     let mut parts: Vec<Part> = spans.map(|span| Part::new(courses, span, all)).collect();
     let mut shown = Part::new(courses, Interval::point(start), all).bounds;
     let show = |t: f64, shown: &mut [Interval], all: &mut Vec<Interval>| {
         let there = Part::new(courses, Interval::point(t), all);
-        for (number, shown) in shown.iter_mut().enumerate() {
-            if there.bounds[number].width().is_finite() {
-                *shown = shown.hull(there.bounds[number]);
+        for (shown, there) in shown.iter_mut().zip(there.bounds) {
+            if there.width().is_finite() {
+                *shown = shown.hull(there);
             }
         }
     };
     (1..=PARTS).for_each(|number| show(at(number), &mut shown, all));
     let mut halvings = 0;
-    for number in 0..shown.len() {
+    for function in 0..shown.len() {
         loop {
-            let widths = parts.iter().map(|part| part.width(number)).enumerate();
+            let widths = parts.iter().map(|part| part.width(function)).enumerate();
             let widest = widths.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or_default();
             let span = parts[widest.0].span;
             let middle = 0.5 * (span.low + span.high);
-            let is_sharp = widest.1 <= SHARP * shown[number].width() || middle <= span.low || middle >= span.high;
+            let is_sharp = widest.1 <= SHARP * shown[function].width() || middle <= span.low || middle >= span.high;
             if is_sharp || halvings == HALVED {
                 break;
             }
@@ -280,12 +301,12 @@ fn taken(courses: &[Courses], start: f64, end: f64, all: &mut Vec<Interval>) -> 
             parts.push(Part::new(courses, Interval::new(middle, span.high), all));
         }
     }
-    let hull = |number: usize| {
-        let bounded = parts.iter().filter(|part| part.bounds[number].width().is_finite());
-        bounded.map(|part| part.bounds[number]).reduce(Interval::hull)
+    let hull = |function: usize| {
+        let bounded = parts.iter().filter(|part| part.bounds[function].width().is_finite());
+        bounded.map(|part| part.bounds[function]).reduce(Interval::hull)
     };
     (0..shown.len())
-        .map(|number| hull(number).map_or(0.0, Interval::width))
+        .map(|function| hull(function).map_or(0.0, Interval::width))
         .collect()
 }
 
@@ -305,6 +326,7 @@ mod tests {
             numbers: numbers.to_vec(),
             tables: Vec::new(),
             functions,
+            place: 0.0,
         };
         Sight::new(vec![courses], 0.0, 100.0)
     }

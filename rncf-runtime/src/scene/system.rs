@@ -1,11 +1,12 @@
 //! A scene as the integrators see it.
 
 use super::mesh_scene::MeshScene;
-use crate::course::Courses;
+use crate::course::{Courses, Operation};
 use crate::linalg::Pattern;
 use crate::scene::numbering::layout::VectorKind;
 use crate::scene::pieces::buffers::Regime;
 use crate::scene::pieces::combination::Combination;
+use crate::scene::pieces::push::Law;
 use crate::scene::terms::kinds::CONSTRAINTS;
 use crate::system::{Branch, Conserving, ConstraintLevel, Jump, Lever, State, System, Tangent};
 
@@ -172,7 +173,16 @@ impl System for MeshScene {
     }
 
     fn courses(&self) -> Vec<Courses> {
-        self.parts.courses()
+        let at_points = self.links.forces.iter().filter_map(|push| {
+            let Law::Distributed { load, at, .. } = push.law else {
+                return None;
+            };
+            let course = self.parts.distributed_course(load, at)?;
+            course.operations.contains(&Operation::Time).then_some(course)
+        });
+        let mut courses = self.parts.courses();
+        courses.extend(at_points);
+        courses
     }
 
     fn too_fast(&mut self, state: &State) -> Option<String> {

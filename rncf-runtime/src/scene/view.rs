@@ -205,6 +205,7 @@ impl Scene for MeshScene {
         warnings.extend(self.giving_way(&stretched));
         warnings.extend(self.overstretched(&stretched));
         warnings.extend(self.strained_fixtures());
+        warnings.extend(self.between_points(state.t));
         warnings
     }
 }

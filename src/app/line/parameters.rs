@@ -203,6 +203,9 @@ fn normal(param: &Param, inside: &str) -> Result<Values, String> {
 }
 
 fn stray(model: &dyn AnyModel, word: &str) -> String {
+    if Command::ALL.iter().any(|command| command.name() == word) {
+        return format!("`{word}` is a command and stands before what it is given: `{word} name=value`");
+    }
     if let Some(command) = nearest(word, Command::ALL.map(Command::name)) {
         return format!("`{word}` is not a command; did you mean `{command}`? A command comes first");
     }
@@ -469,6 +472,10 @@ mod tests {
             (
                 "steddy",
                 "`steddy` is not a command; did you mean `steady`? A command comes first",
+            ),
+            (
+                "static",
+                "`static` is a command and stands before what it is given: `static name=value`",
             ),
             (
                 "whatever",

@@ -19,11 +19,21 @@ impl Parts<'_> {
 }
 
 fn one(course: &CourseKernel) -> String {
+    let body = format!("all.push({});\n", made(course, "0.0", ""));
+    match course.repeat {
+        None => body,
+        Some(repeat) => format!("for instance in 0..self.counts[{}] {{\n{body}}}\n", repeat.0),
+    }
+}
+
+/// An expression that makes courses for a place, where `model` is the struct of the params; in a loop `instance` is the number of its repetition.
+/// Arguments of the kernel of numbers end with a comma.
+pub(super) fn made(course: &CourseKernel, place: &str, arguments: &str) -> String {
     let (kernel, count) = &course.numbers;
     let index = course.repeat.map_or("", |_| "instance as f64, ");
     let numbers = match count {
         0 => String::new(),
-        _ => format!("{}(model, {index}&mut numbers);\n", kernel.name),
+        _ => format!("{}(model, {arguments}{index}&mut numbers);\n", kernel.name),
     };
     let mutable = if *count > 0 { "mut " } else { "" };
     let operations: Vec<String> = course.operations.iter().map(|one| format!("Of::{one}")).collect();
@@ -36,11 +46,7 @@ fn one(course: &CourseKernel) -> String {
         .map(|(of, at)| format!("({of:?}, {at})"))
         .collect();
     let functions = functions.join(", ");
-    let body = format!(
-        "let {mutable}numbers = [0.0; {count}];\n{numbers}all.push(::rncf::emitted::Courses {{\noperations: &[{operations}],\nnumbers: numbers.to_vec(),\ntables: ::std::vec![{tables}],\nfunctions: &[{functions}],\n}});\n"
-    );
-    match course.repeat {
-        None => format!("{{\n{body}}}\n"),
-        Some(repeat) => format!("for instance in 0..self.counts[{}] {{\n{body}}}\n", repeat.0),
-    }
+    format!(
+        "{{\nlet {mutable}numbers = [0.0; {count}];\n{numbers}::rncf::emitted::Courses {{\noperations: &[{operations}],\nnumbers: numbers.to_vec(),\ntables: ::std::vec![{tables}],\nfunctions: &[{functions}],\nplace: {place},\n}}\n}}"
+    )
 }

@@ -27,6 +27,8 @@ impl Equations {
         for distributed in &self.distributed {
             single.push(&distributed.force);
             single.extend(&distributed.tangent);
+            let numbers = distributed.course.as_ref().map(|course| &course.numbers);
+            single.extend(numbers.filter(|(_, count)| *count > 0).map(|(kernel, _)| kernel));
         }
         single.extend(self.around.iter().flat_map(|(_, kernels)| kernels));
         for field in &self.fields {

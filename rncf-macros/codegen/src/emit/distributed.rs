@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use super::courses::made;
 use super::parts::Parts;
 use crate::lower::Kernel;
 use crate::lower::distributed::DistributedKernels;
@@ -57,6 +58,23 @@ impl Parts<'_> {
              fn distributed_tangent(&self, {arguments}, by_value: &mut [f64], by_velocity: &mut [f64]) {{\nby_value.fill(0.0);\nby_velocity.fill(0.0);\n{kind}{}}}\n",
             arms(&|kernels| Some(&kernels.force), "out"),
             arms(&|kernels| kernels.tangent.as_ref(), "by_value, by_velocity"),
+        );
+        let courses = self.equations.distributed.iter().enumerate();
+        let courses = courses.filter_map(|(index, kernels)| {
+            let made = made(kernels.course.as_ref()?, "at[0]", "at, ");
+            Some(format!("{index} => ::std::option::Option::Some({made}),\n"))
+        });
+        let courses: String = courses.collect();
+        let _ = write!(
+            text,
+            "fn distributed_course(&self, load: usize, at: [f64; 2]) -> ::std::option::Option<::rncf::emitted::Courses> {{\n{kind}{}}}\n",
+            if courses.is_empty() {
+                "::std::option::Option::None\n".to_string()
+            } else {
+                format!(
+                    "use ::rncf::emitted::Operation as Of;\nlet model = &self.model;\nmatch load {{\n{courses}_ => ::std::option::Option::None,\n}}\n"
+                )
+            }
         );
         text
     }

@@ -1,16 +1,17 @@
 //! Courses: what motions and loads do over time alone, where it may be over before a step sees it, as lists of operations that the runtime bounds.
-//! Of prescribed positions it is their second derivative: that of the acceleration.
+//! Of prescribed positions it is their second derivative: that of the acceleration. Loads per length have courses over time and along the axis:
+//! they may lie between the points of an element, or pass one within a step.
 
 use super::kernel::Kernel;
 use super::motions::timed_coefficients;
 use crate::elements::Library;
-use crate::model::{FrameId, Function, Model, RepeatId};
+use crate::model::{Distributed, FrameId, Function, Model, RepeatId};
 use crate::symbolic::{Id, Node, Time};
 
 /// A sine to a lower power is as wide as its period is long.
 const NARROW_POWER: u32 = 4;
 
-/// Functions of time that share operations.
+/// Functions of time, or of it and the place along an axis, that share operations.
 #[derive(Clone, Debug)]
 pub struct CourseKernel {
     /// Loop whose number of the repetition they depend on.
@@ -31,6 +32,27 @@ pub fn courses(model: &Model, library: &Library) -> Vec<CourseKernel> {
     scopes.filter_map(|repeat| courses_in(model, library, repeat)).collect()
 }
 
+/// What a load per length does along the axis of its body, over time or at rest; `None` where it is as wide as what its points see.
+pub fn course_along(model: &Model, load: &Distributed, name: &str) -> Option<CourseKernel> {
+    let mut time = Time::new(model);
+    let repeat = model.bodies[load.body.0].repeat;
+    let components = load.forces.iter().flat_map(|(_, components)| components);
+    let values: Vec<Id> = components.map(|component| time.expression(component)).collect();
+    let other = time.what_moves();
+    let (x, variables) = (time.x, [time.t, time.x]);
+    let mut parts = Vec::new();
+    values
+        .iter()
+        .for_each(|&id| time.parts_of(&variables, id, &other, &mut parts));
+    parts.retain(|&part| time.graph.depends_on(part, &[x]) && time.is_narrow(&variables, part));
+    let of = format!("load `{}`", load.name);
+    let functions: Vec<(String, Id)> = parts.into_iter().map(|part| (of.clone(), part)).collect();
+    let mut arguments = vec!["[x, length]: [f64; 2]"];
+    arguments.extend(repeat.map(|_| "index: f64"));
+    let name = format!("numbers_of_courses_of_{name}");
+    (!functions.is_empty()).then(|| time.course_kernel(&variables, repeat, (name, &arguments), functions))
+}
+
 /// An expression that time may act on, and what it belongs to.
 struct Root {
     of: String,
@@ -45,10 +67,9 @@ fn courses_in(model: &Model, library: &Library, repeat: Option<RepeatId>) -> Opt
         None => roots(&mut time, library),
         Some(repeat) => repeated_roots(&mut time, repeat),
     };
-    let mut other: Vec<Id> = time.observed.iter().map(|&(_, symbol)| symbol).collect();
-    other.extend(time.locals.iter().flatten().chain(&time.strains).flatten());
-    other.extend([time.x, time.end_time]);
-    let index = time.index;
+    let mut other = time.what_moves();
+    other.push(time.x);
+    let (index, variables) = (time.index, [time.t]);
     if repeat.is_none() {
         other.push(index);
     }
@@ -57,9 +78,9 @@ fn courses_in(model: &Model, library: &Library, repeat: Option<RepeatId>) -> Opt
         let mut parts = Vec::new();
         root.values
             .iter()
-            .for_each(|&id| time.parts_of_time(id, &other, &mut parts));
+            .for_each(|&id| time.parts_of(&variables, id, &other, &mut parts));
         for part in parts {
-            if !time.is_narrow(part) || (repeat.is_some() && !time.graph.depends_on(part, &[index])) {
+            if !time.is_narrow(&variables, part) || (repeat.is_some() && !time.graph.depends_on(part, &[index])) {
                 continue;
             }
             let part = if root.is_position {
@@ -74,7 +95,12 @@ fn courses_in(model: &Model, library: &Library, repeat: Option<RepeatId>) -> Opt
             }
         }
     }
-    (!functions.is_empty()).then(|| time.course_kernel(repeat, functions))
+    let name = match repeat {
+        None => "numbers_of_courses".to_string(),
+        Some(repeat) => format!("numbers_of_courses_in_loop_{}", repeat.0),
+    };
+    let arguments: &[&str] = if repeat.is_some() { &["index: f64"] } else { &[] };
+    (!functions.is_empty()).then(|| time.course_kernel(&variables, repeat, (name, arguments), functions))
 }
 
 fn roots(time: &mut Time<'_>, library: &Library) -> Vec<Root> {
@@ -146,47 +172,57 @@ fn repeated_roots(time: &mut Time<'_>, repeat: RepeatId) -> Vec<Root> {
 }
 
 impl Time<'_> {
-    /// The largest parts of an expression that time alone decides, each sum and each of its terms, without factors that do not
+    /// Symbols of what is unknown before a run.
+    fn what_moves(&self) -> Vec<Id> {
+        let mut symbols: Vec<Id> = self.observed.iter().map(|&(_, symbol)| symbol).collect();
+        symbols.extend(self.locals.iter().flatten().chain(&self.strains).flatten());
+        symbols.push(self.end_time);
+        symbols
+    }
+
+    /// The largest parts of an expression that variables alone decide, each sum and each of its terms, without factors that do not
     /// change: a pulse may be small beside another term, or the difference of two that are none.
-    fn parts_of_time(&self, id: Id, other: &[Id], parts: &mut Vec<Id>) {
+    fn parts_of(&self, variables: &[Id], id: Id, other: &[Id], parts: &mut Vec<Id>) {
         let graph = &self.graph;
-        if !graph.depends_on(id, &[self.t]) {
+        let changes = |id: Id| graph.depends_on(id, variables);
+        if !changes(id) {
             return;
         }
         let is_scaled = match graph.node(id) {
             Node::Negate(_) => true,
-            Node::Multiply(a, b) => !(graph.depends_on(a, &[self.t]) && graph.depends_on(b, &[self.t])),
-            Node::Divide(_, b) => !graph.depends_on(b, &[self.t]),
+            Node::Multiply(a, b) => !(changes(a) && changes(b)),
+            Node::Divide(_, b) => !changes(b),
             _ => false,
         };
         let is_sum = matches!(graph.node(id), Node::Add(..) | Node::Subtract(..));
-        let is_of_time = !graph.depends_on(id, other);
-        if is_of_time && !is_scaled && !parts.contains(&id) {
+        let is_decided = !graph.depends_on(id, other);
+        if is_decided && !is_scaled && !parts.contains(&id) {
             parts.push(id);
         }
-        if is_scaled || is_sum || !is_of_time {
+        if is_scaled || is_sum || !is_decided {
             for child in graph.children(id) {
-                self.parts_of_time(child, other, parts);
+                self.parts_of(variables, child, other, parts);
             }
         }
     }
 
-    /// Whether a function of time may be over sooner than what else in it shows: not one of polynomials, sines and switches at known times.
-    fn is_narrow(&mut self, id: Id) -> bool {
-        let t = self.t;
+    /// Whether a function of variables may be over sooner than what else in it shows: not one of polynomials, sines and switches at known times.
+    fn is_narrow(&mut self, variables: &[Id], id: Id) -> bool {
         for id in self.graph.reachable(&[id]) {
-            if !self.graph.depends_on(id, &[t]) {
+            if !self.graph.depends_on(id, variables) {
                 continue;
             }
             let is_narrow = match self.graph.node(id) {
-                Node::Divide(_, divisor) => self.graph.depends_on(divisor, &[t]),
-                Node::Power(base, exponent) => base != t && exponent >= NARROW_POWER,
+                Node::Divide(_, divisor) => self.graph.depends_on(divisor, variables),
+                Node::Power(base, exponent) => !variables.contains(&base) && exponent >= NARROW_POWER,
                 Node::Call(function, _) => !matches!(function, Function::Sin | Function::Cos),
                 Node::Call2(..) | Node::Lookup(..) => true,
                 Node::Select(_, [left, right, ..]) => {
                     let gap = self.graph.subtract(left, right);
-                    let slope = self.graph.partial(gap, t);
-                    self.graph.depends_on(slope, &[t])
+                    let slope = self.graph.partial(gap, self.t);
+                    // Steps end at times, elements do not at places.
+                    self.graph.depends_on(slope, variables)
+                        || variables.contains(&self.x) && self.graph.depends_on(gap, &[self.x])
                 }
                 _ => false,
             };
@@ -197,11 +233,18 @@ impl Time<'_> {
         false
     }
 
-    fn course_kernel(self, repeat: Option<RepeatId>, functions: Vec<(String, Id)>) -> CourseKernel {
-        let (t, graph) = (self.t, &self.graph);
+    /// The functions' operations. The kernel of their numbers has a name and arguments between the model and the numbers.
+    fn course_kernel(
+        self,
+        variables: &[Id],
+        repeat: Option<RepeatId>,
+        (name, arguments): (String, &[&str]),
+        functions: Vec<(String, Id)>,
+    ) -> CourseKernel {
+        let (x, graph) = (self.x, &self.graph);
         let roots: Vec<Id> = functions.iter().map(|&(_, id)| id).collect();
         let nodes = graph.reachable(&roots);
-        let changes = |id: Id| graph.depends_on(id, &[t]);
+        let changes = |id: Id| graph.depends_on(id, variables);
         // What does not change is a number where something that changes reads it.
         let read: std::collections::HashSet<Id> = nodes
             .iter()
@@ -221,6 +264,7 @@ impl Time<'_> {
             }
             let at = |id: Id| places[&id];
             let operation = match graph.node(id) {
+                Node::Number(_) | Node::Symbol(_) if id == x => "Place".to_string(),
                 Node::Number(_) | Node::Symbol(_) => "Time".to_string(),
                 Node::Add(a, b) => format!("Add({}, {})", at(a), at(b)),
                 Node::Subtract(a, b) => format!("Subtract({}, {})", at(a), at(b)),
@@ -262,19 +306,16 @@ impl Time<'_> {
         let count = numbers.len();
         let outputs = numbers.into_iter().enumerate();
         let outputs = outputs.map(|(at, id)| (format!("numbers[{at}]"), id)).collect();
-        let name = match repeat {
-            None => "numbers_of_courses".to_string(),
-            Some(repeat) => format!("numbers_of_courses_in_loop_{}", repeat.0),
-        };
         let mut kernel = self.kernel(
             name,
             "What does not change in motions and loads that do.".to_string(),
             outputs,
         );
-        kernel.arguments[1] = format!("numbers: &mut [f64; {count}]");
-        if repeat.is_some() {
-            kernel.arguments.insert(1, "index: f64".to_string());
-        }
+        kernel.arguments.truncate(1);
+        kernel
+            .arguments
+            .extend(arguments.iter().map(|argument| argument.to_string()));
+        kernel.arguments.push(format!("numbers: &mut [f64; {count}]"));
         CourseKernel {
             repeat,
             numbers: (kernel, count),

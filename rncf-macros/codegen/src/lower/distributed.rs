@@ -1,5 +1,6 @@
 //! Loads per length at a particle, with both tangents; gravity that changes from place to place.
 
+use super::courses::{CourseKernel, course_along};
 use super::kernel::{Kernel, derivatives, values};
 use super::markers::{Marked, function_name};
 use crate::model::{Distributed, Expr, LoadKind, MarkerId, Model, Observable, ParticleVector};
@@ -14,6 +15,8 @@ pub struct DistributedKernels {
     pub force: Kernel,
     /// Their derivatives, where not zero.
     pub tangent: Option<Kernel>,
+    /// What it does along the axis and over time that points and steps could jump over.
+    pub course: Option<CourseKernel>,
 }
 
 /// The functions of all such loads of a model.
@@ -109,6 +112,7 @@ fn kernels(model: &Model, load: &Distributed, name: &str) -> DistributedKernels 
         vectors,
         force,
         tangent,
+        course: course_along(model, load, name),
     }
 }
 

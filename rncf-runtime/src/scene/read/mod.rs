@@ -1,6 +1,7 @@
 //! What is read off a state: outputs, pictures, what sections carry, and where a description does not hold.
 
 pub(crate) mod balance;
+pub(crate) mod between_points;
 pub(crate) mod bodies;
 pub(crate) mod compression;
 pub(crate) mod configuration;

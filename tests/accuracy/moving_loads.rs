@@ -1,0 +1,118 @@
+//! Loads per length that pass over a body, against the sum of its modes, and those that are too narrow for the points of its elements.
+
+use std::f64::consts::PI;
+
+use rncf::app::{EquilibriumSettings, RunSettings, run, static_equilibria};
+
+rncf::model! {
+    /// A girder on two supports, and a load of 10 kN that runs over it.
+    pub model Girder {
+        param speed = 30 m/s;
+        param width = 0.5 m;
+        param start = -6 m;
+        param elements: count = 32;
+        material steel { density = 7850 kg/m^3; young = 210 GPa; poisson = 0.3; }
+        section bar = rectangle(y = 0.2 m, z = 0.3 m);
+        body deck { planar xy; line from [0, 0, 0] m to [20, 0, 0] m; mesh elements * beam(bar, steel); }
+        joint left = pin(deck.start, inertial);
+        joint right = hold(deck.end.y);
+        load vehicle = distributed(deck, [0, -10 [kN] / (width * sqrt(pi / 1 rad)) * exp(-((x - start - speed * t) / width)^2), 0]);
+        output middle = deck.at(10 m).y;
+        run { t_end = 1 s; every = 0.01 s; }
+    }
+}
+
+/// Deflection of the middle, m: every mode of a slender beam is pushed as long as the load is on it, and swings on. A load that is as wide as a wave of
+/// a mode pushes it less.
+fn deflection(girder: &Girder, t: f64) -> f64 {
+    let (length, mass) = (20.0, 7850.0 * 0.2 * 0.3 * 20.0);
+    let stiffness = 210e9 * 0.3 * 0.2_f64.powi(3) / 12.0;
+    let mode = |number: i32| {
+        let wave = f64::from(number) * PI / length;
+        // Shear and the inertia of sections make it slower: Timoshenko's beam, to the first order.
+        let slower = 1.0 + (wave * 0.2).powi(2) / 12.0 * (1.0 + 2.6 * 1.2);
+        let own = wave.powi(2) * (stiffness * length / mass / slower).sqrt();
+        let driven = wave * girder.speed;
+        let push = -2.0 * 10e3 / mass * (-0.25 * (wave * girder.width).powi(2)).exp() / (own.powi(2) - driven.powi(2));
+        let on = |t: f64| push * ((driven * t).sin() - driven / own * (own * t).sin());
+        let rate = |t: f64| push * driven * ((driven * t).cos() - (own * t).cos());
+        let (since, over) = (t + girder.start / girder.speed, length / girder.speed);
+        let amplitude = if since <= 0.0 {
+            0.0
+        } else if since <= over {
+            on(since)
+        } else {
+            let free = own * (since - over);
+            on(over) * free.cos() + rate(over) / own * free.sin()
+        };
+        amplitude * (0.5 * wave * length).sin()
+    };
+    (1..40).map(mode).sum()
+}
+
+/// From walking pace of a train to a load that is over the girder within 7 ms, and comes when everything has been at rest for long.
+#[test]
+fn a_load_that_runs_over_a_beam_is_met() {
+    for (speed, start) in [(30.0, -6.0), (3000.0, -1500.0)] {
+        let girder = Girder {
+            speed,
+            start,
+            ..Girder::default()
+        };
+        let result = run(&girder, &RunSettings::default()).unwrap();
+        let found = result.history.column(0);
+        let exact: Vec<f64> = result.history.keys.iter().map(|&t| deflection(&girder, t)).collect();
+        let size = exact.iter().fold(0.0, |size: f64, value| size.max(value.abs()));
+        let error = exact
+            .iter()
+            .zip(found)
+            .fold(0.0, |error: f64, (a, b)| error.max((a - b).abs()));
+        println!(
+            "{speed} m/s: {size:.3e} m, off by {:.1e}, {} steps",
+            error / size,
+            result.statistics.steps
+        );
+        assert!(error < 4e-3 * size, "{speed} m/s: {error} of {size}");
+        assert!(
+            !result.warnings.iter().any(|told| told.contains("narrower")),
+            "{:?}",
+            result.warnings
+        );
+    }
+}
+
+/// Narrow loads between points have no effect, and with twice as many elements neither.
+#[test]
+fn what_no_point_sees_is_told() {
+    let told = |warnings: &[String]| {
+        warnings
+            .iter()
+            .any(|told| told.starts_with("load `vehicle` is narrower"))
+    };
+    for (width, start, is_missed) in [(5e-3, 10.8, true), (0.05, 0.175, true), (0.5, 10.7, false)] {
+        let girder = Girder {
+            width,
+            start,
+            speed: 0.0,
+            ..Girder::default()
+        };
+        let result = static_equilibria(&girder, &EquilibriumSettings::default()).unwrap();
+        assert_eq!(told(&result.warnings), is_missed, "{width} m: {:?}", result.warnings);
+    }
+    let narrow = Girder {
+        width: 5e-3,
+        elements: 8,
+        ..Girder::default()
+    };
+    let result = run(&narrow, &RunSettings::default()).unwrap();
+    assert!(told(&result.warnings), "{:?}", result.warnings);
+    // Every point feels it pass: what is left is the distance of points.
+    let least = result.history.column(0).fold(0.0, f64::min);
+    let exact = result
+        .history
+        .keys
+        .iter()
+        .map(|&t| deflection(&narrow, t))
+        .fold(0.0, f64::min);
+    assert!((least - exact).abs() < 0.2 * exact.abs(), "{least} for {exact}");
+}
