@@ -12,7 +12,7 @@
 //! with respect to right increments, `A <- A exp(dpi)`.
 
 use crate::archive::{Archive, Keep};
-use crate::course::Courses;
+use crate::course::{Courses, Path};
 use crate::linalg::Pattern;
 use crate::space::{Matrix, Rotation, Vector, inverse_tangent_map, three, turned};
 
@@ -416,6 +416,11 @@ pub trait System {
     /// What motions and loads do over time alone, where it may be over within a step. An integrator bounds it over every step, and shortens one that
     /// would jump over it.
     fn courses(&self) -> Vec<Courses> {
+        Vec::new()
+    }
+
+    /// How the particles of those courses that read a position move on from a state, in their order.
+    fn paths(&mut self, _state: &State) -> Vec<Path> {
         Vec::new()
     }
 

@@ -2,8 +2,10 @@
 //! span and not only be evaluated. A load that is over between two evaluations is found so, whatever function it is made of.
 
 mod interval;
+mod path;
 
 pub use interval::Interval;
+pub use path::Path;
 
 /// What is looked up: columns at places among rows.
 pub trait Lookup: Send + Sync {
@@ -18,6 +20,8 @@ pub enum Operation {
     Time,
     /// Arclength of an axis, m.
     Place,
+    /// Component of the position of a particle in space, m.
+    Position(usize),
     /// What does not change: index into the numbers of a course.
     Number(usize),
     /// Sum.
@@ -84,9 +88,16 @@ pub struct Courses {
     pub functions: &'static [(&'static str, usize)],
     /// Arclength that they are looked at, m; of no account where they do not change along an axis.
     pub place: f64,
+    /// How the particle there moves; `None`: anyhow.
+    pub path: Option<Path>,
 }
 
 impl Courses {
+    /// Whether anything in them depends on where the particle is.
+    pub fn reads_position(&self) -> bool {
+        self.operations.iter().any(|one| matches!(one, Operation::Position(_)))
+    }
+
     /// Bounds of every operation over a span of time, s, written to `all`.
     pub fn bounds(&self, span: Interval, all: &mut Vec<Interval>) {
         self.bounds_along(span, Interval::point(self.place), all);
@@ -105,6 +116,10 @@ impl Courses {
         match operation {
             Operation::Time => span,
             Operation::Place => places,
+            Operation::Position(component) => self
+                .path
+                .as_ref()
+                .map_or(Interval::ALL, |path| path.bounds(component, span)),
             Operation::Number(index) => Interval::point(self.numbers[index]),
             Operation::Add(a, b) => at[a].add(at[b]),
             Operation::Subtract(a, b) => at[a].subtract(at[b]),
@@ -186,6 +201,7 @@ mod tests {
                 tables: Vec::new(),
                 functions: &[],
                 place: 0.0,
+                path: None,
             };
             let mut all = Vec::new();
             for (from, width) in [(-4.0, 9.0), (0.3, 1.1), (2.5, 1.0), (-1.7, 0.2), (1.0, 1e-6)] {

@@ -298,11 +298,14 @@ impl Driver {
 
     /// The longest step at `t` up to `h` (s) that jumps over nothing that motions and loads do. Notes tell of what a fixed step jumps over, and of what
     /// no step excludes.
-    fn seen(&mut self, system: &dyn System, t: f64, h: f64) -> f64 {
+    fn seen(&mut self, system: &mut dyn System, t: f64, h: f64) -> f64 {
         let segments = &self.segments;
         let sight = self
             .sight
             .get_or_insert_with(|| Sight::new(system.courses(), segments.start(), segments.end()));
+        if sight.reads_positions() {
+            sight.follow(system.paths(self.scheme.state()));
+        }
         // Beyond a kink the step before says nothing.
         let before = if segments.begins_behind(self.previous_time) {
             t

@@ -1,7 +1,7 @@
 //! Whether a step sees what motions and loads do over time (`course`): a pulse that is over between two evaluations, whatever function it is made
 //! of, leaves no trace in an estimate of the error. Its bounds over the step tell of it.
 
-use crate::course::{Courses, Interval};
+use crate::course::{Courses, Interval, Path};
 
 /// A course may leave what it takes on at the ends of the step, and of a step before that was not much shorter, by so many times the width of that: then
 /// the error is estimated from values that are not small beside what is between them.
@@ -30,6 +30,8 @@ const SHARP: f64 = 4.0;
 /// Bounds of all courses over the run, and memory.
 pub(super) struct Sight {
     courses: Vec<Courses>,
+    /// Whether where particles come to tells anything.
+    reads_positions: bool,
     /// Those that change over a step by what counts, and their functions, by number.
     lively: Vec<usize>,
     functions: Vec<usize>,
@@ -73,6 +75,7 @@ impl Sight {
         courses.retain(|one| !one.functions.is_empty());
         let mut sight = Self {
             courses,
+            reads_positions: false,
             lively: Vec::new(),
             functions: Vec::new(),
             widths: Vec::new(),
@@ -84,10 +87,27 @@ impl Sight {
             evaluations: 0,
         };
         for courses in &sight.courses {
-            sight.widths.extend(taken(courses, start, end, &mut sight.all));
+            if courses.reads_position() {
+                let widths = anywhere(courses, Interval::new(start, end), &mut sight.all);
+                sight.reads_positions |= widths.iter().any(|width| width.is_finite());
+                sight.widths.extend(widths);
+            } else {
+                sight.widths.extend(taken(courses, start, end, &mut sight.all));
+            }
         }
         sight.vague = vec![0; sight.widths.len()];
         sight
+    }
+
+    /// Whether [`Self::follow`] is needed before each step.
+    pub(super) fn reads_positions(&self) -> bool {
+        self.reads_positions
+    }
+
+    /// Takes the ways of particles from the present state on, in the order of the courses that read positions.
+    pub(super) fn follow(&mut self, paths: Vec<Path>) {
+        let reading = self.courses.iter_mut().filter(|courses| courses.reads_position());
+        reading.zip(paths).for_each(|(courses, path)| courses.path = Some(path));
     }
 
     /// The longest step from `t` (s) up to `h` whose ends, with that of the step before, show all that happens in it.
@@ -269,6 +289,15 @@ impl Part {
     }
 }
 
+/// Widths of what functions take on over a span of time (s) wherever particles are; of those without bounds, which nothing can be told of, infinite.
+fn anywhere(courses: &Courses, span: Interval, all: &mut Vec<Interval>) -> Vec<f64> {
+    courses.bounds(span, all);
+    let widths = courses.functions.iter().map(|&(_, at)| all[at].width());
+    widths
+        .map(|width| if width.is_nan() { f64::INFINITY } else { width })
+        .collect()
+}
+
 /// Widths of what functions take on between two times, s.
 fn taken(courses: &Courses, start: f64, end: f64, all: &mut Vec<Interval>) -> Vec<f64> {
     let at = |number: u32| start + (end - start) * f64::from(number) / f64::from(PARTS);
@@ -327,6 +356,7 @@ mod tests {
             tables: Vec::new(),
             functions,
             place: 0.0,
+            path: None,
         };
         Sight::new(vec![courses], 0.0, 100.0)
     }

@@ -8,7 +8,7 @@ use super::action::FrameAction;
 use super::body::ModalBody;
 use super::carried::Beside;
 use super::reduction::{Block, Reduction};
-use crate::course::Courses;
+use crate::course::{Courses, Path};
 use crate::emitted::{Fidelity, Parts};
 use crate::error::ModelError;
 use crate::linalg::Pattern;
@@ -474,6 +474,11 @@ impl System for ModalScene {
 
     fn courses(&self) -> Vec<Courses> {
         self.scene.courses()
+    }
+
+    fn paths(&mut self, state: &State) -> Vec<Path> {
+        self.expand(state);
+        self.scene.paths(&self.full)
     }
 
     fn too_fast(&mut self, state: &State) -> Option<String> {

@@ -1,12 +1,11 @@
 //! A scene as the integrators see it.
 
 use super::mesh_scene::MeshScene;
-use crate::course::{Courses, Operation};
+use crate::course::{Courses, Path};
 use crate::linalg::Pattern;
 use crate::scene::numbering::layout::VectorKind;
 use crate::scene::pieces::buffers::Regime;
 use crate::scene::pieces::combination::Combination;
-use crate::scene::pieces::push::Law;
 use crate::scene::terms::kinds::CONSTRAINTS;
 use crate::system::{Branch, Conserving, ConstraintLevel, Jump, Lever, State, System, Tangent};
 
@@ -173,16 +172,14 @@ impl System for MeshScene {
     }
 
     fn courses(&self) -> Vec<Courses> {
-        let at_points = self.links.forces.iter().filter_map(|push| {
-            let Law::Distributed { load, at, .. } = push.law else {
-                return None;
-            };
-            let course = self.parts.distributed_course(load, at)?;
-            course.operations.contains(&Operation::Time).then_some(course)
-        });
         let mut courses = self.parts.courses();
-        courses.extend(at_points);
+        courses.extend(self.courses_at_points().map(|(_, course)| course));
         courses
+    }
+
+    fn paths(&mut self, state: &State) -> Vec<Path> {
+        self.load_state(state);
+        self.paths_of_points(state.t)
     }
 
     fn too_fast(&mut self, state: &State) -> Option<String> {

@@ -47,6 +47,6 @@ pub(super) fn made(course: &CourseKernel, place: &str, arguments: &str) -> Strin
         .collect();
     let functions = functions.join(", ");
     format!(
-        "{{\nlet {mutable}numbers = [0.0; {count}];\n{numbers}::rncf::emitted::Courses {{\noperations: &[{operations}],\nnumbers: numbers.to_vec(),\ntables: ::std::vec![{tables}],\nfunctions: &[{functions}],\nplace: {place},\n}}\n}}"
+        "{{\nlet {mutable}numbers = [0.0; {count}];\n{numbers}::rncf::emitted::Courses {{\noperations: &[{operations}],\nnumbers: numbers.to_vec(),\ntables: ::std::vec![{tables}],\nfunctions: &[{functions}],\nplace: {place},\npath: ::std::option::Option::None,\n}}\n}}"
     )
 }

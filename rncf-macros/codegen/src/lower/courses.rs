@@ -5,7 +5,7 @@
 use super::kernel::Kernel;
 use super::motions::timed_coefficients;
 use crate::elements::Library;
-use crate::model::{Distributed, FrameId, Function, Model, RepeatId};
+use crate::model::{Distributed, FrameId, Function, Model, Observable, ParticleVector, RepeatId};
 use crate::symbolic::{Id, Node, Time};
 
 /// A sine to a lower power is as wide as its period is long.
@@ -32,19 +32,22 @@ pub fn courses(model: &Model, library: &Library) -> Vec<CourseKernel> {
     scopes.filter_map(|repeat| courses_in(model, library, repeat)).collect()
 }
 
-/// What a load per length does along the axis of its body, over time or at rest; `None` where it is as wide as what its points see.
+/// What a load per length does along the axis of its body, over time and where its particles come to; `None` where it is as wide as what its points see.
 pub fn course_along(model: &Model, load: &Distributed, name: &str) -> Option<CourseKernel> {
     let mut time = Time::new(model);
     let repeat = model.bodies[load.body.0].repeat;
     let components = load.forces.iter().flat_map(|(_, components)| components);
     let values: Vec<Id> = components.map(|component| time.expression(component)).collect();
-    let other = time.what_moves();
-    let (x, variables) = (time.x, [time.t, time.x]);
+    let places: Vec<Id> = time.places().map(|(id, _)| id).collect();
+    let mut other = time.what_moves();
+    other.retain(|id| !places.contains(id));
+    let along = [&[time.x], &places[..]].concat();
+    let variables = [&[time.t], &along[..]].concat();
     let mut parts = Vec::new();
     values
         .iter()
         .for_each(|&id| time.parts_of(&variables, id, &other, &mut parts));
-    parts.retain(|&part| time.graph.depends_on(part, &[x]) && time.is_narrow(&variables, part));
+    parts.retain(|&part| time.graph.depends_on(part, &along) && time.is_narrow(&variables, part));
     let of = format!("load `{}`", load.name);
     let functions: Vec<(String, Id)> = parts.into_iter().map(|part| (of.clone(), part)).collect();
     let mut arguments = vec!["[x, length]: [f64; 2]"];
@@ -172,6 +175,20 @@ fn repeated_roots(time: &mut Time<'_>, repeat: RepeatId) -> Vec<Root> {
 }
 
 impl Time<'_> {
+    /// Symbols of the position of a particle that have been used, and their components.
+    fn places(&self) -> impl Iterator<Item = (Id, usize)> {
+        self.observed
+            .iter()
+            .filter_map(|(observable, symbol)| match observable {
+                Observable::Marker {
+                    marker,
+                    derivative: 0,
+                    component,
+                } if ParticleVector::of(*marker) == Some(ParticleVector::Position) => Some((*symbol, *component)),
+                _ => None,
+            })
+    }
+
     /// Symbols of what is unknown before a run.
     fn what_moves(&self) -> Vec<Id> {
         let mut symbols: Vec<Id> = self.observed.iter().map(|&(_, symbol)| symbol).collect();
@@ -220,9 +237,10 @@ impl Time<'_> {
                 Node::Select(_, [left, right, ..]) => {
                     let gap = self.graph.subtract(left, right);
                     let slope = self.graph.partial(gap, self.t);
-                    // Steps end at times, elements do not at places.
+                    // Steps end at times, and neither elements nor steps at places.
+                    let places = variables.iter().filter(|&&id| id != self.t);
                     self.graph.depends_on(slope, variables)
-                        || variables.contains(&self.x) && self.graph.depends_on(gap, &[self.x])
+                        || self.graph.depends_on(gap, &places.copied().collect::<Vec<Id>>())
                 }
                 _ => false,
             };
@@ -242,6 +260,7 @@ impl Time<'_> {
         functions: Vec<(String, Id)>,
     ) -> CourseKernel {
         let (x, graph) = (self.x, &self.graph);
+        let places_of: std::collections::HashMap<Id, usize> = self.places().collect();
         let roots: Vec<Id> = functions.iter().map(|&(_, id)| id).collect();
         let nodes = graph.reachable(&roots);
         let changes = |id: Id| graph.depends_on(id, variables);
@@ -265,6 +284,9 @@ impl Time<'_> {
             let at = |id: Id| places[&id];
             let operation = match graph.node(id) {
                 Node::Number(_) | Node::Symbol(_) if id == x => "Place".to_string(),
+                Node::Number(_) | Node::Symbol(_) if places_of.contains_key(&id) => {
+                    format!("Position({})", places_of[&id])
+                }
                 Node::Number(_) | Node::Symbol(_) => "Time".to_string(),
                 Node::Add(a, b) => format!("Add({}, {})", at(a), at(b)),
                 Node::Subtract(a, b) => format!("Subtract({}, {})", at(a), at(b)),
