@@ -1207,6 +1207,12 @@ pub mod andrews_squeezer_equations {
             velocity: &[::rncf::emitted::Vector],
             out: &mut [f64],
         ) {}
+        fn force_course(
+            &self,
+            force: usize,
+        ) -> ::std::option::Option<::rncf::emitted::Courses> {
+            ::std::option::Option::None
+        }
         fn marker_energy(
             &self,
             force: usize,

@@ -1709,6 +1709,12 @@ pub mod flyball_governor_equations {
             velocity: &[::rncf::emitted::Vector],
             out: &mut [f64],
         ) {}
+        fn force_course(
+            &self,
+            force: usize,
+        ) -> ::std::option::Option<::rncf::emitted::Courses> {
+            ::std::option::Option::None
+        }
         fn marker_energy(
             &self,
             force: usize,

@@ -419,8 +419,8 @@ pub trait System {
         Vec::new()
     }
 
-    /// How the particles of those courses that read a position move on from a state, in their order.
-    fn paths(&mut self, _state: &State) -> Vec<Path> {
+    /// How the vectors that forces read, by the numbers that courses have of them, go on from a state.
+    fn paths(&mut self, _state: &State, _readers: &[usize]) -> Vec<Vec<Path>> {
         Vec::new()
     }
 

@@ -20,8 +20,8 @@ pub enum Operation {
     Time,
     /// Arclength of an axis, m.
     Place,
-    /// Component of the position of a particle in space, m.
-    Position(usize),
+    /// Which of the vectors that a force reads, and its component in space: m of places.
+    Vector(usize, usize),
     /// What does not change: index into the numbers of a course.
     Number(usize),
     /// Sum.
@@ -88,14 +88,16 @@ pub struct Courses {
     pub functions: &'static [(&'static str, usize)],
     /// Arclength that they are looked at, m; of no account where they do not change along an axis.
     pub place: f64,
-    /// How the particle there moves; `None`: anyhow.
-    pub path: Option<Path>,
+    /// How the vectors that it reads go on; of one without, anyhow.
+    pub paths: Vec<Path>,
+    /// Number of the force in its scene that reads them.
+    pub reader: usize,
 }
 
 impl Courses {
-    /// Whether anything in them depends on where the particle is.
-    pub fn reads_position(&self) -> bool {
-        self.operations.iter().any(|one| matches!(one, Operation::Position(_)))
+    /// Whether anything in them depends on where what they act on is.
+    pub fn reads_vectors(&self) -> bool {
+        self.operations.iter().any(|one| matches!(one, Operation::Vector(..)))
     }
 
     /// Bounds of every operation over a span of time, s, written to `all`.
@@ -116,9 +118,9 @@ impl Courses {
         match operation {
             Operation::Time => span,
             Operation::Place => places,
-            Operation::Position(component) => self
-                .path
-                .as_ref()
+            Operation::Vector(vector, component) => self
+                .paths
+                .get(vector)
                 .map_or(Interval::ALL, |path| path.bounds(component, span)),
             Operation::Number(index) => Interval::point(self.numbers[index]),
             Operation::Add(a, b) => at[a].add(at[b]),
@@ -201,7 +203,8 @@ mod tests {
                 tables: Vec::new(),
                 functions: &[],
                 place: 0.0,
-                path: None,
+                paths: Vec::new(),
+                reader: 0,
             };
             let mut all = Vec::new();
             for (from, width) in [(-4.0, 9.0), (0.3, 1.1), (2.5, 1.0), (-1.7, 0.2), (1.0, 1e-6)] {

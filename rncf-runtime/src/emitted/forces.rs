@@ -87,6 +87,8 @@ pub trait MarkerForces {
     /// For each angle that a force reads by its sine and cosine: both, by how much the force jumps where the angle goes from pi to -pi, and its
     /// size there.
     fn marker_force_branches(&self, force: usize, t: f64, z: &[Vector], velocity: &[Vector], out: &mut [f64]);
+    /// What a force does over its vectors that steps could jump over.
+    fn force_course(&self, force: usize) -> Option<Courses>;
     /// Potential of a conservative force, J.
     fn marker_energy(&self, force: usize, t: f64, z: &[Vector]) -> f64;
 }
@@ -115,6 +117,9 @@ impl<T: WithoutMarkerForces> MarkerForces for T {
         by_velocity.fill(0.0);
     }
     fn marker_force_branches(&self, _force: usize, _t: f64, _z: &[Vector], _velocity: &[Vector], _out: &mut [f64]) {}
+    fn force_course(&self, _force: usize) -> Option<Courses> {
+        None
+    }
     fn marker_energy(&self, _force: usize, _t: f64, _z: &[Vector]) -> f64 {
         0.0
     }

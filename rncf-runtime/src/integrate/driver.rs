@@ -175,6 +175,7 @@ impl Driver {
                     }
                     // A step cut short by a kink or the end says little about the next one.
                     self.wanted = if next >= h && !is_cut { next.max(limited) } else { next };
+                    self.statistics.shortened_steps += u64::from(is_cut);
                     let stop = self.accepted(system, t, h);
                     if let Some(error) = self.half_turn(system, &branches, (t, h)) {
                         return Err(error);
@@ -303,8 +304,8 @@ impl Driver {
         let sight = self
             .sight
             .get_or_insert_with(|| Sight::new(system.courses(), segments.start(), segments.end()));
-        if sight.reads_positions() {
-            sight.follow(system.paths(self.scheme.state()));
+        if !sight.readers().is_empty() {
+            sight.follow(system.paths(self.scheme.state(), sight.readers()));
         }
         // Beyond a kink the step before says nothing.
         let before = if segments.begins_behind(self.previous_time) {

@@ -30,8 +30,9 @@ const SHARP: f64 = 4.0;
 /// Bounds of all courses over the run, and memory.
 pub(super) struct Sight {
     courses: Vec<Courses>,
-    /// Whether where particles come to tells anything.
-    reads_positions: bool,
+    /// Those that read vectors and are bounded wherever these are, by number, and the forces of the scene that read them.
+    reading: Vec<usize>,
+    readers: Vec<usize>,
     /// Those that change over a step by what counts, and their functions, by number.
     lively: Vec<usize>,
     functions: Vec<usize>,
@@ -75,7 +76,8 @@ impl Sight {
         courses.retain(|one| !one.functions.is_empty());
         let mut sight = Self {
             courses,
-            reads_positions: false,
+            reading: Vec::new(),
+            readers: Vec::new(),
             lively: Vec::new(),
             functions: Vec::new(),
             widths: Vec::new(),
@@ -86,10 +88,13 @@ impl Sight {
             all: Vec::new(),
             evaluations: 0,
         };
-        for courses in &sight.courses {
-            if courses.reads_position() {
+        for (number, courses) in sight.courses.iter().enumerate() {
+            if courses.reads_vectors() {
                 let widths = anywhere(courses, Interval::new(start, end), &mut sight.all);
-                sight.reads_positions |= widths.iter().any(|width| width.is_finite());
+                if widths.iter().any(|width| width.is_finite()) {
+                    sight.reading.push(number);
+                    sight.readers.push(courses.reader);
+                }
                 sight.widths.extend(widths);
             } else {
                 sight.widths.extend(taken(courses, start, end, &mut sight.all));
@@ -99,15 +104,16 @@ impl Sight {
         sight
     }
 
-    /// Whether [`Self::follow`] is needed before each step.
-    pub(super) fn reads_positions(&self) -> bool {
-        self.reads_positions
+    /// Forces of the scene whose vectors are to be followed before each step.
+    pub(super) fn readers(&self) -> &[usize] {
+        &self.readers
     }
 
-    /// Takes the ways of particles from the present state on, in the order of the courses that read positions.
-    pub(super) fn follow(&mut self, paths: Vec<Path>) {
-        let reading = self.courses.iter_mut().filter(|courses| courses.reads_position());
-        reading.zip(paths).for_each(|(courses, path)| courses.path = Some(path));
+    /// Takes the ways of the vectors that each of them reads, from the present state on.
+    pub(super) fn follow(&mut self, paths: Vec<Vec<Path>>) {
+        for (&number, paths) in self.reading.iter().zip(paths) {
+            self.courses[number].paths = paths;
+        }
     }
 
     /// The longest step from `t` (s) up to `h` whose ends, with that of the step before, show all that happens in it.
@@ -356,7 +362,8 @@ mod tests {
             tables: Vec::new(),
             functions,
             place: 0.0,
-            path: None,
+            paths: Vec::new(),
+            reader: 0,
         };
         Sight::new(vec![courses], 0.0, 100.0)
     }

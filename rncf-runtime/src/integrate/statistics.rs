@@ -27,6 +27,8 @@ pub struct Statistics {
     pub restarts: u64,
     /// Accepted steps at the step ceiling `max_step` (within 1 %).
     pub steps_at_ceiling: u64,
+    /// Accepted steps that were shortened so as to meet what motions, loads or forces do within a longer one.
+    pub shortened_steps: u64,
     /// Smallest accepted step, s; 0 before the first.
     pub smallest_step: f64,
     /// Largest accepted step, s; 0 before the first.
@@ -59,6 +61,7 @@ impl Keep for Statistics {
             solves,
             restarts,
             steps_at_ceiling,
+            shortened_steps,
             smallest_step,
             largest_step,
             max_constraint_residual,
@@ -78,6 +81,7 @@ impl Keep for Statistics {
             solves,
             restarts,
             steps_at_ceiling,
+            shortened_steps,
         ] {
             count.keep(archive);
         }

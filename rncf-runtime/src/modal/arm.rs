@@ -461,6 +461,9 @@ impl MarkerForces for Arm {
         0.0
     }
     fn marker_force_branches(&self, _force: usize, _t: f64, _z: &[Vector], _velocity: &[Vector], _out: &mut [f64]) {}
+    fn force_course(&self, _force: usize) -> Option<Courses> {
+        None
+    }
 }
 
 impl WithoutDensities for Arm {}

@@ -476,9 +476,9 @@ impl System for ModalScene {
         self.scene.courses()
     }
 
-    fn paths(&mut self, state: &State) -> Vec<Path> {
+    fn paths(&mut self, state: &State, readers: &[usize]) -> Vec<Vec<Path>> {
         self.expand(state);
-        self.scene.paths(&self.full)
+        self.scene.paths(&self.full, readers)
     }
 
     fn too_fast(&mut self, state: &State) -> Option<String> {

@@ -173,13 +173,13 @@ impl System for MeshScene {
 
     fn courses(&self) -> Vec<Courses> {
         let mut courses = self.parts.courses();
-        courses.extend(self.courses_at_points().map(|(_, course)| course));
+        courses.extend(self.courses_of_forces());
         courses
     }
 
-    fn paths(&mut self, state: &State) -> Vec<Path> {
+    fn paths(&mut self, state: &State, readers: &[usize]) -> Vec<Vec<Path>> {
         self.load_state(state);
-        self.paths_of_points(state.t)
+        readers.iter().map(|&index| self.paths_of(index, state.t)).collect()
     }
 
     fn too_fast(&mut self, state: &State) -> Option<String> {

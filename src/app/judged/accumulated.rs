@@ -29,6 +29,8 @@ pub(in crate::app) struct Ended<'r> {
     /// Steps and iterations.
     pub steps: u64,
     pub iterations: u64,
+    /// Whether steps were shortened for what loads do, as they are with other tolerances too.
+    pub is_shortened: bool,
     pub marks: &'r Marks,
     /// Whether it was compared with other steps until its end.
     pub is_compared: bool,
@@ -167,6 +169,7 @@ mod tests {
             options: result.settings.options,
             steps: result.statistics.steps,
             iterations: result.statistics.newton_iterations,
+            is_shortened: false,
             marks: &result.marks,
             is_compared: false,
         };

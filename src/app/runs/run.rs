@@ -118,6 +118,7 @@ fn look_again(
         options: result.settings.options,
         steps: result.statistics.steps,
         iterations: result.statistics.newton_iterations,
+        is_shortened: result.statistics.shortened_steps > 0,
         marks: &result.marks,
         is_compared: false,
     };

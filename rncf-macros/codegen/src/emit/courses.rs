@@ -2,6 +2,8 @@
 
 use super::parts::Parts;
 use crate::lower::courses::CourseKernel;
+use crate::lower::forces::ForceKernels;
+use crate::model::Model;
 
 impl Parts<'_> {
     /// The method that returns them.
@@ -16,6 +18,35 @@ impl Parts<'_> {
             "fn courses(&self) -> ::std::vec::Vec<::rncf::emitted::Courses> {{\nuse ::rncf::emitted::Operation as Of;\nlet model = &self.model;\nlet mut all = ::std::vec::Vec::new();\n{each}all\n}}\n"
         )
     }
+}
+
+/// The method that returns what a force on markers does over its vectors.
+pub(super) fn of_forces(model: &Model, kernels: &[ForceKernels]) -> String {
+    let each = kernels.iter().flat_map(|kernels| {
+        let course = kernels.course.iter();
+        course.flat_map(|course| kernels.of.iter().map(move |&index| (course, index)))
+    });
+    let each = each.map(|(course, index)| {
+        let mut course = course.clone();
+        let of = model.forces[index].in_words();
+        course.functions.iter_mut().for_each(|(name, _)| name.clone_from(&of));
+        let made = made(&course, "0.0", "");
+        format!("{index} => ::std::option::Option::Some({made}),\n")
+    });
+    format!(
+        "fn force_course(&self, force: usize) -> ::std::option::Option<::rncf::emitted::Courses> {{\n{}}}\n",
+        looked_up("force", &each.collect::<String>())
+    )
+}
+
+/// What a method returns that looks a course up, `{index} => {course},` each.
+pub(super) fn looked_up(of: &str, each: &str) -> String {
+    if each.is_empty() {
+        return "::std::option::Option::None\n".to_string();
+    }
+    format!(
+        "use ::rncf::emitted::Operation as Of;\nlet model = &self.model;\nmatch {of} {{\n{each}_ => ::std::option::Option::None,\n}}\n"
+    )
 }
 
 fn one(course: &CourseKernel) -> String {
@@ -47,6 +78,6 @@ pub(super) fn made(course: &CourseKernel, place: &str, arguments: &str) -> Strin
         .collect();
     let functions = functions.join(", ");
     format!(
-        "{{\nlet {mutable}numbers = [0.0; {count}];\n{numbers}::rncf::emitted::Courses {{\noperations: &[{operations}],\nnumbers: numbers.to_vec(),\ntables: ::std::vec![{tables}],\nfunctions: &[{functions}],\nplace: {place},\npath: ::std::option::Option::None,\n}}\n}}"
+        "{{\nlet {mutable}numbers = [0.0; {count}];\n{numbers}::rncf::emitted::Courses {{\noperations: &[{operations}],\nnumbers: numbers.to_vec(),\ntables: ::std::vec![{tables}],\nfunctions: &[{functions}],\nplace: {place},\npaths: ::std::vec::Vec::new(),\nreader: 0,\n}}\n}}"
     )
 }

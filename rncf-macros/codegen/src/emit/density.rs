@@ -5,6 +5,7 @@ use std::fmt::Write;
 use super::equations::Equations;
 use super::kernel::fits_lanes;
 use super::parts::Parts;
+use crate::lower::courses::CourseKernel;
 use crate::lower::density::DensityKernels;
 use crate::lower::{Kernel, camel_case};
 use crate::model::Density;
@@ -27,8 +28,7 @@ impl Equations {
         for distributed in &self.distributed {
             single.push(&distributed.force);
             single.extend(&distributed.tangent);
-            let numbers = distributed.course.as_ref().map(|course| &course.numbers);
-            single.extend(numbers.filter(|(_, count)| *count > 0).map(|(kernel, _)| kernel));
+            single.extend(distributed.course.as_ref().and_then(CourseKernel::kernel));
         }
         single.extend(self.around.iter().flat_map(|(_, kernels)| kernels));
         for field in &self.fields {

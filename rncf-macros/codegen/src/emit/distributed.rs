@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::courses::made;
+use super::courses::{looked_up, made};
 use super::parts::Parts;
 use crate::lower::Kernel;
 use crate::lower::distributed::DistributedKernels;
@@ -68,13 +68,7 @@ impl Parts<'_> {
         let _ = write!(
             text,
             "fn distributed_course(&self, load: usize, at: [f64; 2]) -> ::std::option::Option<::rncf::emitted::Courses> {{\n{kind}{}}}\n",
-            if courses.is_empty() {
-                "::std::option::Option::None\n".to_string()
-            } else {
-                format!(
-                    "use ::rncf::emitted::Operation as Of;\nlet model = &self.model;\nmatch load {{\n{courses}_ => ::std::option::Option::None,\n}}\n"
-                )
-            }
+            looked_up("load", &courses)
         );
         text
     }

@@ -284,6 +284,7 @@ impl Equations {
         for force in &self.forces {
             kernels.push(&force.force);
             kernels.extend([&force.tangent, &force.energy, &force.branches].into_iter().flatten());
+            kernels.extend(force.course.as_ref().and_then(CourseKernel::kernel));
         }
         kernels.extend(self.moments.iter().flat_map(|(_, kernels)| kernels));
         kernels.extend(self.section_moments.iter().flatten());
@@ -293,8 +294,7 @@ impl Equations {
             kernels.push(&self.switches.gaps.0);
         }
         kernels.extend(self.switches.repeated.iter().map(|(_, kernel, _)| kernel));
-        let numbers = self.courses.iter().map(|course| &course.numbers);
-        kernels.extend(numbers.filter(|(_, count)| *count > 0).map(|(kernel, _)| kernel));
+        kernels.extend(self.courses.iter().filter_map(CourseKernel::kernel));
         kernels.extend([&self.outputs.0, &self.run]);
         kernels
     }

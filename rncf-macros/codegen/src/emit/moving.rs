@@ -4,6 +4,7 @@
 
 use std::fmt::Write;
 
+use super::courses;
 use super::expression::inline;
 use super::parts::Parts;
 use crate::lower::Kernel;
@@ -341,6 +342,7 @@ impl Parts<'_> {
             "fn marker_force_branches(&self, force: usize, t: f64, z: {VECTORS}, velocity: {VECTORS}, out: &mut [f64]) {{\n{}}}",
             dispatch("force", &angles)
         );
+        text += &courses::of_forces(self.model, kernels);
         let energy = kernels.iter().filter_map(|k| Some((&k.of[..], k.energy.as_ref()?)));
         let energy = arms(energy, "&self.model, t, z, &mut energy");
         let energy = match energy == NOTHING {

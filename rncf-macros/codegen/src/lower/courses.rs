@@ -1,11 +1,11 @@
 //! Courses: what motions and loads do over time alone, where it may be over before a step sees it, as lists of operations that the runtime bounds.
 //! Of prescribed positions it is their second derivative: that of the acceleration. Loads per length have courses over time and along the axis:
-//! they may lie between the points of an element, or pass one within a step.
+//! they may lie between the points of an element, or pass one within a step. What is narrow in space has courses over the vectors that it reads.
 
 use super::kernel::Kernel;
 use super::motions::timed_coefficients;
 use crate::elements::Library;
-use crate::model::{Distributed, FrameId, Function, Model, Observable, ParticleVector, RepeatId};
+use crate::model::{Distributed, Expr, FrameId, Function, Model, Observable, ParticleVector, RepeatId};
 use crate::symbolic::{Id, Node, Time};
 
 /// A sine to a lower power is as wide as its period is long.
@@ -26,6 +26,13 @@ pub struct CourseKernel {
     pub functions: Vec<(String, usize)>,
 }
 
+impl CourseKernel {
+    /// The function of its numbers, where it has any.
+    pub fn kernel(&self) -> Option<&Kernel> {
+        (self.numbers.1 > 0).then_some(&self.numbers.0)
+    }
+}
+
 /// All courses of a model: those of all repetitions first.
 pub fn courses(model: &Model, library: &Library) -> Vec<CourseKernel> {
     let scopes = std::iter::once(None).chain((0..model.repeats.len()).map(|at| Some(RepeatId(at))));
@@ -38,7 +45,7 @@ pub fn course_along(model: &Model, load: &Distributed, name: &str) -> Option<Cou
     let repeat = model.bodies[load.body.0].repeat;
     let components = load.forces.iter().flat_map(|(_, components)| components);
     let values: Vec<Id> = components.map(|component| time.expression(component)).collect();
-    let places: Vec<Id> = time.places().map(|(id, _)| id).collect();
+    let places: Vec<Id> = time.vectors().map(|(id, _)| id).collect();
     let mut other = time.what_moves();
     other.retain(|id| !places.contains(id));
     let along = [&[time.x], &places[..]].concat();
@@ -54,6 +61,25 @@ pub fn course_along(model: &Model, load: &Distributed, name: &str) -> Option<Cou
     arguments.extend(repeat.map(|_| "index: f64"));
     let name = format!("numbers_of_courses_of_{name}");
     (!functions.is_empty()).then(|| time.course_kernel(&variables, repeat, (name, &arguments), functions))
+}
+
+/// What a force does over the vectors of its markers that may be over before a step sees it, `None` where nothing is; `components` count its own markers.
+pub fn course_of_force(model: &Model, components: &[Expr], name: &str) -> Option<CourseKernel> {
+    let mut time = Time::new(model);
+    let values: Vec<Id> = components.iter().map(|component| time.expression(component)).collect();
+    let vectors: Vec<Id> = time.vectors().map(|(id, _)| id).collect();
+    let mut other = time.what_moves();
+    other.retain(|id| !vectors.contains(id));
+    other.extend([time.x, time.index]);
+    let variables = [&[time.t], &vectors[..]].concat();
+    let mut parts = Vec::new();
+    values
+        .iter()
+        .for_each(|&id| time.bounded_parts_of(&variables, id, &other, &mut parts));
+    parts.retain(|&part| time.graph.depends_on(part, &vectors));
+    let functions: Vec<(String, Id)> = parts.into_iter().map(|part| (String::new(), part)).collect();
+    let name = format!("numbers_of_courses_of_{name}");
+    (!functions.is_empty()).then(|| time.course_kernel(&variables, None, (name, &[]), functions))
 }
 
 /// An expression that time may act on, and what it belongs to.
@@ -144,8 +170,7 @@ fn roots(time: &mut Time<'_>, library: &Library) -> Vec<Root> {
     for force in &model.forces {
         let values = force.components.iter().flat_map(|components| time.vector(components));
         let values = values.collect();
-        let kind = if force.is_load { "load" } else { "spring" };
-        root(format!("{kind} `{}`", force.name), false, values);
+        root(force.in_words(), false, values);
     }
     for body in &model.bodies {
         let timed = timed_coefficients(body, library);
@@ -175,18 +200,24 @@ fn repeated_roots(time: &mut Time<'_>, repeat: RepeatId) -> Vec<Root> {
 }
 
 impl Time<'_> {
-    /// Symbols of the position of a particle that have been used, and their components.
-    fn places(&self) -> impl Iterator<Item = (Id, usize)> {
-        self.observed
-            .iter()
-            .filter_map(|(observable, symbol)| match observable {
-                Observable::Marker {
-                    marker,
-                    derivative: 0,
-                    component,
-                } if ParticleVector::of(*marker) == Some(ParticleVector::Position) => Some((*symbol, *component)),
-                _ => None,
-            })
+    /// Symbols of vectors that have been used, with their numbers among those of a force and their components: of a particle its position, which is
+    /// the first of its vectors.
+    fn vectors(&self) -> impl Iterator<Item = (Id, [usize; 2])> {
+        self.observed.iter().filter_map(|(observable, symbol)| {
+            let Observable::Marker {
+                marker,
+                derivative: 0,
+                component,
+            } = observable
+            else {
+                return None;
+            };
+            match ParticleVector::of(*marker) {
+                Some(ParticleVector::Position) => Some((*symbol, [0, *component])),
+                Some(_) => None,
+                None => Some((*symbol, [marker.0, *component])),
+            }
+        })
     }
 
     /// Symbols of what is unknown before a run.
@@ -221,6 +252,46 @@ impl Time<'_> {
                 self.parts_of(variables, child, other, parts);
             }
         }
+    }
+
+    /// The largest parts of a force that variables alone decide and that are as good as over, or have come to an end, somewhere: what only falls with
+    /// a power of the distance is felt from far, and factors like directions change with the turn.
+    fn bounded_parts_of(&self, variables: &[Id], id: Id, other: &[Id], parts: &mut Vec<Id>) {
+        if !self.ends_somewhere(variables, id) {
+            return;
+        }
+        let graph = &self.graph;
+        let is_carried_on = match graph.node(id) {
+            Node::Negate(_) => true,
+            Node::Multiply(a, b) => !(self.ends_somewhere(variables, a) && self.ends_somewhere(variables, b)),
+            Node::Divide(_, b) => !self.ends_somewhere(variables, b),
+            _ => false,
+        };
+        let is_sum = matches!(graph.node(id), Node::Add(..) | Node::Subtract(..));
+        let is_decided = !graph.depends_on(id, other);
+        if is_decided && !is_carried_on && !parts.contains(&id) {
+            parts.push(id);
+        }
+        if is_carried_on || is_sum || !is_decided {
+            for child in graph.children(id) {
+                self.bounded_parts_of(variables, child, other, parts);
+            }
+        }
+    }
+
+    /// Whether anything in a function of variables falls faster than any power, or switches.
+    fn ends_somewhere(&self, variables: &[Id], id: Id) -> bool {
+        use Function::{Abs, Cosh, Exp, Sinh, Tanh};
+        let graph = &self.graph;
+        graph.reachable(&[id]).into_iter().any(|id| {
+            let is_sharp = match graph.node(id) {
+                Node::Call(function, _) => matches!(function, Exp | Tanh | Sinh | Cosh | Abs),
+                Node::Call2(function, ..) => function != Function::Atan2,
+                Node::Lookup(..) | Node::Select(..) => true,
+                _ => false,
+            };
+            is_sharp && graph.depends_on(id, variables)
+        })
     }
 
     /// Whether a function of variables may be over sooner than what else in it shows: not one of polynomials, sines and switches at known times.
@@ -260,7 +331,7 @@ impl Time<'_> {
         functions: Vec<(String, Id)>,
     ) -> CourseKernel {
         let (x, graph) = (self.x, &self.graph);
-        let places_of: std::collections::HashMap<Id, usize> = self.places().collect();
+        let vectors: std::collections::HashMap<Id, [usize; 2]> = self.vectors().collect();
         let roots: Vec<Id> = functions.iter().map(|&(_, id)| id).collect();
         let nodes = graph.reachable(&roots);
         let changes = |id: Id| graph.depends_on(id, variables);
@@ -284,8 +355,9 @@ impl Time<'_> {
             let at = |id: Id| places[&id];
             let operation = match graph.node(id) {
                 Node::Number(_) | Node::Symbol(_) if id == x => "Place".to_string(),
-                Node::Number(_) | Node::Symbol(_) if places_of.contains_key(&id) => {
-                    format!("Position({})", places_of[&id])
+                Node::Number(_) | Node::Symbol(_) if vectors.contains_key(&id) => {
+                    let [vector, component] = vectors[&id];
+                    format!("Vector({vector}, {component})")
                 }
                 Node::Number(_) | Node::Symbol(_) => "Time".to_string(),
                 Node::Add(a, b) => format!("Add({}, {})", at(a), at(b)),

@@ -2,6 +2,7 @@
 //! nothing but their markers share their functions.
 
 use super::branches;
+use super::courses::{CourseKernel, course_of_force};
 use super::kernel::{Kernel, derivatives};
 use super::markers::{Marked, describe, function_name, list, localise};
 use super::peaks;
@@ -21,6 +22,8 @@ pub struct ForceKernels {
     pub energy: Option<Kernel>,
     /// Where angles in it jump, and its kinks and peaks.
     pub branches: Option<Kernel>,
+    /// What it does over its vectors that steps could jump over.
+    pub course: Option<CourseKernel>,
 }
 
 /// The functions of all forces of a model, each once.
@@ -67,6 +70,7 @@ pub fn force_kernels(model: &Model) -> Vec<ForceKernels> {
             tangent: law.tangent(),
             energy: energy.as_ref().map(|energy| law.energy(energy)),
             branches: law.branches(),
+            course: course_of_force(model, components, &law.name),
         });
     }
     kernels

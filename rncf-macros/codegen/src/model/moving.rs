@@ -180,6 +180,13 @@ pub struct Force {
     pub is_load: bool,
 }
 
+impl Force {
+    /// What messages call it.
+    pub fn in_words(&self) -> String {
+        format!("{} `{}`", if self.is_load { "load" } else { "spring" }, self.name)
+    }
+}
+
 /// A rigid fixture at a place of a flexible body (THEORY 5.4).
 #[derive(Clone, Debug)]
 pub struct Fixture {

@@ -2,6 +2,7 @@
 
 use super::model::{Hand, sine};
 use super::{density, sections};
+use crate::course::Courses;
 use crate::emitted::{
     ConstraintSpec, Densities, DensitySpec, ForceSpec, GravityFields, LANES, LoadSpec, Loads, MarkerConstraints,
     MarkerForces, SectionMoments, SlopeMoments,
@@ -164,6 +165,9 @@ impl MarkerForces for Hand {
         self.forces[force].1.energy(z)
     }
     fn marker_force_branches(&self, _force: usize, _t: f64, _z: &[Vector], _velocity: &[Vector], _out: &mut [f64]) {}
+    fn force_course(&self, _force: usize) -> Option<Courses> {
+        None
+    }
 }
 
 impl Densities for Hand {

@@ -1,8 +1,9 @@
-//! What loads per length do over time at the points of elements, and how these points move on.
+//! What forces and loads per length do over time and over the vectors that they read, and how these go on.
 
 use crate::course::{Courses, Operation, Path};
 use crate::emitted::FrameMotion;
 use crate::scene::mesh_scene::MeshScene;
+use crate::scene::pieces::marker::Marker;
 use crate::scene::pieces::push::Law;
 use crate::space::Vector;
 
@@ -10,46 +11,63 @@ use crate::space::Vector;
 const ON_SCREW: f64 = 0.5;
 
 impl MeshScene {
-    /// Courses of the points that time acts on, with the indices of what acts there.
-    pub(in crate::scene) fn courses_at_points(&self) -> impl Iterator<Item = (usize, Courses)> {
-        self.links.forces.iter().enumerate().filter_map(|(index, push)| {
-            let Law::Distributed { load, at, .. } = push.law else {
-                return None;
-            };
-            let course = self.parts.distributed_course(load, at)?;
-            let is_timed = course.operations.contains(&Operation::Time) || course.reads_position();
-            is_timed.then_some((index, course))
+    /// Courses of forces on markers and of points of elements that time or their vectors act on.
+    pub(in crate::scene) fn courses_of_forces(&self) -> impl Iterator<Item = Courses> {
+        self.links.forces.iter().enumerate().filter_map(|(reader, push)| {
+            let course = match push.law {
+                Law::Force(force) => self.parts.force_course(force),
+                Law::Distributed { load, at, .. } => self.parts.distributed_course(load, at),
+                Law::Gravity { .. } => None,
+            }?;
+            let is_timed = course.operations.contains(&Operation::Time) || course.reads_vectors();
+            is_timed.then_some(Courses { reader, ..course })
         })
     }
 
-    /// Ways of the points at the loaded state whose courses read their positions, from a time (s) on.
-    pub(in crate::scene) fn paths_of_points(&self, t: f64) -> Vec<Path> {
-        let reading = self.courses_at_points().filter(|(_, course)| course.reads_position());
-        let paths = reading.map(|(index, _)| {
-            let (z, velocity) = self.force_arguments(index);
-            let frame = self.marker_frame(&self.links.markers[self.links.forces[index].markers[0]]);
-            on_screw(&self.buffers.frames[frame], [z[0], velocity[0]], t)
-        });
-        paths.collect()
+    /// Ways of the vectors that a force reads at the loaded state, from a time (s) on.
+    pub(in crate::scene) fn paths_of(&self, force: usize, t: f64) -> Vec<Path> {
+        let markers = self.links.forces[force].markers.iter();
+        let path = |&index: &usize| {
+            let marker = &self.links.markers[index];
+            let [value, rate, ..] = self.jet_from(marker, None);
+            let frame = &self.buffers.frames[self.marker_frame(marker)];
+            match marker {
+                Marker::Angle { .. } | Marker::Turn { .. } | Marker::SectionTurn { .. } => straight([value, rate], t),
+                _ if marker.is_point() => on_screw(frame, [value, rate], t),
+                _ => {
+                    let turned = FrameMotion {
+                        spin: frame.spin,
+                        rotation: frame.rotation,
+                        ..FrameMotion::INERTIAL
+                    };
+                    on_screw(&turned, [value, rate], t)
+                }
+            }
+        };
+        markers.map(path).collect()
     }
 }
 
-/// The way of a particle with a place (m) and a velocity (m/s) that is carried by a frame.
+/// The way of a vector that changes evenly.
+fn straight([value, rate]: [Vector; 2], t: f64) -> Path {
+    Path {
+        from: t,
+        middle: value.into(),
+        velocity: rate.into(),
+        arm: [0.0; 3],
+        quarter: [0.0; 3],
+        spin: 0.0,
+    }
+}
+
+/// The way of a place (m), or of a direction in a frame without velocity, that has a rate (m/s) and is carried by the frame.
 fn on_screw(frame: &FrameMotion, [place, velocity]: [Vector; 2], t: f64) -> Path {
     let turning = frame.rotation * frame.spin;
     let spin = turning.norm();
     let carried = frame.velocity + turning.cross(&(place - frame.position));
     let drift = velocity - carried;
-    let mut path = Path {
-        from: t,
-        middle: place.into(),
-        velocity: velocity.into(),
-        arm: [0.0; 3],
-        quarter: [0.0; 3],
-        spin,
-    };
     if spin == 0.0 {
-        return path;
+        return straight([place, velocity], t);
     }
     let axis = turning / spin;
     let inward = turning.cross(&frame.velocity);
@@ -61,11 +79,14 @@ fn on_screw(frame: &FrameMotion, [place, velocity]: [Vector; 2], t: f64) -> Path
     };
     let way = place - centre;
     let middle = centre + axis * axis.dot(&way);
-    path.middle = middle.into();
-    path.velocity = (along + drift).into();
-    path.arm = (place - middle).into();
-    path.quarter = axis.cross(&(place - middle)).into();
-    path
+    Path {
+        from: t,
+        middle: middle.into(),
+        velocity: (along + drift).into(),
+        arm: (place - middle).into(),
+        quarter: axis.cross(&(place - middle)).into(),
+        spin,
+    }
 }
 
 #[cfg(test)]
