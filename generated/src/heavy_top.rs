@@ -449,6 +449,7 @@ pub mod heavy_top_equations {
                     rows: &["position x", "position y", "position z"],
                     markers: &[0, 1],
                     coupled: &[],
+                    of_differences: true,
                     first_party: 1,
                     branches: 0,
                     when: ::rncf::emitted::When::Always,

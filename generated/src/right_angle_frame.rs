@@ -3780,6 +3780,7 @@ pub mod right_angle_frame_equations {
                     ],
                     markers: &[0, 4, 7, 9, 1, 5, 8, 10],
                     coupled: &[[1, 5], [2, 6], [3, 7]],
+                    of_differences: true,
                     first_party: 4,
                     branches: 0,
                     when: ::rncf::emitted::When::Always,

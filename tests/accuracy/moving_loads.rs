@@ -248,3 +248,46 @@ fn what_flies_or_turns_past_a_force_feels_it() {
     let told = result.off_by.iter().map(|&(_, part)| part).fold(0.0, f64::max);
     assert!((3e-3..3e-2).contains(&told), "{told}");
 }
+
+rncf::model! {
+    /// Stones and bars that come from far, each through a narrow jet.
+    pub model FromFar {
+        const n = 3;
+        param width = 50 mm;
+        material steel { density = 7850 kg/m^3; young = 210 GPa; poisson = 0.3; }
+        section rod = rectangle(y = 5 cm, z = 5 cm);
+        for i in 0..n {
+            rigid stone[i] { plane xy; mass = 1 kg; inertia = 0.1 kg*m^2; origin = [-50 m, 10 m * i, 0 m]; velocity = [100, 0, 0] m/s; }
+            load jet[i] = force(stone[i], [0, 10 [kN] * exp(-((stone[i].x - i * 5 m) / ((1 + i) * width))^2), 0]);
+            output stone_y[i] = stone[i].y;
+            frame hub[i] = free(origin = [-50 m, 100 m + 10 m * i, 0 m], velocity = [100, 0, 0] m/s);
+            body bar[i] in hub[i] { spatial; line from [0, 0, 0] m to [0, 0, 2] m; mesh 2 * beam(rod, steel); rigid; }
+            joint held[i] = clamp(bar[i].start, hub[i]);
+            load push[i] = force(bar[i].at(1 m), [0, 10 [kN] * exp(-((bar[i].at(1 m).in(inertial).x - i * 5 m) / ((1 + i) * width))^2), 0]);
+            output bar_y[i] = bar[i].at(1 m).in(inertial).y;
+        }
+        run { t_end = 1 s; every = 0.01 s; }
+    }
+}
+
+/// A force that is zero at nearly all places is still none of differences of places, which would be evaluated near where things start.
+#[test]
+fn narrow_forces_stand_where_they_are_written() {
+    let far = FromFar::default();
+    let result = run(&far, &RunSettings::default()).unwrap();
+    let end = result.history.keys.len() - 1;
+    for i in 0..3 {
+        let number = i as f64;
+        let impulse = 10e3 * (1.0 + number) * far.width * PI.sqrt() / 100.0;
+        let since = 0.5 - 0.05 * number;
+        for (column, start, mass) in [(2 * i, 0.0, 1.0), (2 * i + 1, 100.0, 7850.0 * 0.05 * 0.05 * 2.0)] {
+            let way = result.history.column(column).nth(end).unwrap() - start - 10.0 * number;
+            let exact = impulse / mass * since;
+            assert!(
+                (way - exact).abs() < 1e-3 * exact,
+                "{}: {way} for {exact}",
+                result.history.columns[column].name
+            );
+        }
+    }
+}

@@ -117,6 +117,8 @@ pub struct ConstraintSpec {
     pub markers: &'static [usize],
     /// Places in this list of markers that are multiplied in a row: without such pairs it is linear in its markers.
     pub coupled: &'static [[usize; 2]],
+    /// Whether it depends on differences of places alone, besides directions and angles: it stays the same where all places are shifted.
+    pub of_differences: bool,
     /// The first so many markers belong to the first party: reactions act on it.
     pub first_party: usize,
     /// Number of angles in it ([`super::MarkerConstraints::marker_constraint_branches`]).
@@ -134,6 +136,8 @@ pub struct ForceSpec {
     pub markers: &'static [usize],
     /// Whether it has a potential ([`super::MarkerForces::marker_energy`]).
     pub conservative: bool,
+    /// Whether it depends on differences of places (and of their velocities) alone, besides directions and angles: it stays the same where all places are shifted.
+    pub of_differences: bool,
     /// Number of angles and kinks in it ([`super::MarkerForces::marker_force_branches`]).
     pub branches: usize,
 }

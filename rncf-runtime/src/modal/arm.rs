@@ -385,6 +385,7 @@ impl MarkerConstraints for Arm {
             rows: &["distance"],
             markers: &[1, 2],
             coupled: &[[0, 1]],
+            of_differences: true,
             first_party: 1,
             branches: 0,
             when: When::Always,
@@ -435,6 +436,7 @@ impl MarkerForces for Arm {
             name: "spring",
             markers: &[0, 2],
             conservative: false,
+            of_differences: true,
             branches: 0,
         };
         if self.linked { vec![spring] } else { Vec::new() }

@@ -228,6 +228,7 @@ impl Parts<'_> {
         let entries = self.model.constraints.iter().enumerate().map(|(index, constraint)| {
             let kernels = self.equations.constraints.iter().find(|kernels| kernels.of.contains(&index));
             let coupled = kernels.map_or(&[][..], |kernels| &kernels.coupled);
+            let is_of_differences = kernels.is_some_and(|kernels| kernels.of_differences.contains(&index));
             let rows: Vec<&String> = constraint.rows.iter().map(|(what, _)| what).collect();
             let markers: Vec<usize> = constraint.markers.iter().map(|marker| marker.0).collect();
             let when = match constraint.absolute {
@@ -235,7 +236,7 @@ impl Parts<'_> {
                 Some(body) => format!("Absolute({})", self.first_of(body)),
             };
             let entry = format!(
-                "::rncf::emitted::ConstraintSpec {{ name: {:?}, kind: {:?}, rows: &{rows:?}, markers: &{markers:?}, coupled: &{coupled:?}, first_party: {}, branches: {}, when: ::rncf::emitted::When::{when} }}",
+                "::rncf::emitted::ConstraintSpec {{ name: {:?}, kind: {:?}, rows: &{rows:?}, markers: &{markers:?}, coupled: &{coupled:?}, of_differences: {is_of_differences}, first_party: {}, branches: {}, when: ::rncf::emitted::When::{when} }}",
                 constraint.name, constraint.kind, constraint.first_party, branches::count(kernels.and_then(|kernels| kernels.branches.as_ref()))
             );
             (None, entry)
@@ -304,9 +305,10 @@ impl Parts<'_> {
             let kernels = self.equations.forces.iter().find(|kernels| kernels.of.contains(&index));
             let markers: Vec<usize> = force.markers.iter().map(|marker| marker.0).collect();
             let entry = format!(
-                "::rncf::emitted::ForceSpec {{ name: {:?}, markers: &{markers:?}, conservative: {}, branches: {} }}",
+                "::rncf::emitted::ForceSpec {{ name: {:?}, markers: &{markers:?}, conservative: {}, of_differences: {}, branches: {} }}",
                 force.name,
                 force.energy.is_some(),
+                kernels.is_some_and(|kernels| kernels.of_differences.contains(&index)),
                 branches::count(kernels.and_then(|kernels| kernels.branches.as_ref()))
             );
             (None, entry)

@@ -4,6 +4,7 @@
 use std::collections::{BTreeSet, HashMap};
 
 use super::branches;
+use super::differences::is_of_differences;
 use super::joints::LEVELS;
 use super::kernel::{Kernel, derivatives, values};
 use super::markers::{Marked, describe, function_name, localise};
@@ -15,6 +16,8 @@ use crate::symbolic::Id;
 pub struct ConstraintKernels {
     /// Indices of the constraints.
     pub of: Vec<usize>,
+    /// Those of them that depend on differences of places alone.
+    pub of_differences: Vec<usize>,
     /// Rows, and their total time derivatives along z', z'', z'''.
     pub levels: [Kernel; 4],
     /// dC/dz.
@@ -95,7 +98,16 @@ pub fn members(model: &Model, of: &[usize]) -> String {
 impl Rows<'_> {
     fn kernels(&self, of: Vec<usize>) -> ConstraintKernels {
         let (hessian, coupled) = self.hessian();
+        let is_still = |&other: &usize| {
+            let constraint = &self.model.constraints[other];
+            is_of_differences(
+                self.model,
+                &constraint.markers,
+                constraint.rows.iter().map(|(_, row)| row),
+            )
+        };
         ConstraintKernels {
+            of_differences: of.iter().copied().filter(is_still).collect(),
             of,
             levels: std::array::from_fn(|level| self.level(level)),
             gradient: self.gradient(),

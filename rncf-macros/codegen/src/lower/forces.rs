@@ -3,6 +3,7 @@
 
 use super::branches;
 use super::courses::{CourseKernel, course_of_force};
+use super::differences::is_of_differences;
 use super::kernel::{Kernel, derivatives};
 use super::markers::{Marked, describe, function_name, list, localise};
 use super::peaks;
@@ -14,6 +15,8 @@ use crate::symbolic::Id;
 pub struct ForceKernels {
     /// Indices of the forces.
     pub of: Vec<usize>,
+    /// Those of them that depend on differences of places alone.
+    pub of_differences: Vec<usize>,
     /// Forces on the markers.
     pub force: Kernel,
     /// Their derivatives with respect to z and z', where not zero.
@@ -64,7 +67,12 @@ pub fn force_kernels(model: &Model) -> Vec<ForceKernels> {
             title,
             markers: describe(model, &model.forces[index].name, &model.forces[index].markers),
         };
+        let is_still = |&other: &usize| {
+            let force = &model.forces[other];
+            is_of_differences(model, &force.markers, force.components.iter().flatten())
+        };
         kernels.push(ForceKernels {
+            of_differences: of.iter().copied().filter(is_still).collect(),
             of,
             force: law.force(),
             tangent: law.tangent(),

@@ -6,6 +6,7 @@ pub mod choose;
 pub mod constraints;
 pub mod courses;
 pub mod density;
+mod differences;
 pub mod distributed;
 pub mod elastic;
 pub mod field_forces;

@@ -47,6 +47,26 @@ impl Graph {
         self.differentiate(of, &HashMap::from([(with, one)]))
     }
 
+    /// Whether a node does not change at all along rates: its derivative is zero, and so is that of all that functions, conditions and tables in it
+    /// are of, which might jump.
+    pub fn is_still(&mut self, of: Id, rates: &HashMap<Id, Id>) -> bool {
+        let mut done = Done::new(self);
+        for id in self.reachable(&[of]) {
+            let stays = match self.node(id) {
+                Node::Call(_, a) | Node::Lookup(_, a) => self.is_zero(done[&a]),
+                Node::Call2(_, a, b) => self.is_zero(done[&a]) && self.is_zero(done[&b]),
+                Node::Select(_, [left, right, ..]) => done[&left] == done[&right],
+                _ => true,
+            };
+            if !stays {
+                return false;
+            }
+            let derivative = self.node_derivative(id, rates, &done);
+            done.insert(id, derivative);
+        }
+        self.is_zero(done[&of])
+    }
+
     fn node_derivative(&mut self, id: Id, rates: &HashMap<Id, Id>, done: &Done) -> Id {
         match self.node(id) {
             // Most nodes do not depend on one symbol.

@@ -10,6 +10,8 @@ pub(crate) struct Push {
     pub markers: Vec<usize>,
     /// Whether it has a potential.
     pub conservative: bool,
+    /// Whether it depends on differences of places alone.
+    pub of_differences: bool,
     /// Number of angles in it.
     pub branches: usize,
     pub law: Law,
@@ -34,6 +36,7 @@ impl From<(usize, ForceSpec)> for Push {
             name: spec.name,
             markers: spec.markers.to_vec(),
             conservative: spec.conservative,
+            of_differences: spec.of_differences,
             branches: spec.branches,
             law: Law::Force(index),
             element: None,

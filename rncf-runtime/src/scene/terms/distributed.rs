@@ -92,6 +92,7 @@ impl MeshScene {
             self.links.forces.push(Push {
                 name,
                 markers: (first..self.links.markers.len()).collect(),
+                of_differences: false,
                 conservative: false,
                 branches: 0,
                 law,

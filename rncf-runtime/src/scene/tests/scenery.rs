@@ -123,6 +123,7 @@ pub fn everything() -> Hand {
             name,
             markers,
             conservative: false,
+            of_differences: false,
             branches: 0,
         };
         (spec, law)
@@ -285,6 +286,7 @@ fn constraints() -> Vec<(ConstraintSpec, Vec<Quadratic>)> {
         rows,
         markers,
         coupled: &EVERY[..PAIRS[markers.len()]],
+        of_differences: false,
         first_party: 1,
         branches: 0,
         when: When::Always,

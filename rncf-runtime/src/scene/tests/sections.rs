@@ -206,6 +206,7 @@ pub fn everything_with_sections() -> Hand {
         rows: &["square", "flush"],
         markers: &[15, 16, 17, 18],
         coupled: &EVERY[..PAIRS[4]],
+        of_differences: false,
         first_party: 1,
         branches: 0,
         when: When::Always,
@@ -224,6 +225,7 @@ pub fn everything_with_sections() -> Hand {
         name: "wind",
         markers: &[17, 16],
         conservative: false,
+        of_differences: false,
         branches: 0,
     };
     hand.forces.push((wind, Law::Along(0.8)));
@@ -231,6 +233,7 @@ pub fn everything_with_sections() -> Hand {
         name,
         markers,
         conservative: false,
+        of_differences: false,
         branches: 0,
     };
     hand.forces.push((turning("spanner", &[19, 18]), Law::Along(0.6)));

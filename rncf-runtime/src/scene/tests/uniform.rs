@@ -143,6 +143,7 @@ fn ball(name: &'static str, markers: &'static [usize]) -> (ConstraintSpec, Vec<Q
         rows: &["position x", "position y", "position z"],
         markers,
         coupled: &[],
+        of_differences: false,
         first_party: 1,
         branches: 0,
         when: When::Always,
@@ -317,6 +318,7 @@ fn what_is_not_invariant_is_refused_by_name() {
             name: "stay",
             markers,
             conservative: true,
+            of_differences: false,
             branches: 0,
         };
         (spec, Law::Spring(40.0, 0.4, 0.0))
@@ -377,6 +379,7 @@ fn an_unbalanced_moment_along_a_neutral_motion_is_told() {
         name: "air",
         markers: &[2],
         conservative: false,
+        of_differences: false,
         branches: 0,
     };
     hand.forces = vec![(spec, Law::Drag(0.3))];
