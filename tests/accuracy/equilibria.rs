@@ -433,3 +433,45 @@ fn truss_snaps_through_at_its_limit_point() {
     assert!((row[0] - exact).abs() < 1e-12, "{row:?} {exact}");
     assert!(critical_factor(scene.as_mut(), 0.0).unwrap().is_none());
 }
+
+rncf::model! {
+    /// A driven blade that a jet pushes up where its tip passes the x axis, and one in a jet all around the axis.
+    model Blown {
+        param width = 5 mm;
+        param around = 0 N;
+        param beside = 1 kN;
+        material steel { density = 7850 kg/m^3; young = 210 GPa; poisson = 0.3; }
+        section rod = rectangle(y = 5 cm, z = 5 cm);
+        frame rotor = rotating(axis = z, angle = 20 [rad/s] * t);
+        body blade in rotor { spatial; line from [0, 0.5, 0] m to [0, 3, 0] m; mesh 6 * beam(rod, steel); }
+        joint root = clamp(blade.start, rotor);
+        load jet = force(blade.end, [0, 0, beside * exp(-(blade.end.in(inertial).y / width)^2)]);
+        load ring = force(blade.end, [0, 0, around * exp(-((norm(blade.end.in(inertial)) - 3 m) / 1 m)^2)]);
+        output up = blade.end.z;
+    }
+}
+
+/// What acts at one angle alone lets nothing be at rest in a turning frame, however narrow it is, and though it couples that frame with no other.
+#[test]
+fn a_jet_beside_the_axis_lets_no_blade_be_in_equilibrium() {
+    for width in [5e-3, 5.0] {
+        let blown = Blown {
+            width,
+            ..Blown::default()
+        };
+        let refused = text(steady(referenced(&blown).as_mut(), 0.0));
+        assert!(
+            refused.contains("force `jet` does not stay the same"),
+            "{width} m: {refused}"
+        );
+    }
+    let ring = Blown {
+        beside: 0.0,
+        around: 10.0,
+        ..Blown::default()
+    };
+    let mut scene = referenced(&ring);
+    let found = steady(scene.as_mut(), 0.0).unwrap();
+    let row = outputs(scene.as_mut(), &Uniform::steady(0.0), found.state().unwrap());
+    assert!(row[0] > 1e-6, "{row:?}");
+}

@@ -1,6 +1,7 @@
 //! Uniform motions, small motions about them, and starts in relative equilibrium.
 
 pub(crate) mod circulation;
+mod narrow;
 pub(crate) mod neutral;
 mod sections;
 pub(crate) mod settle;

@@ -17,6 +17,15 @@ const NEGLIGIBLE: f64 = 1e-9;
 /// Time after which a uniform motion must still be the same, s.
 const A_WHILE: f64 = 1e-3;
 
+/// Frames that turn about one axis.
+pub(super) struct Turning {
+    pub spin: Spin,
+    /// Velocity along the axis, m/s, inertial axes.
+    pub along: Vector,
+    /// For every frame whether it is one of them.
+    pub moved: Vec<bool>,
+}
+
 /// Whether two spins (rad/s) or accelerations (m/s^2) differ by more than round-off; a motion that
 /// sets out smoothly from rest counts as uniform there.
 fn differs(a: Vector, b: Vector) -> bool {
@@ -149,37 +158,22 @@ impl MeshScene {
             .or(variant)
     }
 
-    /// A constraint or force on markers that changes when all that turns is turned on, what stands staying;
+    /// A constraint or force on markers that changes when what turns is turned on, what stands staying;
     /// at the loaded state.
     fn variant(&mut self, spin: &Spin, at: &Uniform) -> Option<String> {
-        let (t, speed) = (at.t, spin.velocity.norm());
-        if speed == 0.0 || !self.is_coupled() {
-            return None;
-        }
-        let turns =
-            |index: usize| self.frames.free_of[index].is_some() || self.buffers.frames[index].spin != Vector::zeros();
-        let moved: Vec<bool> = (0..self.buffers.frames.len()).map(turns).collect();
-        // Of drives the rate must be that of the rotation, of all else nothing may change at any angle.
-        let angles = [0.7, 2.1, 4.4].map(|angle| (angle, 0.0));
-        let rates = [A_WHILE, -0.5 * A_WHILE].map(|later| (speed * later, later));
-        for (angle, later) in angles.into_iter().chain(rates) {
-            let displacement = Displacement {
-                moved: moved.clone(),
-                turn: angle / speed * spin.velocity,
-                point: spin.point,
-                shift: Vector::zeros(),
-                is_own: false,
-                later: Some(later),
-            };
-            if let Some(name) = self.changed_by(t, &displacement) {
-                let motions = self.motions(t);
+        for turning in self.turnings(spin) {
+            if let Some(name) = self.changed_by_turning(&turning, at.t) {
+                let motions = self.motions(at.t);
                 let is_prescribed = at.spin.is_some()
                     || (0..motions.len())
                         .any(|frame| self.frames.free_of[frame].is_none() && motions[frame].spin != Vector::zeros());
                 let from = if is_prescribed {
                     String::new()
                 } else {
-                    format!(" with the {speed:.3} rad/s in which it starts (`--spin \"0 rad/s\"` leaves it at rest)")
+                    format!(
+                        " with the {:.3} rad/s in which it starts (`--spin \"0 rad/s\"` leaves it at rest)",
+                        spin.velocity.norm()
+                    )
                 };
                 return Some(format!(
                     "{name} does not stay the same while the system turns{from}: let it act alike in all directions across the axis, on the axis, or between things that turn"
@@ -187,6 +181,55 @@ impl MeshScene {
             }
         }
         None
+    }
+
+    fn changed_by_turning(&mut self, turning: &Turning, t: f64) -> Option<String> {
+        let speed = turning.spin.velocity.norm();
+        // Of drives the rate must be that of the rotation, of all else nothing may change at any angle.
+        let narrow = self.angles_of_narrow_forces(turning);
+        let angles = [0.7, 2.1, 4.4].into_iter().chain(narrow).map(|angle| (angle, 0.0));
+        let rates = [A_WHILE, -0.5 * A_WHILE].map(|later| (speed * later, later));
+        angles.chain(rates).find_map(|(angle, later)| {
+            let displacement = Displacement {
+                moved: turning.moved.clone(),
+                turn: angle / speed * turning.spin.velocity,
+                point: turning.spin.point,
+                shift: angle / speed * turning.along,
+                is_own: false,
+                later: Some(later),
+            };
+            self.changed_by(t, &displacement)
+        })
+    }
+
+    /// What turns at the loaded state: all of it together where things in different frames act on each other, else each prescribed frame for itself.
+    fn turnings(&self, spin: &Spin) -> Vec<Turning> {
+        let frames = &self.buffers.frames;
+        let turns = |index: usize| self.frames.free_of[index].is_some() || frames[index].spin != Vector::zeros();
+        if self.is_coupled() {
+            let moved = (0..frames.len()).map(turns).collect();
+            let together = Turning {
+                spin: *spin,
+                along: Vector::zeros(),
+                moved,
+            };
+            return if spin.velocity == Vector::zeros() {
+                Vec::new()
+            } else {
+                vec![together]
+            };
+        }
+        let alone = |index: usize| {
+            let (velocity, square) = (turning(&frames[index]), frames[index].spin.norm_squared());
+            let carried = frames[index].velocity;
+            let point = frames[index].position + velocity.cross(&carried) / square;
+            Turning {
+                spin: Spin { velocity, point },
+                along: velocity * (velocity.dot(&carried) / square),
+                moved: (0..frames.len()).map(|other| other == index).collect(),
+            }
+        };
+        (0..frames.len()).filter(|&index| turns(index)).map(alone).collect()
     }
 
     /// Whether things in different frames act on each other, or frames move freely: all must turn alike.

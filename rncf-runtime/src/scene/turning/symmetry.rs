@@ -265,6 +265,8 @@ impl MeshScene {
             .map(|(values, rate)| rate * largest(values));
         let stiffness = stiffness.fold(0.0, f64::max);
         let size = largest(&before.values).max(stiffness * length);
+        // Where a force is largest its derivatives are round-off.
+        let stiffness = stiffness.max(largest(&before.values) / length.max(f64::MIN_POSITIVE));
         for place in (0..count).filter(|&place| movable[place]) {
             let at = |values: &[f64]| -> Vector { Vector::from_fn(|i, _| values[3 * place + i]) };
             if differ(

@@ -4,7 +4,7 @@ use crate::course::{Courses, Operation, Path};
 use crate::emitted::FrameMotion;
 use crate::scene::mesh_scene::MeshScene;
 use crate::scene::pieces::marker::Marker;
-use crate::scene::pieces::push::Law;
+use crate::scene::pieces::push::{Law, Push};
 use crate::space::Vector;
 
 /// Part of the acceleration on a screw by which that of a frame's origin may differ: else it flies straight on, or nearly.
@@ -14,14 +14,19 @@ impl MeshScene {
     /// Courses of forces on markers and of points of elements that time or their vectors act on.
     pub(in crate::scene) fn courses_of_forces(&self) -> impl Iterator<Item = Courses> {
         self.links.forces.iter().enumerate().filter_map(|(reader, push)| {
-            let course = match push.law {
-                Law::Force(force) => self.parts.force_course(force),
-                Law::Distributed { load, at, .. } => self.parts.distributed_course(load, at),
-                Law::Gravity { .. } => None,
-            }?;
+            let course = self.course_of(push)?;
             let is_timed = course.operations.contains(&Operation::Time) || course.reads_vectors();
             is_timed.then_some(Courses { reader, ..course })
         })
+    }
+
+    /// What a force does that steps could jump over.
+    pub(in crate::scene) fn course_of(&self, push: &Push) -> Option<Courses> {
+        match push.law {
+            Law::Force(force) => self.parts.force_course(force),
+            Law::Distributed { load, at, .. } => self.parts.distributed_course(load, at),
+            Law::Gravity { .. } => None,
+        }
     }
 
     /// Ways of the vectors that a force reads at the loaded state, from a time (s) on.
