@@ -16,6 +16,7 @@ mod hanging;
 mod heavy_top;
 mod judged_forces;
 mod kinks;
+mod looked_up;
 mod machines;
 mod mechanisms;
 mod modal;

@@ -43,10 +43,10 @@ impl<'a> Check<'a> {
     fn load(&mut self, item: &Item, call: &'a Call) {
         let kind = match call.name.text.as_str() {
             "gravity" => self.gravity(call),
-            "force" => self.point_load(item, call, false),
-            "moment" => self.point_load(item, call, true),
+            "force" => self.with_lookups(|check| check.point_load(item, call, false)),
+            "moment" => self.with_lookups(|check| check.point_load(item, call, true)),
             "follower" => {
-                let _ = self.follower(item, call);
+                let _ = self.with_lookups(|check| check.follower(item, call));
                 None
             }
             "density" => {

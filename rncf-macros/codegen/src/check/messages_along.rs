@@ -4,7 +4,7 @@ use super::along::written;
 
 pub const COLUMN: &str = "a column is a list of values with one unit: `EI = [2, 1.5, 1] N*m^2;`";
 pub const COLUMN_ELSEWHERE: &str = "a column of a table has a value at a place along an axis: it stands in fields of sections and materials, and in `twist`";
-pub const LOOKUP_ELSEWHERE: &str = "a table is looked up where a `distributed` load stands: elsewhere its columns have the value at the place along an axis, `table.column`";
+pub const LOOKUP_ELSEWHERE: &str = "a table is looked up in forces, moments, laws of springs and `distributed` loads: elsewhere its columns have the value at the place along an axis, `table.column`";
 pub const LOOKUP: &str = "a column is looked up at one place: `polar.lift(alpha)`";
 pub const STEP_AT_END: &str = "the first two or last two rows are at one place: a step stands between other rows";
 pub const DAMPING_ALONG: &str = "`damping` is the same along the whole body: leave out `x` and columns of tables";

@@ -184,6 +184,8 @@ struct Check<'a> {
     is_distributed: bool,
     /// Whether what varies along an axis is being checked.
     is_along: bool,
+    /// Whether a force, moment or law of a spring is being checked, in which tables are looked up.
+    looks_up: bool,
     /// Vectors of the particle that a density is checked for.
     particle: HashMap<&'a str, vector::Vectorial>,
     /// The loop or reduction that is being checked.
@@ -241,6 +243,7 @@ impl<'a> Check<'a> {
             lost_fields: Vec::new(),
             is_distributed: false,
             is_along: false,
+            looks_up: false,
             particle: HashMap::new(),
             turn: None,
             unknown: HashSet::new(),

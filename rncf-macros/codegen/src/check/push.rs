@@ -10,7 +10,7 @@ use super::{Arguments, Check, Shape, fold, say};
 use crate::joints::algebra::{self, cross, observed};
 use crate::joints::{Builder, unit};
 use crate::model::{Expr as Value, FrameId, INERTIAL, Marker, MarkerId, Space};
-use crate::parse::tree::{Call, Expr, ExprKind, Item};
+use crate::parse::tree::{Call, Expr, ExprKind, Item, Keyword};
 
 const FOLLOWER: Shape = Shape {
     positional: 2,
@@ -19,19 +19,30 @@ const FOLLOWER: Shape = Shape {
     usage: "follower(beam.end, 3 N)",
 };
 
-/// Whether something of the motion stands in an expression.
-pub fn observes(expr: &Expr) -> bool {
-    match &expr.kind {
-        ExprKind::Member { .. } => true,
-        ExprKind::Indexed { .. } | ExprKind::Numbered { .. } | ExprKind::Applied { .. } | ExprKind::Remainder(..) => {
-            false
-        }
-        ExprKind::Reduced(reduced) => observes(&reduced.value),
-        _ => expr.parts().into_iter().any(observes),
-    }
-}
-
 impl<'a> Check<'a> {
+    /// Whether something of the motion stands in an expression.
+    fn observes(&self, expr: &Expr) -> bool {
+        match &expr.kind {
+            // Of a table only the place where it is looked up may be of the motion.
+            ExprKind::Member { base, arguments, .. } => match (&base.kind, arguments) {
+                (ExprKind::Name(name), Some(arguments)) if self.is_table(&name.text) => {
+                    arguments.iter().any(|argument| self.observes(&argument.value))
+                }
+                _ => true,
+            },
+            ExprKind::Indexed { .. }
+            | ExprKind::Numbered { .. }
+            | ExprKind::Applied { .. }
+            | ExprKind::Remainder(..) => false,
+            ExprKind::Reduced(reduced) => self.observes(&reduced.value),
+            _ => expr.parts().into_iter().any(|part| self.observes(part)),
+        }
+    }
+
+    fn is_table(&self, name: &str) -> bool {
+        self.names.get(name).is_some_and(|item| item.keyword == Keyword::Table)
+    }
+
     /// Whether a load is a force on markers: on or in something free, or a function of the motion.
     pub(super) fn is_on_markers(&self, arguments: &Arguments<'a>) -> bool {
         let place = arguments.positional[0];
@@ -45,7 +56,7 @@ impl<'a> Check<'a> {
             _ => None,
         };
         let is_free = |frame: Option<FrameId>| frame.is_some_and(|frame| self.is_free(frame));
-        is_body && (is_free(carrier) || is_free(axes) || observes(arguments.positional[1]))
+        is_body && (is_free(carrier) || is_free(axes) || self.observes(arguments.positional[1]))
     }
 
     /// `force(PLACE, [..], in = F)` or `moment(..)` on markers.
@@ -57,7 +68,7 @@ impl<'a> Check<'a> {
             Some(frame) => Some(self.frame_argument(frame)?),
             None => None,
         };
-        let (values, own) = if observes(expr) {
+        let (values, own) = if self.observes(expr) {
             let vector = self.observed_vector(expr, wanted)?;
             let components = Vector {
                 values: vector.values.clone(),

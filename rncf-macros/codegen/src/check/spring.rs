@@ -160,16 +160,16 @@ impl<'a> Check<'a> {
         let line = self.line_between(arguments.positional[0], arguments.positional[1])?;
         let length = Typed::new(line.length.clone(), Dimension::of(LENGTH.dimension));
         let rate = Typed::new(line.rate.clone(), Dimension::of([1, 0, -1, 0, 0, 0]));
-        let force = self.with_locals([("length", length), ("rate", rate)], |check| {
+        let force = self.in_law([("length", length), ("rate", rate)], |check| {
             check.quantity(arguments.named["force"], Scope::Force, FORCE)
         })?;
         Some((pull(&line, force), None))
     }
 
-    /// Resolves an expression in which some names have values of their own.
-    fn with_locals<T>(&mut self, locals: [(&'static str, Typed); 2], resolve: impl FnOnce(&mut Self) -> T) -> T {
+    /// Resolves a law in which some names have values of their own.
+    fn in_law<T>(&mut self, locals: [(&'static str, Typed); 2], resolve: impl FnOnce(&mut Self) -> T) -> T {
         self.locals.extend(locals);
-        let result = resolve(self);
+        let result = self.with_lookups(resolve);
         self.locals.clear();
         result
     }
@@ -253,7 +253,7 @@ impl<'a> Check<'a> {
             ("angle", typed(angle.value(), [0; 6])),
             ("rate", typed(angle.rate(), [0, 0, -1, 0, 0, 0])),
         ];
-        let moment = self.with_locals(locals, |check| {
+        let moment = self.in_law(locals, |check| {
             check.quantity(arguments.named["moment"], Scope::Force, MOMENT)
         })?;
         Some((angle.forces(&moment), None))

@@ -394,7 +394,7 @@ impl<'a> Check<'a> {
         arguments: &'a [Argument],
         scope: Scope,
     ) -> Option<Typed> {
-        if !self.particle.contains_key(PARTICLE) {
+        if !self.looks_up && !self.particle.contains_key(PARTICLE) {
             self.errors.at(expr.area, say::LOOKUP_ELSEWHERE);
             return None;
         }
@@ -425,6 +425,14 @@ impl<'a> Check<'a> {
             },
             ..typed
         })
+    }
+
+    /// Resolves a force, moment or law of a spring, in which tables are looked up.
+    pub(super) fn with_lookups<T>(&mut self, resolve: impl FnOnce(&mut Self) -> T) -> T {
+        self.looks_up = true;
+        let result = resolve(self);
+        self.looks_up = false;
+        result
     }
 
     /// A column as a value along the axis.

@@ -1,15 +1,17 @@
 //! Where a law reads an angle by its sine and cosine: the angle is known up to whole turns, and jumps from pi to -pi.
 //! A law that is not periodic jumps with it; the runtime looks whether a step passes such a place. Kinks of a law, where `max`, `min` or `abs` of
-//! what moves changes over, and peaks of exponentials are told in the same way; steps end there.
+//! what moves changes over or a linear table has a row, and peaks of exponentials are told in the same way; steps end there.
 
 use super::kernel::Kernel;
 use super::markers::Marked;
-use crate::model::{Binary, Expr, Function};
+use crate::model::{Binary, Expr, Function, Model};
 use crate::symbolic::Id;
 
 /// Numbers that are written for each angle: sine, cosine, jump and size of the law; for each kink what changes its sign there, 0, -1, 0; for each peak
 /// (`peaks.rs`) what changes its sign there, 0, -2, 0.
 const NUMBERS: usize = 4;
+/// Tells the runtime that numbers are of a kink.
+const KINK: f64 = -1.0;
 
 /// What such a function writes.
 pub const TITLE: &str = "writes, for each angle in it, sine and cosine, by how much it jumps half a turn away, and its size; for each kink what changes its sign, and 0, -1, 0; for each peak what is positive before it and negative behind, and 0, -2, 0.";
@@ -60,6 +62,28 @@ fn kinks(components: &[Expr]) -> Vec<Expr> {
     }
     let mut found = Vec::new();
     components.iter().for_each(|component| collect(component, &mut found));
+    found
+}
+
+/// Where what moves is looked up in a linear table, with each row at which the column changes its slope or jumps.
+fn rows(model: &Model, components: &[Expr]) -> Vec<(Expr, f64)> {
+    fn collect(model: &Model, expr: &Expr, found: &mut Vec<(Expr, f64)>) {
+        if let Expr::Lookup { table, column, at } = expr
+            && crate::model::fold::has_state(at)
+        {
+            for place in model.tables[table.0].kinks(*column) {
+                let kink = (at.as_ref().clone(), place);
+                if !found.contains(&kink) {
+                    found.push(kink);
+                }
+            }
+        }
+        expr.parts().into_iter().for_each(|part| collect(model, part, found));
+    }
+    let mut found = Vec::new();
+    components
+        .iter()
+        .for_each(|component| collect(model, component, &mut found));
     found
 }
 
@@ -115,21 +139,23 @@ pub fn outputs(marked: &mut Marked, components: &[Expr]) -> Vec<(String, Id)> {
             outputs.push((format!("out[{}]", NUMBERS * number + place), id));
         }
     }
+    let mut gaps = Vec::new();
     for kink in kinks(components) {
         let Expr::Call(_, arguments) = &kink else { continue };
         let sides: Vec<Id> = arguments.iter().map(|side| marked.time.expression(side)).collect();
-        let graph = &mut marked.time.graph;
-        let gap = match sides[..] {
-            [left, right] => graph.subtract(left, right),
+        gaps.push(match sides[..] {
+            [left, right] => marked.time.graph.subtract(left, right),
             _ => sides[0],
-        };
-        let begin = outputs.len();
-        for (place, id) in [gap, graph.number(0.0), graph.number(-1.0), graph.number(0.0)]
-            .into_iter()
-            .enumerate()
-        {
-            outputs.push((format!("out[{}]", begin + place), id));
-        }
+        });
+    }
+    for (at, row) in rows(marked.time.model, components) {
+        let (at, graph) = (marked.time.expression(&at), &mut marked.time.graph);
+        let row = graph.number(row);
+        gaps.push(graph.subtract(at, row));
+    }
+    let numbers = [0.0, KINK, 0.0].map(|number| marked.time.graph.number(number));
+    for id in gaps.into_iter().flat_map(|gap| [&[gap][..], &numbers].concat()) {
+        outputs.push((format!("out[{}]", outputs.len()), id));
     }
     outputs
 }

@@ -237,7 +237,7 @@ fn timed_roots(time: &mut Time<'_>) -> Vec<Id> {
 }
 
 impl Time<'_> {
-    /// Gaps of the conditions below `roots` that time decides. What depends on the state, too, changes its branch
+    /// Gaps of the conditions and rows of tables below `roots` that time decides. What depends on the state, too, changes its branch
     /// at times that nobody knows before.
     fn gaps(&mut self, roots: &[Id]) -> Vec<Id> {
         let mut of_state: Vec<Id> = self.observed.iter().map(|&(_, symbol)| symbol).collect();
@@ -245,13 +245,20 @@ impl Time<'_> {
         of_state.push(self.x);
         let mut gaps = Vec::new();
         for id in self.graph.reachable(roots) {
-            let Node::Select(_, [left, right, ..]) = self.graph.node(id) else {
-                continue;
+            let sides = match self.graph.node(id) {
+                Node::Select(_, [left, right, ..]) => vec![[left, right]],
+                Node::Lookup(column, at) => {
+                    let rows = self.graph.table(column).kinks(column.column);
+                    rows.into_iter().map(|row| [at, self.graph.number(row)]).collect()
+                }
+                _ => continue,
             };
-            let gap = self.graph.subtract(left, right);
-            let of_time = self.graph.depends_on(gap, &[self.t]) && !self.graph.depends_on(gap, &of_state);
-            if of_time && !gaps.contains(&gap) {
-                gaps.push(gap);
+            for [left, right] in sides {
+                let gap = self.graph.subtract(left, right);
+                let of_time = self.graph.depends_on(gap, &[self.t]) && !self.graph.depends_on(gap, &of_state);
+                if of_time && !gaps.contains(&gap) {
+                    gaps.push(gap);
+                }
             }
         }
         gaps

@@ -7,6 +7,8 @@ use crate::vocabulary::DAMPINGS;
 
 /// Part of the range of a table by which a place may lie outside, as round-off.
 const ROUND_OFF: f64 = 1e-9;
+/// Rows beyond which kinks of a table are so many, and so small, that they are left to the control of the error.
+const ROWS: usize = 32;
 
 /// Numbers along an axis.
 #[derive(Clone, Debug, PartialEq)]
@@ -89,6 +91,24 @@ impl Table {
     /// Whether its rows stand along an axis; else it is looked up.
     pub fn is_along(&self) -> bool {
         [[1, 0, 0, 0, 0, 0], [0; 6]].contains(&self.dimension)
+    }
+
+    /// Places at which a column that is looked up changes its slope or jumps, if they are known and not many.
+    pub fn kinks(&self, column: usize) -> Vec<f64> {
+        let is_known = !self.is_smooth && !self.is_param && self.places.len() <= ROWS;
+        let mut places: Vec<f64> = self.places.iter().copied().filter(|_| is_known).collect();
+        places.dedup();
+        places.retain(|&place| self.bends_at(column, place));
+        places
+    }
+
+    fn bends_at(&self, column: usize, place: f64) -> bool {
+        let (places, values) = (&self.places, &self.columns[column].values);
+        let slope = |row: usize| (values[row + 1] - values[row]) / (places[row + 1] - places[row]);
+        let first = places.partition_point(|&other| other < place);
+        let behind = places.partition_point(|&other| other <= place);
+        let is_inside = first > 0 && behind < places.len();
+        is_inside && (behind - first > 1 || slope(first - 1) != slope(first))
     }
 
     /// Value of a column at an arclength: what `rncf_runtime::Table::at` returns, which reads the same table when it runs.

@@ -123,7 +123,7 @@ fn what_is_wrong_is_told() {
     let others = [
         (
             "motion turning(t) = 1 rad * polar.lift(1 rad);",
-            "where a `distributed` load stands",
+            "laws of springs and `distributed` loads",
         ),
         (
             "load earth = gravity(-mu * position / norm(position)^2);",

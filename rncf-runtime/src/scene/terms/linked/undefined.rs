@@ -7,9 +7,9 @@ use crate::space::Vector;
 use crate::system::System;
 
 /// What can be wrong, and what can be done, where markers may meet.
-const APART: &str = "a length, direction or divisor in it is zero, or a function in it is outside its range or too large for a number; move its points apart where they meet, or change its parameters";
+const APART: &str = "a length, direction or divisor in it is zero, or a function or table in it is outside its range or too large for a number; move its points apart where they meet, or change its parameters";
 /// The same where they do not.
-const BEYOND: &str = "a divisor in it is zero, or a function in it is outside its range or too large for a number, as `cosh(x)` is beyond x = 710; its points are apart, so change its parameters or formula";
+const BEYOND: &str = "a divisor in it is zero, or a function or table in it is outside its range or too large for a number, as `cosh(x)` is beyond x = 710; its points are apart, so change its rows, parameters or formula";
 
 fn finite(values: &[f64]) -> bool {
     values.iter().all(|value| value.is_finite())
@@ -89,7 +89,7 @@ impl MeshScene {
     fn undefined_load(&self, t: f64) -> Option<String> {
         let load = (0..self.dead_loads.specs.len()).find(|&load| !finite(&self.parts.load(load, t)))?;
         Some(format!(
-            "load `{}` is not finite: check its functions of time and its parameters",
+            "load `{}` is not finite: check its functions of time, the rows of its tables and its parameters",
             self.dead_loads.specs[load].name
         ))
     }

@@ -1,0 +1,83 @@
+//! Tables that forces, moments and laws of springs look up, against closed forms.
+
+use rncf::app::{RunSettings, run};
+use rncf::{Method, Options};
+
+rncf::model! {
+    /// A wheel with play between two stops, one that a measured torque drives, and a stone that passes a cam.
+    pub model LookedUp {
+        table play { at = angle; angle = [-2, -0.1, 0.1, 2] rad; moment = [-190, 0, 0, 190] N*m; interpolation = linear; }
+        table measured { at = time; time = [0, 1, 1.01, 1.02, 3] s; torque = [0, 0, 50, 0, 0] N*m; interpolation = linear; }
+        table cam { at = s; s = [-60, -10.01, -10, -9.99, 20] m; push = [0, 0, 1000, 0, 0] N; interpolation = linear; }
+        param wind: table = file("accuracy/data/gust.csv", at = time);
+        rigid loose { plane xy; mass = 1 kg; inertia = 0.1 kg*m^2; speed = 5 rad/s; }
+        joint axle = revolute(inertial.at([0, 0, 0] m), loose);
+        spring stops = torsional_law(axle, moment = play.moment(angle));
+        rigid driven { plane xy; mass = 1 kg; inertia = 0.1 kg*m^2; origin = [0, 5, 0] m; }
+        load motor = moment(driven, [0, 0, measured.torque(t)]);
+        rigid stone { plane xy; mass = 1 kg; inertia = 0.1 kg*m^2; origin = [-50, 0, 0] m; velocity = [30, 0, 0] m/s; }
+        load follower = force(stone, [0, cam.push(stone.x), 0]);
+        rigid leaf { plane xy; mass = 1 kg; inertia = 0.1 kg*m^2; origin = [0, 8, 0] m; }
+        load gust = force(leaf, [wind.push(t), 0, 0]);
+        output turn = loose.angle;
+        output speed = loose.speed;
+        output driven_speed = driven.speed;
+        output stone_y = stone.y;
+        output leaf_x = leaf.x;
+        run { t_end = 2 s; every = 0.01 s; }
+    }
+}
+
+/// The loose wheel is free for 0.2 rad and swings at its stops with the frequency `sqrt(100 / 0.1)`; the others get the areas of triangles.
+#[test]
+fn tables_are_looked_up_by_what_moves_and_by_time() {
+    for (method, rtol, bound) in [(Method::Radau, 1e-6, 1e-5), (Method::Hht { alpha: -0.05 }, 1e-7, 2e-3)] {
+        let (free, swing) = (0.2 / 5.0, std::f64::consts::PI / 1000_f64.sqrt());
+        let settings = RunSettings {
+            method,
+            options: Options {
+                rtol,
+                ..Options::default()
+            },
+            t_end: Some(10.0 * (free + swing)),
+            every: Some(free + swing),
+            ..RunSettings::default()
+        };
+        let result = run(&LookedUp::default(), &settings).unwrap();
+        let end = result.settings.t_end.unwrap();
+        let exact = [
+            0.0,
+            5.0,
+            5.0,
+            1000.0 * 0.01 / 30.0 * (end - 40.0 / 30.0),
+            2.0 * 0.1 * (end - 0.5),
+        ];
+        for (column, exact) in exact.into_iter().enumerate() {
+            let found = result.history.column(column).last().unwrap();
+            println!(
+                "{method:?} {}: {found} for {exact}",
+                result.history.columns[column].name
+            );
+            assert!(
+                (found - exact).abs() < bound * 5.0,
+                "{method:?} {column}: {found} for {exact}"
+            );
+        }
+    }
+}
+
+/// Beyond its rows a table has no value, and the run ends there with the name of what looks it up.
+#[test]
+fn beyond_its_rows_a_table_has_no_value() {
+    let beyond = RunSettings {
+        t_end: Some(2.5),
+        ..RunSettings::default()
+    };
+    let error = run(&LookedUp::default(), &beyond).unwrap_err().to_string();
+    assert!(error.contains("the force of `follower` is not finite"), "{error}");
+    let beyond = RunSettings {
+        t_end: Some(1.9),
+        ..RunSettings::default()
+    };
+    run(&LookedUp::default(), &beyond).unwrap();
+}
