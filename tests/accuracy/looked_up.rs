@@ -81,3 +81,34 @@ fn beyond_its_rows_a_table_has_no_value() {
     };
     run(&LookedUp::default(), &beyond).unwrap();
 }
+
+/// A sampled signal is followed row by row: between its rows it is a line, which no step of Radau misses.
+#[test]
+fn sampled_signals_are_followed_row_by_row() {
+    let file = std::env::temp_dir().join(format!("rncf-sampled-{}.csv", std::process::id()));
+    let (mut rows, mut state) = (Vec::new(), 12345_u32);
+    for row in 0..=600 {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        rows.push([f64::from(row) * 2e-3, f64::from(state >> 8) / f64::from(1 << 24) - 0.4]);
+    }
+    let text: String = rows.iter().map(|[t, push]| format!("{t},{push}\n")).collect();
+    std::fs::write(&file, format!("time [s],push [N]\n{text}")).unwrap();
+    let mut model = LookedUp::default();
+    model.wind = model.wind.read(&file).unwrap();
+    let settings = RunSettings {
+        t_end: Some(1.2),
+        ..RunSettings::default()
+    };
+    let result = run(&model, &settings).unwrap();
+    std::fs::remove_file(&file).unwrap();
+    let (mut way, mut speed) = (0.0, 0.0);
+    for pair in rows.windows(2) {
+        let ([from, left], [to, right]) = (pair[0], pair[1]);
+        let h = to - from;
+        way += h * speed + h * h * (left / 3.0 + right / 6.0);
+        speed += 0.5 * h * (left + right);
+    }
+    let found = result.history.column(4).last().unwrap();
+    println!("{found} for {way}, {} steps", result.statistics.steps);
+    assert!((found - way).abs() < 1e-7 * way.abs(), "{found} for {way}");
+}

@@ -6,6 +6,8 @@ use crate::error::ModelError;
 
 /// Relative size of what counts as round-off of places along an axis.
 const ROUND_OFF: f64 = 1e-9;
+/// Part of all that a column takes on by which a line through one span misses the next row where it bends: less is left to the control of the error.
+const BENT: f64 = 1e-4;
 
 /// Columns of numbers at places along an axis, ascending; between two equal places the columns step.
 #[derive(Clone, Copy, Debug)]
@@ -47,6 +49,21 @@ impl Table {
             return f64::NAN;
         }
         self.within(column, place)[order.min(1)]
+    }
+
+    /// Places of rows within a column that is looked up at which it jumps, or bends by more than a small part of all that it takes on; none of a smooth one.
+    pub fn kinks(&self, column: usize) -> Vec<f64> {
+        let (places, values) = (self.places, self.columns[column]);
+        let [least, most] = [f64::min, f64::max].map(|pick| values.iter().copied().fold(values[0], pick));
+        let is_kink = |&row: &usize| {
+            let [before, behind] = [places[row] - places[row - 1], places[row + 1] - places[row]];
+            let [left, right] = [values[row] - values[row - 1], values[row + 1] - values[row]];
+            let is_step = before == 0.0 || behind == 0.0;
+            let bend = (right / behind - left / before) * before.min(behind);
+            !self.is_smooth && (is_step || bend.abs() > BENT * (most - least))
+        };
+        let rows = (1..places.len() - 1).filter(is_kink);
+        rows.map(|row| places[row]).collect()
     }
 
     /// Value and slope of a column within the rows.

@@ -337,12 +337,22 @@ impl Parts<'_> {
     fn facts(&self) -> String {
         let names: Vec<&String> = self.model.frames.iter().map(|frame| &frame.name).collect();
         let columns: usize = self.model.outputs.iter().map(|output| output.components.len()).sum();
-        let kinks = match self.equations.switches.kinks.1 {
-            0 => "fn kinks(&self) -> ::std::vec::Vec<f64> { ::std::vec::Vec::new() }\n".to_string(),
-            count => format!(
-                "fn kinks(&self) -> ::std::vec::Vec<f64> {{\nlet mut times = [0.0; {count}];\nkinks(&self.model, &mut times);\ntimes.to_vec()\n}}\n"
-            ),
+        let switches = &self.equations.switches;
+        let times = match switches.kinks.1 {
+            0 => "::std::vec::Vec::new()\n".to_string(),
+            count => format!("let mut times = [0.0; {count}];\nkinks(&self.model, &mut times);\ntimes.to_vec()\n"),
         };
+        let times = match switches.rows.is_empty() {
+            true => times,
+            false => {
+                let rows = switches.rows.iter().map(|row| format!("times.extend({row});\n"));
+                format!(
+                    "let model = &self.model;\nlet _ = model;\nlet mut times: ::std::vec::Vec<f64> = {{ {times} }};\n{}times\n",
+                    rows.collect::<String>()
+                )
+            }
+        };
+        let kinks = format!("fn kinks(&self) -> ::std::vec::Vec<f64> {{\n{times}}}\n");
         format!(
             "fn output_columns(&self) -> usize {{ {columns} }}\n\
              fn frame_count(&self) -> usize {{ {} }}\n\

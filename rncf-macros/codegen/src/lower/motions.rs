@@ -105,6 +105,8 @@ pub struct Switches {
     /// Gaps, left less right side, of the other conditions that time alone decides, each with its time derivative, and
     /// their number.
     pub gaps: (Kernel, usize),
+    /// Times at the rows of linear tables that are looked up at t, as texts of generated code where `model` is at hand.
+    pub rows: Vec<String>,
     /// The same of conditions that differ between the repetitions of a loop.
     pub repeated: Vec<(RepeatId, Kernel, usize)>,
 }
@@ -112,7 +114,7 @@ pub struct Switches {
 impl Switches {
     /// Whether no branch ever changes.
     pub fn is_empty(&self) -> bool {
-        self.kinks.1 == 0 && self.gaps.1 == 0 && self.repeated.is_empty()
+        self.kinks.1 == 0 && self.gaps.1 == 0 && self.rows.is_empty() && self.repeated.is_empty()
     }
 }
 
@@ -129,6 +131,7 @@ pub fn switches(model: &Model, library: &Library) -> Switches {
             .map(|scale| time.expression(scale)),
     );
     let of_time = time.gaps(&roots);
+    let rows = time.rows(&roots);
     let zero = time.graph.zero();
     let start = HashMap::from([(time.t, zero)]);
     let (mut kinks, mut others) = (Vec::new(), Vec::new());
@@ -167,6 +170,7 @@ pub fn switches(model: &Model, library: &Library) -> Switches {
     Switches {
         kinks: (kernel, count),
         gaps,
+        rows,
         repeated: repeated_switches(model),
     }
 }
@@ -247,7 +251,7 @@ impl Time<'_> {
         for id in self.graph.reachable(roots) {
             let sides = match self.graph.node(id) {
                 Node::Select(_, [left, right, ..]) => vec![[left, right]],
-                Node::Lookup(column, at) => {
+                Node::Lookup(column, at) if at != self.t => {
                     let rows = self.graph.table(column).kinks(column.column);
                     rows.into_iter().map(|row| [at, self.graph.number(row)]).collect()
                 }
@@ -262,6 +266,22 @@ impl Time<'_> {
             }
         }
         gaps
+    }
+
+    /// Rows of linear tables that are looked up at t below `roots`.
+    fn rows(&self, roots: &[Id]) -> Vec<String> {
+        let mut rows = Vec::new();
+        for id in self.graph.reachable(roots) {
+            let Node::Lookup(column, at) = self.graph.node(id) else {
+                continue;
+            };
+            let table = self.graph.table(column);
+            let row = format!("{}.kinks({})", table.reference(), column.column);
+            if at == self.t && !table.is_smooth && !rows.contains(&row) {
+                rows.push(row);
+            }
+        }
+        rows
     }
 
     /// Whether a value has cases itself.
