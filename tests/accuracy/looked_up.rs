@@ -1,6 +1,6 @@
 //! Tables that forces, moments and laws of springs look up, against closed forms.
 
-use rncf::app::{RunSettings, run};
+use rncf::app::{Judging, RunSettings, run};
 use rncf::{Method, Options};
 
 rncf::model! {
@@ -111,4 +111,45 @@ fn sampled_signals_are_followed_row_by_row() {
     let found = result.history.column(4).last().unwrap();
     println!("{found} for {way}, {} steps", result.statistics.steps);
     assert!((found - way).abs() < 1e-7 * way.abs(), "{found} for {way}");
+}
+
+rncf::model! {
+    /// A stone on a stiff spring, and one far away under a force with a kink every 10 ms: beside its place the other is hardly to be seen.
+    pub model Jagged {
+        table signal {
+            at = time;
+            time = [0, 10, 20, 30, 40, 50, 60, 70, 80, 90, 100, 110, 120, 130, 140, 150, 160, 170, 180, 190, 200, 300] ms;
+            push = [0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 0] N;
+            interpolation = linear;
+        }
+        rigid far { plane xy; mass = 1 kg; inertia = 0.1 kg*m^2; origin = [500, 0, 0] m; }
+        load on_far = force(far, [0, signal.push(t), 0]);
+        rigid near { plane xy; mass = 1 kg; inertia = 0.1 kg*m^2; origin = [1, 0, 0] m; }
+        spring stiff = linear(near, inertial.at([1, 1, 0] m), stiffness = 90 kN/m, length = 0.999 m);
+        output place = near.y;
+        run { t_end = 0.2 s; every = 2 ms; }
+    }
+}
+
+/// Steps that end at kinks are as long with any tolerance. A comparison with other tolerances tells nothing of them until it is so small that steps are shorter; and a run
+/// that ends at a kink is compared to its end.
+#[test]
+fn errors_of_steps_that_end_at_kinks_are_told() {
+    let exact = 1e-3 * (1.0 - (300.0_f64 * 0.2).cos());
+    for rtol in [1e-3, 1e-4, 1e-6, 1e-8] {
+        let settings = RunSettings {
+            judged: Judging::Affordable,
+            options: Options {
+                rtol,
+                ..Options::default()
+            },
+            ..RunSettings::default()
+        };
+        let result = run(&Jagged::default(), &settings).unwrap();
+        let found = result.history.column(0).last().unwrap();
+        let told = result.off_by.iter().map(|&(_, part)| part).fold(0.0, f64::max);
+        let error = (found - exact).abs() / 2e-3;
+        println!("{rtol}: off by {error:.1e}, told {told:.1e}, {:?}", result.judged_until);
+        assert!(told > error / 3.0, "{rtol}: {error}, told {told}");
+    }
 }

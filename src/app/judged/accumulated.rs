@@ -29,7 +29,7 @@ pub(in crate::app) struct Ended<'r> {
     /// Steps and iterations.
     pub steps: u64,
     pub iterations: u64,
-    /// Whether steps were shortened for what loads do, as they are with other tolerances too.
+    /// Whether steps are as long as motions and loads allow, and so with other tolerances too.
     pub is_shortened: bool,
     pub marks: &'r Marks,
     /// Whether it was compared with other steps until its end.

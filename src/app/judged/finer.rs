@@ -33,6 +33,9 @@ const FAR: f64 = 2.0 * TOLD;
 const LAST: f64 = 2.5;
 /// The work of Radau grows with the inverse of the tolerance to this power, at most.
 const ORDER: f64 = 0.2;
+/// How many smaller tolerances are tried where steps are as long as motions and loads allow, until it takes so many times the iterations.
+const TRIES: usize = 4;
+const OTHER: f64 = 1.3;
 /// No tolerance is smaller: round-off is near.
 const LEAST: f64 = 1e-13;
 /// Most bodies in the sentence.
@@ -374,16 +377,27 @@ pub(in crate::app) fn compare(
             kinds.iter_mut().for_each(|kind| kind.meet_near(near, &beyond));
         }
     }
-    // Where loads shorten steps, they do so at ten times the tolerance alike, which then tells too little.
+    // Where motions and loads shorten steps, they do so at ten times the tolerance alike, which then tells too little.
     let is_blind = is_exact(&run) && run.is_shortened;
-    let smaller = run.options.rtol / TEN;
-    if smaller >= LEAST && (is_blind || kinds.iter().any(|kind| kind.is_far)) {
+    let mut smaller = run.options.rtol / TEN;
+    if is_blind || kinds.iter().any(|kind| kind.is_far) {
         left.set(afforded(LAST, &own));
-        let here = rows(&mut own, smaller, 1.0, run.marks);
-        if here.len() == run.marks.rows.len() {
+        for _ in 0..if is_blind { TRIES } else { 1 } {
+            if smaller < LEAST {
+                break;
+            }
+            let here = rows(&mut own, smaller, 1.0, run.marks);
+            if here.len() < run.marks.rows.len() {
+                break;
+            }
             found_so_far.meet(&here, smaller, false);
             let steps = found_so_far.off(&here, smaller);
             kinds.iter_mut().for_each(|kind| kind.meet_smaller(smaller, &steps));
+            // Until steps are others.
+            if last.get() >= OTHER * run.iterations as f64 * unknowns(&own) {
+                break;
+            }
+            smaller /= TEN;
         }
     }
     found(own.scene, &run, outputs, (judging, finer.is_some()), kinds)

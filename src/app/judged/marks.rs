@@ -336,7 +336,7 @@ pub(in crate::app) fn again(
     loop {
         while let Some(&(t, _)) = marks.rows.get(rows.len()) {
             let reached = integrator.state().t;
-            if t > reached * (1.0 + 1e-13) {
+            if t > reached * (1.0 + ROUND_OFF) {
                 break;
             }
             if t >= reached {
@@ -353,7 +353,8 @@ pub(in crate::app) fn again(
             return (rows, iterations);
         }
         match integrator.step() {
-            Ok(Stop::End) if integrator.state().t < how.t_end => return (rows, iterations),
+            // A run that ends at a kink ends just before it.
+            Ok(Stop::End) if integrator.state().t * (1.0 + ROUND_OFF) < how.t_end => return (rows, iterations),
             Ok(_) => {}
             Err(_) => return (rows, iterations),
         }

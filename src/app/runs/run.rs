@@ -19,6 +19,8 @@ use crate::app::results::incomplete::Incomplete;
 use crate::app::results::run::{Progress, RunResult, RunSettings, times};
 use crate::{AnyModel, Integrator, Method, Scene, Start, State, Statistics, StepSize};
 
+/// A run has a kink for so many steps at least where kinks say how long they are.
+const FEW: u64 = 4;
 /// Most rows of a history in memory, 8 bytes for each of them and each column, and on disk.
 const MOST_ROWS: [f64; 2] = [1e7, 1e9];
 
@@ -100,6 +102,11 @@ pub(in crate::app) fn run_recorded(
     }
 }
 
+/// Whether motions and loads, and not the tolerance, say how long steps are: of pulses any step, of kinks a good part of them.
+fn is_shortened(statistics: &Statistics) -> bool {
+    statistics.shortened_steps > 0 || FEW * statistics.restarts >= statistics.steps.max(1)
+}
+
 /// Goes the way of a complete run from `start` in other ways, and tells what it missed.
 fn look_again(
     model: &dyn AnyModel,
@@ -118,7 +125,7 @@ fn look_again(
         options: result.settings.options,
         steps: result.statistics.steps,
         iterations: result.statistics.newton_iterations,
-        is_shortened: result.statistics.shortened_steps > 0,
+        is_shortened: is_shortened(&result.statistics),
         marks: &result.marks,
         is_compared: false,
     };
