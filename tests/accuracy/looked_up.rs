@@ -122,8 +122,8 @@ rncf::model! {
             push = [0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 0] N;
             interpolation = linear;
         }
-        rigid far { plane xy; mass = 1 kg; inertia = 0.1 kg*m^2; origin = [500, 0, 0] m; }
-        load on_far = force(far, [0, signal.push(t), 0]);
+        rigid _far { plane xy; mass = 1 kg; inertia = 0.1 kg*m^2; origin = [500, 0, 0] m; }
+        load on_far = force(_far, [0, signal.push(t), 0]);
         rigid near { plane xy; mass = 1 kg; inertia = 0.1 kg*m^2; origin = [1, 0, 0] m; }
         spring stiff = linear(near, inertial.at([1, 1, 0] m), stiffness = 90 kN/m, length = 0.999 m);
         output place = near.y;
