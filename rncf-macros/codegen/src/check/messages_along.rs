@@ -103,7 +103,12 @@ pub fn field_and_column(field: &str, column: &str) -> String {
 }
 
 pub fn column_dimension(column: &str, field: &str, unit: &str) -> String {
-    format!("column `{column}` becomes `{field}` and has another dimension than {unit}: look at the unit in its header")
+    let role = if column == field {
+        String::new()
+    } else {
+        format!(" is the field `{field}` and")
+    };
+    format!("column `{column}`{role} has another dimension than {unit}: look at the unit in its header")
 }
 
 pub fn row_out_of_range(row: usize, place: f64, column: &str, value: f64) -> String {
