@@ -56,6 +56,10 @@ pub fn lookup_without_place(table: &str, column: &str) -> String {
     format!("the rows of `{table}` do not stand along an axis: say at which place, `{table}.{column}(..)`")
 }
 
+pub fn lookup_in_law(table: &str, column: &str) -> String {
+    format!("a law, force or moment looks a table up: say at which place, `{table}.{column}(..)`")
+}
+
 pub fn lookup_of(table: &str, wanted: &str, given: &str) -> String {
     format!("the rows of `{table}` are at places that are {wanted}, but this is {given}")
 }

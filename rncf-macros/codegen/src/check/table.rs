@@ -337,7 +337,9 @@ impl<'a> Check<'a> {
         }
         let Some(item) = self.names.get(name.text.as_str()) else {
             let tables = self.known(&[Keyword::Table]);
-            if !self.is_along || tables.is_empty() || !self.is_news(&name.text) {
+            // Elsewhere a body or joint may be meant.
+            let is_table = self.is_along || self.looks_up && suggest::nearest(&name.text, &tables).is_some();
+            if !is_table || tables.is_empty() || !self.is_news(&name.text) {
                 return None;
             }
             self.errors.at(name.span, suggest::unknown("table", &name.text, tables));
@@ -376,6 +378,11 @@ impl<'a> Check<'a> {
         }
         if !table.is_along() {
             let message = say::lookup_without_place(&name.text, &field.text);
+            self.errors.at(expr.area, message);
+            return Some(None);
+        }
+        if self.looks_up {
+            let message = say::lookup_in_law(&name.text, &field.text);
             self.errors.at(expr.area, message);
             return Some(None);
         }

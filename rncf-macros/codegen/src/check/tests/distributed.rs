@@ -126,6 +126,10 @@ fn what_is_wrong_is_told() {
             "laws of springs and `distributed` loads",
         ),
         (
+            "spring s = law(wing.end, inertial.at([9, 9, 9] m), force = poler.lift(1 rad) * 1 N);",
+            "unknown table `poler`: did you mean `polar`?",
+        ),
+        (
             "load earth = gravity(-mu * position / norm(position)^2);",
             "gravity is an acceleration",
         ),
