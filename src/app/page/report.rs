@@ -284,6 +284,7 @@ fn label(key: &str) -> String {
         "of" => "each point computes",
         "rho_inf" => "spectral radius at infinity",
         "rejected_by_newton" => "rejected by Newton",
+        "shortened_steps" => "steps shortened to meet pulses",
         "cpu_seconds" => "processor time",
         "cpu_clock" => "clock of the processor time",
         "wall_seconds" => "wall time",

@@ -337,22 +337,7 @@ impl Parts<'_> {
     fn facts(&self) -> String {
         let names: Vec<&String> = self.model.frames.iter().map(|frame| &frame.name).collect();
         let columns: usize = self.model.outputs.iter().map(|output| output.components.len()).sum();
-        let switches = &self.equations.switches;
-        let times = match switches.kinks.1 {
-            0 => "::std::vec::Vec::new()\n".to_string(),
-            count => format!("let mut times = [0.0; {count}];\nkinks(&self.model, &mut times);\ntimes.to_vec()\n"),
-        };
-        let times = match switches.rows.is_empty() {
-            true => times,
-            false => {
-                let rows = switches.rows.iter().map(|row| format!("times.extend({row});\n"));
-                format!(
-                    "let model = &self.model;\nlet _ = model;\nlet mut times: ::std::vec::Vec<f64> = {{ {times} }};\n{}times\n",
-                    rows.collect::<String>()
-                )
-            }
-        };
-        let kinks = format!("fn kinks(&self) -> ::std::vec::Vec<f64> {{\n{times}}}\n");
+        let kinks = self.kinks();
         format!(
             "fn output_columns(&self) -> usize {{ {columns} }}\n\
              fn frame_count(&self) -> usize {{ {} }}\n\
@@ -363,6 +348,30 @@ impl Parts<'_> {
             self.gaps(),
             self.courses()
         )
+    }
+
+    /// The method that tells times of switches and rows of tables.
+    fn kinks(&self) -> String {
+        let switches = &self.equations.switches;
+        let mut lists = switches.rows.clone();
+        let mut times = String::new();
+        if lists.iter().any(|list| list.starts_with("model.")) {
+            times += "let model = &self.model;\n";
+        }
+        if switches.kinks.1 > 0 {
+            let _ = writeln!(
+                times,
+                "let mut times = [0.0; {}];\nkinks(&self.model, &mut times);",
+                switches.kinks.1
+            );
+            lists.insert(0, "times.to_vec()".to_string());
+        }
+        times += &match &lists[..] {
+            [] => "::std::vec::Vec::new()".to_string(),
+            [list] => list.clone(),
+            _ => format!("[{}].concat()", lists.join(", ")),
+        };
+        format!("fn kinks(&self) -> ::std::vec::Vec<f64> {{\n{times}\n}}\n")
     }
 
     /// The method that adds up conditions whose switches are no times known beforehand.
