@@ -18,18 +18,20 @@ pub fn is_of_differences<'e>(
         .into_iter()
         .map(|component| marked.time.expression(&localise(component, markers)))
         .collect();
-    let mut rates = HashMap::new();
-    for (derivative, symbols) in marked.symbols.iter().enumerate() {
-        for component in 0..3 {
-            let shift = marked.time.graph.symbol(format!("shift[{derivative}][{component}]"));
-            let places = markers
-                .iter()
-                .enumerate()
-                .filter(|(_, marker)| is_place(model, **marker));
-            rates.extend(places.map(|(at, _)| (symbols[3 * at + component], shift)));
-        }
-    }
-    roots.iter().all(|&root| marked.time.graph.is_still(root, &rates))
+    let one = marked.time.graph.one();
+    let places = || {
+        markers
+            .iter()
+            .enumerate()
+            .filter(|(_, marker)| is_place(model, **marker))
+    };
+    let symbols = marked.symbols.clone();
+    symbols.iter().all(|symbols| {
+        (0..3).all(|component| {
+            let rates: HashMap<_, _> = places().map(|(at, _)| (symbols[3 * at + component], one)).collect();
+            roots.iter().all(|&root| marked.time.graph.is_still(root, &rates))
+        })
+    })
 }
 
 fn is_place(model: &Model, marker: MarkerId) -> bool {

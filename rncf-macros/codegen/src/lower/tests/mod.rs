@@ -4,6 +4,7 @@ mod beam;
 mod conserving;
 mod constraints;
 mod density;
+mod differences;
 mod emitted;
 pub mod model;
 mod motions;
