@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use rncf::AnyModel;
 use rncf::app::{EquilibriumSettings, Judging, RunSettings, run, static_equilibria};
 
 rncf::model! {
@@ -151,6 +152,14 @@ fn blown(whisk: &Whisk) -> f64 {
     way
 }
 
+/// Asserts where a run ends, for a jet of a width, m.
+fn ends_at(model: &dyn AnyModel, width: f64, exact: f64) {
+    let result = run(model, &RunSettings::default()).unwrap();
+    let found = result.history.column(0).last().unwrap();
+    println!("{width} m: {found} m for {exact} m, {} steps", result.statistics.steps);
+    assert!((found - exact).abs() < 2e-3 * exact, "{width} m: {found} for {exact}");
+}
+
 /// Steps that do not follow a turn meet what is narrow in space.
 #[test]
 fn a_bar_that_spins_through_a_jet_feels_it_in_every_turn() {
@@ -159,10 +168,7 @@ fn a_bar_that_spins_through_a_jet_feels_it_in_every_turn() {
             width,
             ..Whisk::default()
         };
-        let result = run(&whisk, &RunSettings::default()).unwrap();
-        let (found, exact) = (result.history.column(0).last().unwrap(), blown(&whisk));
-        println!("{width} m: {found} m for {exact} m, {} steps", result.statistics.steps);
-        assert!((found - exact).abs() < 2e-3 * exact, "{width} m: {found} for {exact}");
+        ends_at(&whisk, width, blown(&whisk));
     }
 }
 
@@ -222,10 +228,7 @@ fn forces_that_are_narrow_in_space_are_met() {
             width,
             ..Ends::default()
         };
-        let result = run(&ends, &RunSettings::default()).unwrap();
-        let (found, exact) = (result.history.column(0).last().unwrap(), blown_at_ends(&ends));
-        println!("{width} m: {found} m for {exact} m, {} steps", result.statistics.steps);
-        assert!((found - exact).abs() < 2e-3 * exact, "{width} m: {found} for {exact}");
+        ends_at(&ends, width, blown_at_ends(&ends));
     }
 }
 

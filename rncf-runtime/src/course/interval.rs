@@ -37,6 +37,11 @@ impl Interval {
         Self::new(self.low.min(other.low), self.high.max(other.high))
     }
 
+    /// The same with a margin on both sides.
+    pub fn wider(self, margin: f64) -> Self {
+        Self::new(self.low - margin, self.high + margin)
+    }
+
     /// Largest less least number.
     pub fn width(self) -> f64 {
         self.high - self.low

@@ -216,7 +216,7 @@ mod tests {
                     taken = taken.hull(Interval::point(value));
                 }
                 let round_off = 1e-12 * (1.0 + taken.high.abs().max(taken.low.abs()).min(1e12));
-                let wider = Interval::new(bounds.low - round_off, bounds.high + round_off);
+                let wider = bounds.wider(round_off);
                 assert!(
                     wider.contains(taken),
                     "{operations:?} {from} {width}: {bounds:?} for {taken:?}"

@@ -56,7 +56,7 @@ mod tests {
                 let bounds = path.bounds(component, Interval::new(low, low + width));
                 let values = (0..=1000).map(|number| at(low + width * f64::from(number) / 1000.0, component));
                 let seen = values.map(Interval::point).reduce(Interval::hull).unwrap();
-                let close = Interval::new(bounds.low - 1e-12, bounds.high + 1e-12);
+                let close = bounds.wider(1e-12);
                 assert!(close.contains(seen), "{component}: {bounds:?} {seen:?}");
                 let drift = 2.0 * path.velocity[component].abs() * width + 1e-4;
                 assert!(

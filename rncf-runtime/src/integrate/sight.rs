@@ -177,7 +177,7 @@ impl Sight {
                 ends = ends.hull(self.before[at]);
             }
             self.allowed
-                .push(wider(ends, BEYOND * ends.width() + LEAST * self.widths[number]));
+                .push(ends.wider(BEYOND * ends.width() + LEAST * self.widths[number]));
         }
         let first = self.leaves(Interval::new(from, to), 0);
         let second = (0..PIECES).find_map(|piece| {
@@ -190,7 +190,7 @@ impl Sight {
                 }
                 let ends = shown(piece).hull(shown(piece + 1));
                 self.allowed
-                    .push(wider(ends, BESIDE * all.width() + LEAST * self.widths[number]));
+                    .push(ends.wider(BESIDE * all.width() + LEAST * self.widths[number]));
             }
             self.leaves(Interval::new(time(piece), time(piece + 1)), 0)
         });
@@ -343,10 +343,6 @@ fn taken(courses: &Courses, start: f64, end: f64, all: &mut Vec<Interval>) -> Ve
     (0..shown.len())
         .map(|function| hull(function).map_or(0.0, Interval::width))
         .collect()
-}
-
-fn wider(interval: Interval, margin: f64) -> Interval {
-    Interval::new(interval.low - margin, interval.high + margin)
 }
 
 #[cfg(test)]

@@ -379,25 +379,23 @@ pub(in crate::app) fn compare(
     }
     // Where motions and loads shorten steps, they do so at ten times the tolerance alike, which then tells too little.
     let is_blind = is_exact(&run) && run.is_shortened;
-    let mut smaller = run.options.rtol / TEN;
-    if is_blind || kinds.iter().any(|kind| kind.is_far) {
-        left.set(afforded(LAST, &own));
-        for _ in 0..if is_blind { TRIES } else { 1 } {
-            if smaller < LEAST {
-                break;
-            }
-            let here = rows(&mut own, smaller, 1.0, run.marks);
-            if here.len() < run.marks.rows.len() {
-                break;
-            }
-            found_so_far.meet(&here, smaller, false);
-            let steps = found_so_far.off(&here, smaller);
-            kinds.iter_mut().for_each(|kind| kind.meet_smaller(smaller, &steps));
-            // Until steps are others.
-            if last.get() >= OTHER * run.iterations as f64 * unknowns(&own) {
-                break;
-            }
-            smaller /= TEN;
+    let tries = match is_blind {
+        true => TRIES,
+        false => usize::from(kinds.iter().any(|kind| kind.is_far)),
+    };
+    left.set(afforded(LAST, &own));
+    let smaller = std::iter::successors(Some(run.options.rtol / TEN), |rtol| Some(rtol / TEN));
+    for rtol in smaller.take(tries).take_while(|&rtol| rtol >= LEAST) {
+        let here = rows(&mut own, rtol, 1.0, run.marks);
+        if here.len() < run.marks.rows.len() {
+            break;
+        }
+        found_so_far.meet(&here, rtol, false);
+        let steps = found_so_far.off(&here, rtol);
+        kinds.iter_mut().for_each(|kind| kind.meet_smaller(rtol, &steps));
+        // Until steps are others.
+        if last.get() >= OTHER * run.iterations as f64 * unknowns(&own) {
+            break;
         }
     }
     found(own.scene, &run, outputs, (judging, finer.is_some()), kinds)

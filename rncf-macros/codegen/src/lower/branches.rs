@@ -5,7 +5,7 @@
 use super::kernel::Kernel;
 use super::markers::Marked;
 use crate::model::{Binary, Expr, Function, Model};
-use crate::symbolic::Id;
+use crate::symbolic::{Graph, Id};
 
 /// Numbers that are written for each angle: sine, cosine, jump and size of the law; for each kink what changes its sign there, 0, -1, 0; for each peak
 /// (`peaks.rs`) what changes its sign there, 0, -2, 0.
@@ -153,11 +153,17 @@ pub fn outputs(marked: &mut Marked, components: &[Expr]) -> Vec<(String, Id)> {
         let row = graph.number(row);
         gaps.push(graph.subtract(at, row));
     }
-    let numbers = [0.0, KINK, 0.0].map(|number| marked.time.graph.number(number));
-    for id in gaps.into_iter().flat_map(|gap| [&[gap][..], &numbers].concat()) {
-        outputs.push((format!("out[{}]", outputs.len()), id));
-    }
+    outputs.extend(told(&mut marked.time.graph, KINK, gaps, outputs.len()));
     outputs
+}
+
+/// What is written for each value that changes its sign at a kink or peak, with the number that tells which, from a place on.
+pub(super) fn told(graph: &mut Graph, what: f64, values: Vec<Id>, begin: usize) -> Vec<(String, Id)> {
+    let numbers = [0.0, what, 0.0].map(|number| graph.number(number));
+    let each = values.into_iter().flat_map(|value| [&[value][..], &numbers].concat());
+    each.enumerate()
+        .map(|(place, id)| (format!("out[{}]", begin + place), id))
+        .collect()
 }
 
 /// An expression with a number instead of an angle.

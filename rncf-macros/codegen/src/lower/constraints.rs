@@ -4,7 +4,7 @@
 use std::collections::{BTreeSet, HashMap};
 
 use super::branches;
-use super::differences::is_of_differences;
+use super::differences::of_differences;
 use super::joints::LEVELS;
 use super::kernel::{Kernel, derivatives, values};
 use super::markers::{Marked, describe, function_name, localise};
@@ -98,16 +98,10 @@ pub fn members(model: &Model, of: &[usize]) -> String {
 impl Rows<'_> {
     fn kernels(&self, of: Vec<usize>) -> ConstraintKernels {
         let (hessian, coupled) = self.hessian();
-        let is_still = |&other: &usize| {
-            let constraint = &self.model.constraints[other];
-            is_of_differences(
-                self.model,
-                &constraint.markers,
-                constraint.rows.iter().map(|(_, row)| row),
-            )
-        };
         ConstraintKernels {
-            of_differences: of.iter().copied().filter(is_still).collect(),
+            of_differences: of_differences(self.model, &self.rows, &of, |other| {
+                &self.model.constraints[other].markers
+            }),
             of,
             levels: std::array::from_fn(|level| self.level(level)),
             gradient: self.gradient(),

@@ -53,7 +53,7 @@ pub fn course_along(model: &Model, load: &Distributed, name: &str) -> Option<Cou
     let mut parts = Vec::new();
     values
         .iter()
-        .for_each(|&id| time.parts_of(&variables, id, &other, &mut parts));
+        .for_each(|&id| time.parts_of(&|id| time.graph.depends_on(id, &variables), id, &other, &mut parts));
     parts.retain(|&part| time.graph.depends_on(part, &along) && time.is_narrow(&variables, part));
     let of = format!("load `{}`", load.name);
     let functions: Vec<(String, Id)> = parts.into_iter().map(|part| (of.clone(), part)).collect();
@@ -75,7 +75,7 @@ pub fn course_of_force(model: &Model, components: &[Expr], name: &str) -> Option
     let mut parts = Vec::new();
     values
         .iter()
-        .for_each(|&id| time.bounded_parts_of(&variables, id, &other, &mut parts));
+        .for_each(|&id| time.parts_of(&|id| time.ends_somewhere(&variables, id), id, &other, &mut parts));
     parts.retain(|&part| time.graph.depends_on(part, &vectors));
     let functions: Vec<(String, Id)> = parts.into_iter().map(|part| (String::new(), part)).collect();
     let name = format!("numbers_of_courses_of_{name}");
@@ -107,7 +107,7 @@ fn courses_in(model: &Model, library: &Library, repeat: Option<RepeatId>) -> Opt
         let mut parts = Vec::new();
         root.values
             .iter()
-            .for_each(|&id| time.parts_of(&variables, id, &other, &mut parts));
+            .for_each(|&id| time.parts_of(&|id| time.graph.depends_on(id, &variables), id, &other, &mut parts));
         for part in parts {
             if !time.is_narrow(&variables, part) || (repeat.is_some() && !time.graph.depends_on(part, &[index])) {
                 continue;
@@ -228,18 +228,17 @@ impl Time<'_> {
         symbols
     }
 
-    /// The largest parts of an expression that variables alone decide, each sum and each of its terms, without factors that do not
-    /// change: a pulse may be small beside another term, or the difference of two that are none.
-    fn parts_of(&self, variables: &[Id], id: Id, other: &[Id], parts: &mut Vec<Id>) {
-        let graph = &self.graph;
-        let changes = |id: Id| graph.depends_on(id, variables);
-        if !changes(id) {
+    /// The largest parts of an expression that variables alone decide, and in which something counts, each sum and each of its terms, without factors in
+    /// which nothing does: a pulse may be small beside another term, or the difference of two that are none.
+    fn parts_of(&self, counts: &impl Fn(Id) -> bool, id: Id, other: &[Id], parts: &mut Vec<Id>) {
+        if !counts(id) {
             return;
         }
+        let graph = &self.graph;
         let is_scaled = match graph.node(id) {
             Node::Negate(_) => true,
-            Node::Multiply(a, b) => !(changes(a) && changes(b)),
-            Node::Divide(_, b) => !changes(b),
+            Node::Multiply(a, b) => !(counts(a) && counts(b)),
+            Node::Divide(_, b) => !counts(b),
             _ => false,
         };
         let is_sum = matches!(graph.node(id), Node::Add(..) | Node::Subtract(..));
@@ -249,37 +248,13 @@ impl Time<'_> {
         }
         if is_scaled || is_sum || !is_decided {
             for child in graph.children(id) {
-                self.parts_of(variables, child, other, parts);
+                self.parts_of(counts, child, other, parts);
             }
         }
     }
 
-    /// The largest parts of a force that variables alone decide and that are as good as over, or have come to an end, somewhere: what only falls with
-    /// a power of the distance is felt from far, and factors like directions change with the turn.
-    fn bounded_parts_of(&self, variables: &[Id], id: Id, other: &[Id], parts: &mut Vec<Id>) {
-        if !self.ends_somewhere(variables, id) {
-            return;
-        }
-        let graph = &self.graph;
-        let is_carried_on = match graph.node(id) {
-            Node::Negate(_) => true,
-            Node::Multiply(a, b) => !(self.ends_somewhere(variables, a) && self.ends_somewhere(variables, b)),
-            Node::Divide(_, b) => !self.ends_somewhere(variables, b),
-            _ => false,
-        };
-        let is_sum = matches!(graph.node(id), Node::Add(..) | Node::Subtract(..));
-        let is_decided = !graph.depends_on(id, other);
-        if is_decided && !is_carried_on && !parts.contains(&id) {
-            parts.push(id);
-        }
-        if is_carried_on || is_sum || !is_decided {
-            for child in graph.children(id) {
-                self.bounded_parts_of(variables, child, other, parts);
-            }
-        }
-    }
-
-    /// Whether anything in a function of variables falls faster than any power, or switches.
+    /// Whether anything in a function of variables falls faster than any power, or switches: what only falls with a power of the distance is felt from
+    /// far, and factors like directions change with the turn.
     fn ends_somewhere(&self, variables: &[Id], id: Id) -> bool {
         use Function::{Abs, Cosh, Exp, Sinh, Tanh};
         let graph = &self.graph;

@@ -3,7 +3,7 @@
 
 use super::branches;
 use super::courses::{CourseKernel, course_of_force};
-use super::differences::is_of_differences;
+use super::differences::of_differences;
 use super::kernel::{Kernel, derivatives};
 use super::markers::{Marked, describe, function_name, list, localise};
 use super::peaks;
@@ -67,12 +67,8 @@ pub fn force_kernels(model: &Model) -> Vec<ForceKernels> {
             title,
             markers: describe(model, &model.forces[index].name, &model.forces[index].markers),
         };
-        let is_still = |&other: &usize| {
-            let force = &model.forces[other];
-            is_of_differences(model, &force.markers, force.components.iter().flatten())
-        };
         kernels.push(ForceKernels {
-            of_differences: of.iter().copied().filter(is_still).collect(),
+            of_differences: of_differences(model, components, &of, |other| &model.forces[other].markers),
             of,
             force: law.force(),
             tangent: law.tangent(),

@@ -3,6 +3,7 @@
 
 use std::collections::HashMap;
 
+use super::branches::told;
 use super::markers::Marked;
 use crate::model::Function;
 use crate::symbolic::{Id, Node};
@@ -37,9 +38,5 @@ pub fn outputs(marked: &mut Marked<'_>, components: &[Id], begin: usize) -> Vec<
             found.push(rate);
         }
     }
-    let numbers = [0.0, PEAK, 0.0].map(|number| graph.number(number));
-    let each = found.into_iter().flat_map(|rate| [&[rate][..], &numbers].concat());
-    each.enumerate()
-        .map(|(place, id)| (format!("out[{}]", begin + place), id))
-        .collect()
+    told(graph, PEAK, found, begin)
 }

@@ -95,20 +95,14 @@ impl Table {
 
     /// Places at which a column that is looked up changes its slope or jumps, if they are known and not many.
     pub fn kinks(&self, column: usize) -> Vec<f64> {
-        let is_known = !self.is_smooth && !self.is_param && self.places.len() <= ROWS;
-        let mut places: Vec<f64> = self.places.iter().copied().filter(|_| is_known).collect();
-        places.dedup();
-        places.retain(|&place| self.bends_at(column, place));
-        places
-    }
-
-    fn bends_at(&self, column: usize, place: f64) -> bool {
         let (places, values) = (&self.places, &self.columns[column].values);
+        let is_known = !self.is_smooth && !self.is_param && places.len() <= ROWS;
+        // At a step it is infinite, or no number.
         let slope = |row: usize| (values[row + 1] - values[row]) / (places[row + 1] - places[row]);
-        let first = places.partition_point(|&other| other < place);
-        let behind = places.partition_point(|&other| other <= place);
-        let is_inside = first > 0 && behind < places.len();
-        is_inside && (behind - first > 1 || slope(first - 1) != slope(first))
+        let rows = (1..places.len() - 1).filter(|&row| is_known && slope(row - 1) != slope(row));
+        let mut kinks: Vec<f64> = rows.map(|row| places[row]).collect();
+        kinks.dedup();
+        kinks
     }
 
     /// Value of a column at an arclength: what `rncf_runtime::Table::at` returns, which reads the same table when it runs.

@@ -5,10 +5,10 @@ use std::f64::consts::TAU;
 
 use super::steady::Turning;
 use crate::course::{Courses, Interval, Operation, Path};
+use crate::emitted::FrameMotion;
 use crate::scene::MeshScene;
-use crate::scene::pieces::marker::Marker;
 use crate::scene::pieces::push::Push;
-use crate::space::Vector;
+use crate::scene::terms::linked::courses::way;
 
 /// Part of all that a force takes on anywhere, by which it may change.
 const SAME: f64 = 1e-6;
@@ -21,53 +21,27 @@ impl MeshScene {
     pub(super) fn angles_of_narrow_forces(&self, turning: &Turning) -> Vec<f64> {
         let moved = |&marker: &usize| turning.moved[self.marker_frame(&self.links.markers[marker])];
         let speed = turning.spin.velocity.norm();
+        let motion = FrameMotion {
+            position: turning.spin.point,
+            velocity: turning.along,
+            spin: turning.spin.velocity,
+            ..FrameMotion::INERTIAL
+        };
         let angle = |push: &Push| {
             let course = self.course_of(push)?;
             if course.operations.contains(&Operation::Time) {
                 return None;
             }
-            let ways = push
-                .markers
-                .iter()
-                .map(|&marker| self.way(&self.links.markers[marker], turning));
+            let ways = push.markers.iter().map(|&index| {
+                let marker = &self.links.markers[index];
+                let [value, rate, ..] = self.jet(marker);
+                let frame = if moved(&index) { &motion } else { &FrameMotion::INERTIAL };
+                way(marker, frame, [value, rate], 0.0)
+            });
             Some(speed * changed(course, ways.collect(), TAU / speed)?)
         };
         let forces = self.links.forces.iter().filter(|push| push.markers.iter().any(moved));
         forces.filter_map(angle).collect()
-    }
-
-    /// The way of a marker from the loaded state on.
-    fn way(&self, marker: &Marker, turning: &Turning) -> Path {
-        let [value, rate, ..] = self.jet(marker);
-        let (spin, point) = (turning.spin.velocity, turning.spin.point);
-        let axis = spin / spin.norm();
-        let is_angle = matches!(
-            marker,
-            Marker::Angle { .. } | Marker::Turn { .. } | Marker::SectionTurn { .. }
-        );
-        let is_moved = turning.moved[self.marker_frame(marker)];
-        let from = if marker.is_point() { point } else { Vector::zeros() };
-        let (arm, velocity) = match (is_angle, is_moved) {
-            (true, _) => (Vector::zeros(), rate),
-            (false, false) => (Vector::zeros(), Vector::zeros()),
-            (false, true) => {
-                let way = value - from;
-                let along = if marker.is_point() {
-                    turning.along
-                } else {
-                    Vector::zeros()
-                };
-                (way - axis * axis.dot(&way), along)
-            }
-        };
-        Path {
-            from: 0.0,
-            middle: (value - arm).into(),
-            velocity: velocity.into(),
-            arm: arm.into(),
-            quarter: axis.cross(&arm).into(),
-            spin: spin.norm(),
-        }
     }
 }
 
@@ -85,10 +59,7 @@ fn changed(mut courses: Courses, paths: Vec<Path>, period: f64) -> Option<f64> {
         .zip(widths)
         .filter(|(_, width)| width.is_finite());
     let allowed: Vec<(usize, Interval)> = known
-        .map(|(&(_, at), width)| {
-            let margin = SAME * width;
-            (at, Interval::new(all[at].low - margin, all[at].high + margin))
-        })
+        .map(|(&(_, at), width)| (at, all[at].wider(SAME * width)))
         .collect();
     let mut stays = |span: Interval| {
         courses.bounds(span, &mut all);

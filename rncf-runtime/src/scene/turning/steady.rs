@@ -42,6 +42,13 @@ fn carried(frame: &FrameMotion, point: Vector) -> Vector {
     frame.velocity + turning(frame).cross(&(point - frame.position))
 }
 
+/// The rotation of a frame that turns, about the point of its axis that is next to where the frame is.
+fn spin_of(frame: &FrameMotion) -> Spin {
+    let velocity = turning(frame);
+    let point = frame.position + 1.0 / velocity.dot(&velocity) * velocity.cross(&frame.velocity);
+    Spin { velocity, point }
+}
+
 impl MeshScene {
     /// The rotation of what moves freely, at scale 1; rest where nothing turns.
     ///
@@ -87,8 +94,7 @@ impl MeshScene {
                     "frame `{name}` moves along the axis that it turns about: let it turn only"
                 ));
             }
-            let point = frame.position + 1.0 / square * velocity.cross(&frame.velocity);
-            let spin = Spin { velocity, point };
+            let spin = spin_of(frame);
             let other = *found.get_or_insert(spin);
             any.get_or_insert(spin);
             let expected = other.velocity.cross(&(frame.position - other.point));
@@ -220,12 +226,11 @@ impl MeshScene {
             };
         }
         let alone = |index: usize| {
-            let (velocity, square) = (turning(&frames[index]), frames[index].spin.norm_squared());
-            let carried = frames[index].velocity;
-            let point = frames[index].position + velocity.cross(&carried) / square;
+            let spin = spin_of(&frames[index]);
+            let axis = spin.velocity.normalize();
             Turning {
-                spin: Spin { velocity, point },
-                along: velocity * (velocity.dot(&carried) / square),
+                spin,
+                along: axis * axis.dot(&frames[index].velocity),
                 moved: (0..frames.len()).map(|other| other == index).collect(),
             }
         };

@@ -1,13 +1,10 @@
 //! Loads per length against the printed constants of THEORY 5.1, sums of many points, and complex steps.
 
-use super::{Inputs, Random, assert_tangent, evaluate, fill};
-use crate::check;
+use super::{Inputs, Random, assert_tangent, checked, evaluate, fill};
 use crate::elements::{Interpolant, Library};
-use crate::errors::Errors;
 use crate::lower::Variant;
 use crate::lower::density::{DensityKernels, density_kernels};
 use crate::model::Model;
-use crate::parse;
 use crate::tensors::gauss_rule;
 
 /// A model with one body and one density.
@@ -23,12 +20,7 @@ fn model(space: &str, element: &str, density: &str) -> Model {
             output tip = tether.end;
         }}"
     );
-    let mut errors = Errors::new();
-    let tree = parse::parse(text.parse().unwrap(), &mut errors).unwrap();
-    let model = check::check(&tree, &Library::standard(), &mut errors);
-    let mistakes: Vec<String> = errors.finish().into_iter().map(|mistake| mistake.message).collect();
-    assert_eq!(mistakes, Vec::<String>::new());
-    model.unwrap()
+    checked(&text)
 }
 
 const THRUST: &str = "p * (dot(slope, slope) * [rx, ry, rz] - slope * dot(slope, [rx, ry, rz]))";

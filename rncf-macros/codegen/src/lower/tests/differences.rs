@@ -1,25 +1,12 @@
 //! What depends on differences of places alone.
 
-use crate::check;
-use crate::elements::Library;
-use crate::errors::Errors;
+use super::checked;
 use crate::lower::constraints::constraint_kernels;
 use crate::lower::forces::force_kernels;
-use crate::model::Model;
-use crate::parse;
-
-fn model(text: &str) -> Model {
-    let mut errors = Errors::new();
-    let tree = parse::parse(text.parse().unwrap(), &mut errors).unwrap();
-    let model = check::check(&tree, &Library::standard(), &mut errors);
-    let mistakes: Vec<String> = errors.finish().into_iter().map(|mistake| mistake.message).collect();
-    assert_eq!(mistakes, Vec::<String>::new());
-    model.unwrap()
-}
 
 #[test]
 fn differences_are_told_from_what_is_zero_at_nearly_all_places() {
-    let model = model(
+    let model = checked(
         "model Places {
             table curve { at = way; way = [0, 1, 9] m; push = [0, 1, 2] N; interpolation = linear; }
             rigid a { mass = 1 kg; inertia = [1, 1, 1] kg*m^2; }

@@ -13,8 +13,22 @@ mod repeated;
 use std::collections::HashMap;
 
 use super::Kernel;
-use crate::model::Function;
+use crate::check;
+use crate::elements::Library;
+use crate::errors::Errors;
+use crate::model::{Function, Model};
+use crate::parse;
 use crate::symbolic::{Id, Node, Scalar};
+
+/// A model of a text without mistakes.
+fn checked(text: &str) -> Model {
+    let mut errors = Errors::new();
+    let tree = parse::parse(text.parse().unwrap(), &mut errors).unwrap();
+    let model = check::check(&tree, &Library::standard(), &mut errors);
+    let mistakes: Vec<String> = errors.finish().into_iter().map(|mistake| mistake.message).collect();
+    assert_eq!(mistakes, Vec::<String>::new());
+    model.unwrap()
+}
 
 /// A complex number; with an imaginary part of 1e-200 first order is exact.
 #[derive(Clone, Copy, Debug)]

@@ -35,21 +35,30 @@ impl MeshScene {
         let path = |&index: &usize| {
             let marker = &self.links.markers[index];
             let [value, rate, ..] = self.jet_from(marker, None);
-            let frame = &self.buffers.frames[self.marker_frame(marker)];
-            match marker {
-                Marker::Angle { .. } | Marker::Turn { .. } | Marker::SectionTurn { .. } => straight([value, rate], t),
-                _ if marker.is_point() => on_screw(frame, [value, rate], t),
-                _ => {
-                    let turned = FrameMotion {
-                        spin: frame.spin,
-                        rotation: frame.rotation,
-                        ..FrameMotion::INERTIAL
-                    };
-                    on_screw(&turned, [value, rate], t)
-                }
-            }
+            way(
+                marker,
+                &self.buffers.frames[self.marker_frame(marker)],
+                [value, rate],
+                t,
+            )
         };
         markers.map(path).collect()
+    }
+}
+
+/// The way of a marker that has a value and a rate and is carried by a frame, from a time (s) on.
+pub(in crate::scene) fn way(marker: &Marker, frame: &FrameMotion, vector: [Vector; 2], t: f64) -> Path {
+    match marker {
+        Marker::Angle { .. } | Marker::Turn { .. } | Marker::SectionTurn { .. } => straight(vector, t),
+        _ if marker.is_point() => on_screw(frame, vector, t),
+        _ => {
+            let turned = FrameMotion {
+                spin: frame.spin,
+                rotation: frame.rotation,
+                ..FrameMotion::INERTIAL
+            };
+            on_screw(&turned, vector, t)
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 mod branches;
 pub(crate) mod constraints;
-mod courses;
+pub(in crate::scene) mod courses;
 pub(crate) mod forces;
 mod jets;
 mod noise;
