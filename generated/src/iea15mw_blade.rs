@@ -345,7 +345,7 @@ pub mod iea15mw_blade_equations {
             1.0,
         ],
         is_relative: true,
-        is_smooth: false,
+        between: ::rncf::emitted::Between::Line,
         columns: &[
             &[
                 0.0,
@@ -1609,7 +1609,7 @@ pub mod iea15mw_blade_equations {
             1.0,
         ],
         is_relative: true,
-        is_smooth: false,
+        between: ::rncf::emitted::Between::Line,
         columns: &[
             &[
                 0.0,

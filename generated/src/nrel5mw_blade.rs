@@ -426,7 +426,7 @@ pub mod nrel5mw_blade_equations {
             1.0,
         ],
         is_relative: true,
-        is_smooth: false,
+        between: ::rncf::emitted::Between::Line,
         columns: &[
             &[
                 0.0,
@@ -2678,7 +2678,7 @@ pub mod nrel5mw_blade_equations {
             1.0,
         ],
         is_relative: true,
-        is_smooth: false,
+        between: ::rncf::emitted::Between::Line,
         columns: &[
             &[
                 0.0,

@@ -21,6 +21,7 @@ mod machines;
 mod mechanisms;
 mod modal;
 mod models;
+mod moved_by_tables;
 mod moving_loads;
 mod multibody;
 mod orbit;

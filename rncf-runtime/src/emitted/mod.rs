@@ -65,7 +65,7 @@ pub use relaxed::{StrainEnergy, resisting};
 pub use repeated::{DensitySpec, Reduction, ShareSpec, StartSpec, declared, firsts, instance, reduce, repetitions};
 pub use section_energy::{Section, SectionPoint};
 pub use section_spec::{SectionQuantity, SectionShape, SectionSpec};
-pub use table::Table;
+pub use table::{Between, Table};
 pub use table_file::{FileColumn, TableFile, TableForm};
 
 pub(crate) use body_spec::MAX_SIZE;

@@ -18,10 +18,21 @@ pub struct Table {
     pub places: &'static [f64],
     /// Whether places are fractions of the length.
     pub is_relative: bool,
-    /// Whether values between rows follow a monotone cubic (Fritsch and Carlson), or else a line.
-    pub is_smooth: bool,
+    /// What values between rows follow.
+    pub between: Between,
     /// Columns, SI.
     pub columns: &'static [&'static [f64]],
+}
+
+/// What the values of a table follow between its rows.
+#[derive(Clone, Copy, Debug)]
+pub enum Between {
+    /// A line.
+    Line,
+    /// A monotone cubic (Fritsch and Carlson), whose slope has no steps.
+    Monotone,
+    /// A cubic spline, whose slope and curvature have no steps, with the slope of each column at each row.
+    Spline(&'static [&'static [f64]]),
 }
 
 impl Table {
@@ -40,15 +51,20 @@ impl Table {
         self.within(column, x)[0]
     }
 
-    /// Value of a column (`order` 0) or its derivative (1) at a place in the unit of the places; at a step that beyond it, outside
-    /// of the rows no number.
+    /// Value of a column (`order` 0) or its first, second or third derivative at a place in the unit of the places; at a step that beyond it,
+    /// outside of the rows no number.
     pub fn look_up(&self, column: usize, order: usize, place: f64) -> f64 {
         let (first, last) = (self.places[0], self.places[self.places.len() - 1]);
         let margin = ROUND_OFF * (last - first);
         if !(first - margin..=last + margin).contains(&place) {
             return f64::NAN;
         }
-        self.within(column, place)[order.min(1)]
+        self.within(column, place)[order]
+    }
+
+    /// Whether there are lines between the rows.
+    fn is_of_lines(&self) -> bool {
+        matches!(self.between, Between::Line)
     }
 
     /// Places of rows within a column that is looked up at which it jumps, or bends by more than a small part of all that it takes on; none of a smooth one.
@@ -60,57 +76,86 @@ impl Table {
             let [left, right] = [values[row] - values[row - 1], values[row + 1] - values[row]];
             let is_step = before == 0.0 || behind == 0.0;
             let bend = (right / behind - left / before) * before.min(behind);
-            !self.is_smooth && (is_step || bend.abs() > BENT * (most - least))
+            self.is_of_lines() && (is_step || bend.abs() > BENT * (most - least))
         };
         let rows = (1..places.len() - 1).filter(is_kink);
         rows.map(|row| places[row]).collect()
     }
 
-    /// Value and slope of a column within the rows.
-    fn within(&self, column: usize, x: f64) -> [f64; 2] {
-        let (places, values) = (self.places, self.columns[column]);
+    /// Places of rows at which the second derivative of a column of a spline bends by more than a small part of all that it takes on; none of others.
+    pub fn kinks_of_acceleration(&self, column: usize) -> Vec<f64> {
+        let spans = match self.between {
+            Between::Spline(_) => self.places.len() - 1,
+            Between::Line | Between::Monotone => return Vec::new(),
+        };
+        let at = |span: usize| self.within_span(column, span, 0.0);
+        let last = self.within_span(column, spans - 1, 1.0)[2];
+        let accelerations = (0..spans).map(|span| at(span)[2]).chain([last]);
+        let [least, most] = accelerations.fold([last; 2], |[least, most], one| [least.min(one), most.max(one)]);
+        let is_kink = |&row: &usize| {
+            let width = f64::min(
+                self.places[row] - self.places[row - 1],
+                self.places[row + 1] - self.places[row],
+            );
+            (at(row)[3] - at(row - 1)[3]).abs() * width > BENT * (most - least)
+        };
+        (1..spans).filter(is_kink).map(|row| self.places[row]).collect()
+    }
+
+    /// Value of a column within the rows and its derivatives.
+    fn within(&self, column: usize, x: f64) -> [f64; 4] {
+        let places = self.places;
         let row = places.partition_point(|&place| place <= x).clamp(1, places.len() - 1) - 1;
-        let width = places[row + 1] - places[row];
-        let (share, rise) = ((x - places[row]) / width, values[row + 1] - values[row]);
-        if !self.is_smooth {
-            return [values[row] + share * rise, rise / width];
+        self.within_span(column, row, (x - places[row]) / (places[row + 1] - places[row]))
+    }
+
+    /// Value of a column and its derivatives within the span that begins at a row, at a share of it.
+    fn within_span(&self, column: usize, row: usize, share: f64) -> [f64; 4] {
+        let (places, values) = (self.places, self.columns[column]);
+        let (width, rise) = (places[row + 1] - places[row], values[row + 1] - values[row]);
+        if self.is_of_lines() {
+            return [values[row] + share * rise, rise / width, 0.0, 0.0];
         }
         let [start, end] = [row, row + 1].map(|at| width * self.slope(column, at, row));
         // Hermite's cubic.
         let (bend, tilt) = (share * (1.0 - share), 1.0 - 2.0 * share);
         let bent = (1.0 - share) * (start - rise) - share * (end - rise);
         let slope = rise + tilt * bent - bend * (start + end - 2.0 * rise);
-        [values[row] + share * rise + bend * bent, slope / width]
+        // Second and third derivative with respect to the share.
+        let jerk = 6.0 * (start + end - 2.0 * rise);
+        let curvature = 6.0 * rise - 4.0 * start - 2.0 * end + share * jerk;
+        [
+            values[row] + share * rise + bend * bent,
+            slope / width,
+            curvature / width / width,
+            jerk / width / width / width,
+        ]
     }
 
-    /// Slope within the span that begins at a row, at a share of it.
-    fn slope_within(&self, column: usize, row: usize, share: f64) -> f64 {
-        let (places, values) = (self.places, self.columns[column]);
-        let (width, rise) = (places[row + 1] - places[row], values[row + 1] - values[row]);
-        if !self.is_smooth {
-            return rise / width;
+    /// Shares of a span at which a derivative is extreme, beside its ends: they may lie outside of the span, or be no numbers.
+    fn extremes(&self, column: usize, row: usize, order: usize) -> Vec<f64> {
+        let width = self.places[row + 1] - self.places[row];
+        let [_, slope, curvature, jerk] = self.within_span(column, row, 0.0);
+        // Of the cubic in the share.
+        let (slope, curvature, jerk) = (slope * width, curvature * width.powi(2), jerk * width.powi(3));
+        match (order, self.between) {
+            // Lines and monotone cubics are extreme at their ends.
+            (0, Between::Spline(_)) => {
+                let root = (curvature * curvature - 2.0 * jerk * slope).sqrt();
+                let sum = -(curvature + root.copysign(curvature));
+                vec![sum / jerk, 2.0 * slope / sum]
+            }
+            (1, _) => vec![-curvature / jerk],
+            _ => Vec::new(),
         }
-        let [start, end] = [row, row + 1].map(|at| width * self.slope(column, at, row));
-        let (bend, tilt) = (share * (1.0 - share), 1.0 - 2.0 * share);
-        let bent = (1.0 - share) * (start - rise) - share * (end - rise);
-        (rise + tilt * bent - bend * (start + end - 2.0 * rise)) / width
     }
 
-    /// Share of a span at which its slope is extreme; it may lie outside of the span.
-    fn steepest(&self, column: usize, row: usize) -> f64 {
-        // The slope of a cubic is a parabola: from three of its values.
-        let [start, middle, end] = [0.0, 0.5, 1.0].map(|share| self.slope_within(column, row, share));
-        let bend = start + end - 2.0 * middle;
-        if bend == 0.0 {
-            0.0
-        } else {
-            0.5 + 0.25 * (start - end) / bend
-        }
-    }
-
-    /// Slope of the monotone cubic at a row, seen from the span that begins at row `span`: the harmonic mean of the slopes beside it,
-    /// none where these differ in sign or where there is a step or an end.
+    /// Slope of the cubic at a row, seen from the span that begins at row `span`. Of a monotone one it is the harmonic mean of the slopes beside it,
+    /// and none where these differ in sign or where there is a step or an end.
     fn slope(&self, column: usize, row: usize, span: usize) -> f64 {
+        if let Between::Spline(slopes) = self.between {
+            return slopes[column][row];
+        }
         let (places, values) = (self.places, self.columns[column]);
         let width = |from: usize| places[from + 1] - places[from];
         let rise = |from: usize| (values[from + 1] - values[from]) / width(from);
@@ -217,11 +262,10 @@ impl Lookup for Table {
             return Interval::ALL;
         }
         let (low, high) = (places.low.max(first), places.high.min(last));
-        let mut bounds = [low, high].map(|place| Interval::point(self.within(column, place)[order.min(1)]));
+        let mut bounds = [low, high].map(|place| Interval::point(self.within(column, place)[order]));
         let mut take = |value: f64| bounds[0] = bounds[0].hull(Interval::point(value));
         let inner = rows.partition_point(|&row| row <= low)..rows.partition_point(|&row| row < high);
         if order == 0 {
-            // Lines and monotone cubics are extreme at their ends.
             inner.clone().for_each(|row| take(values[row]));
             // At a step that begins the span both sides count.
             inner
@@ -230,16 +274,16 @@ impl Lookup for Table {
                 .filter(|&row| rows[row] == low)
                 .into_iter()
                 .for_each(|row| take(values[row]));
-        } else {
-            for span in inner.start.saturating_sub(1)..inner.end.min(rows.len() - 1) {
-                let width = rows[span + 1] - rows[span];
-                if width > 0.0 {
-                    let [from, to] = [low, high].map(|place| ((place - rows[span]) / width).clamp(0.0, 1.0));
-                    let slope = |share: f64| self.slope_within(column, span, share);
-                    [from, to, self.steepest(column, span).clamp(from, to)]
-                        .into_iter()
-                        .for_each(|share| take(slope(share)));
-                }
+        }
+        for span in inner.start.saturating_sub(1)..inner.end.min(rows.len() - 1) {
+            let width = rows[span + 1] - rows[span];
+            if width > 0.0 {
+                let [from, to] = [low, high].map(|place| ((place - rows[span]) / width).clamp(0.0, 1.0));
+                let inside = self.extremes(column, span, order).into_iter();
+                let inside = inside.filter(|share| (from..=to).contains(share));
+                let ends = [from, to].into_iter().filter(|_| order > 0);
+                ends.chain(inside)
+                    .for_each(|share| take(self.within_span(column, span, share)[order]));
             }
         }
         bounds[0].hull(bounds[1])
@@ -254,7 +298,7 @@ mod tests {
         name: "mast",
         places: &[0.0, 1.0, 1.0, 3.0],
         is_relative: false,
-        is_smooth: false,
+        between: Between::Line,
         columns: &[&[1.0, 2.0, 5.0, 9.0]],
     };
 
@@ -271,7 +315,7 @@ mod tests {
             name: "rows",
             places: &[0.0, 0.1, 0.4, 0.6, 1.0],
             is_relative: true,
-            is_smooth: true,
+            between: Between::Monotone,
             columns: &[&[0.0, 1.0, 1.0, 3.0, 4.0]],
         };
         let at = |u: f64| ROWS.at(0, 10.0 * u, 10.0);
@@ -290,7 +334,7 @@ mod tests {
             name: "rows",
             places: &[0.0, 1.0, 3.0],
             is_relative: false,
-            is_smooth: true,
+            between: Between::Monotone,
             columns: &[&[0.0, 1.0, 2.0]],
         };
         for place in [1.0, 1.0_f64.next_down()] {
@@ -304,7 +348,7 @@ mod tests {
             name: "polar",
             places: &[-0.3, 0.0, 0.2, 0.7],
             is_relative: false,
-            is_smooth: true,
+            between: Between::Monotone,
             columns: &[&[-1.0, 0.1, 1.2, 0.8]],
         };
         let (at, slope) = (|x: f64| POLAR.look_up(0, 0, x), |x: f64| POLAR.look_up(0, 1, x));

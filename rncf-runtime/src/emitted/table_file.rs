@@ -5,10 +5,11 @@ use std::ops::Deref;
 use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 
-use super::table::Table;
+use super::table::{Between, Table};
 use crate::error::ModelError;
 use crate::hash::hash_bytes;
 use crate::import::rows::{Disorder, Head, Rows, chords, in_order, text};
+use crate::import::spline::slopes;
 use crate::nearest::nearest;
 use crate::units::{Number, Unit};
 
@@ -112,11 +113,18 @@ impl TableFile {
             return Ok(*same);
         }
         let declared = self.form.table;
+        let between = match declared.between {
+            Between::Spline(_) => {
+                let slopes = columns.iter().map(|column| slopes(&places, column));
+                Between::Spline(keep_columns(slopes.collect()))
+            }
+            other => other,
+        };
         let table = Table {
             name: keep(format!("{shown}` for `{}", declared.name)),
             places: Box::leak(places.into_boxed_slice()),
             is_relative: declared.is_relative,
-            is_smooth: declared.is_smooth,
+            between,
             columns: keep_columns(columns),
         };
         let file = Self {
@@ -293,7 +301,14 @@ impl TableForm {
                 "it begins or ends with a step: two rows at one place stand between others".to_string()
             }
         })?;
-        Ok(places)
+        let is_spline = matches!(self.table.between, Between::Spline(_));
+        match (1..places.len()).find(|&row| is_spline && places[row] == places[row - 1]) {
+            Some(row) => Err(format!(
+                "line {}: it is at the place of the one before it, and a spline has no steps: leave it out",
+                rows.line(row)
+            )),
+            None => Ok(places),
+        }
     }
 }
 
@@ -305,7 +320,7 @@ mod tests {
         name: "mast",
         places: &[0.0, 2.0],
         is_relative: false,
-        is_smooth: false,
+        between: Between::Line,
         columns: &[&[0.0, 2.0], &[1.0, 3.0], &[5.0, 5.0]],
     };
 

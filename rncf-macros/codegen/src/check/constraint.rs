@@ -39,7 +39,7 @@ impl<'a> Check<'a> {
     }
 
     fn constraint(&mut self, item: &'a Item, value: &'a Expr) -> Option<()> {
-        let (rows, dimension, axes, frame) = match self.value(value, Scope::Constraint)? {
+        let (rows, dimension, axes, frame) = match self.with_lookups(|check| check.value(value, Scope::Constraint))? {
             Quantity::Scalar(typed) => (vec![(String::from("value"), typed.value)], typed.dimension, None, None),
             Quantity::Vector(vector) => {
                 let name = |axis: usize| super::plane::AXES[axis].to_string();
@@ -55,6 +55,9 @@ impl<'a> Check<'a> {
                 )
             }
         };
+        if !self.is_smooth(value.area, rows.iter().map(|(_, row)| row)) {
+            return None;
+        }
         let mut markers = Vec::new();
         for (_, row) in &rows {
             let mut own = Vec::new();

@@ -39,11 +39,13 @@ impl<'a> Check<'a> {
         let f = arguments.positional[1];
         let (rows, has_moment, normal) = match coordinate? {
             Coordinate::Angle(angle, normal) => {
-                let f = self.angle(f, Scope::Prescribed, "a driven angle")?;
+                let value = self.with_lookups(|check| check.angle(f, Scope::Prescribed, "a driven angle"))?;
+                let f = self.is_smooth(f.area, [&value]).then_some(value)?;
                 (driven("angle", angle.drive(&f), angle.parties()), true, normal)
             }
             Coordinate::Slide(slide, normal) => {
-                let f = self.quantity(f, Scope::Prescribed, SLIDE)?;
+                let value = self.with_lookups(|check| check.quantity(f, Scope::Prescribed, SLIDE))?;
+                let f = self.is_smooth(f.area, [&value]).then_some(value)?;
                 let row = algebra::subtract(slide.value(), f);
                 (driven("slide", row, slide.parties()), false, normal)
             }

@@ -50,7 +50,7 @@ impl<'a> Check<'a> {
         if !self.enter(name, used) {
             return None;
         }
-        let typed = self.expr(value, Scope::Prescribed);
+        let typed = self.with_lookups(|check| check.expr(value, Scope::Prescribed));
         self.leave();
         let known = typed.map(|typed| {
             let id = MotionId(self.model.motions.len());
@@ -176,8 +176,9 @@ impl<'a> Check<'a> {
     fn frame_motion(&mut self, call: &'a Call, is_rotating: bool) -> Option<([Value; 3], Option<Rotation>)> {
         let arguments = self.arguments(call, if is_rotating { &ROTATING } else { &MOVING })?;
         let origin = match arguments.named.get("origin") {
-            Some(origin) => self
-                .vector(origin, Scope::Prescribed, ORIGIN)
+            Some(expr) => self
+                .with_lookups(|check| check.vector(expr, Scope::Prescribed, ORIGIN))
+                .filter(|origin| self.is_smooth(expr.area, &origin.values))
                 .map(|origin| origin.values),
             None => Some(inertial().origin),
         };
@@ -185,7 +186,10 @@ impl<'a> Check<'a> {
             return Some((origin?, None));
         }
         let axis = self.axis(arguments.named["axis"]);
-        let angle = self.angle(arguments.named["angle"], Scope::Prescribed, "the angle of a frame");
+        let expr = arguments.named["angle"];
+        let angle = self
+            .with_lookups(|check| check.angle(expr, Scope::Prescribed, "the angle of a frame"))
+            .filter(|angle| self.is_smooth(expr.area, [angle]));
         Some((
             origin?,
             Some(Rotation {

@@ -42,7 +42,7 @@ impl<'a> Check<'a> {
 
     fn load(&mut self, item: &Item, call: &'a Call) {
         let kind = match call.name.text.as_str() {
-            "gravity" => self.gravity(call),
+            "gravity" => self.with_lookups(|check| check.gravity(call)),
             "force" => self.with_lookups(|check| check.point_load(item, call, false)),
             "moment" => self.with_lookups(|check| check.point_load(item, call, true)),
             "follower" => {
@@ -50,11 +50,11 @@ impl<'a> Check<'a> {
                 None
             }
             "density" => {
-                let _ = self.density(item, call);
+                let _ = self.with_lookups(|check| check.density(item, call));
                 None
             }
             "distributed" => {
-                let _ = self.distributed_load(item, call);
+                let _ = self.with_lookups(|check| check.distributed_load(item, call));
                 None
             }
             other => {

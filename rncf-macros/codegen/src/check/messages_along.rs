@@ -4,7 +4,7 @@ use super::along::written;
 
 pub const COLUMN: &str = "a column is a list of values with one unit: `EI = [2, 1.5, 1] N*m^2;`";
 pub const COLUMN_ELSEWHERE: &str = "a column of a table has a value at a place along an axis: it stands in fields of sections and materials, and in `twist`";
-pub const LOOKUP_ELSEWHERE: &str = "a table is looked up in forces, moments, laws of springs and `distributed` loads: elsewhere its columns have the value at the place along an axis, `table.column`";
+pub const LOOKUP_ELSEWHERE: &str = "a table is looked up in motions, frames, drives, constraints, loads, laws of springs and outputs: elsewhere its columns have the value at the place along an axis, `table.column`";
 pub const LOOKUP: &str = "a column is looked up at one place: `polar.lift(alpha)`";
 pub const STEP_AT_END: &str = "the first two or last two rows are at one place: a step stands between other rows";
 pub const DAMPING_ALONG: &str = "`damping` is the same along the whole body: leave out `x` and columns of tables";
@@ -57,7 +57,7 @@ pub fn lookup_without_place(table: &str, column: &str) -> String {
 }
 
 pub fn lookup_in_law(table: &str, column: &str) -> String {
-    format!("a law, force or moment looks a table up: say at which place, `{table}.{column}(..)`")
+    format!("here a table is looked up: say at which place, `{table}.{column}(..)`")
 }
 
 pub fn lookup_of(table: &str, wanted: &str, given: &str) -> String {
@@ -66,6 +66,18 @@ pub fn lookup_of(table: &str, wanted: &str, given: &str) -> String {
 
 pub fn lookup_of_angle(table: &str) -> String {
     format!("this is an angle, and the rows of `{table}` are at plain numbers: give that column a unit, e.g. `deg`")
+}
+
+pub fn step_in_spline(row: &str) -> String {
+    format!(
+        "{row} is at the place of the one before it, and a spline has no steps: take `interpolation = monotone`, or leave the row out"
+    )
+}
+
+pub fn rough_motion(table: &str) -> String {
+    format!(
+        "what moves in a prescribed way needs a velocity and an acceleration without steps, which the rows of `{table}` do not give: write `interpolation = spline` in it"
+    )
 }
 
 pub fn table_of_one_row(table: &str) -> String {

@@ -112,9 +112,9 @@ pub fn check_with_elements(tree: &Tree, library: &Library, errors: &mut Errors) 
     check.names();
     check.params();
     check.repeats();
+    check.tables();
     check.motions();
     check.frames();
-    check.tables();
     check.materials();
     check.sections();
     check.elements();

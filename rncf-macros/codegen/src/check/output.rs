@@ -40,7 +40,7 @@ impl<'a> Check<'a> {
     }
 
     fn output(&mut self, value: &'a Expr, told: Option<&'a UnitText>) -> Option<Told> {
-        let quantity = self.value(value, Scope::Output)?;
+        let quantity = self.with_lookups(|check| check.value(value, Scope::Output))?;
         let (dimension, nature, mut components) = match quantity {
             Quantity::Scalar(typed) => (typed.dimension, typed.nature, vec![(String::new(), typed.value)]),
             Quantity::Vector(vector) => {

@@ -10,7 +10,8 @@ use super::quantity::Typed;
 use super::{Check, fold, say};
 use crate::errors::Area;
 use crate::import::rows::{Disorder, Head, Rows, chords, in_order, text};
-use crate::model::{Column, Expr as Value, Table, TableId};
+use crate::import::spline;
+use crate::model::{Between, Column, Expr as Value, Table, TableId};
 use crate::parse::cursor::Cursor;
 use crate::parse::tree::{Argument, Expr, ExprKind, Field, Fields, Item, ItemKind, Keyword, Name};
 use crate::parse::unit;
@@ -19,6 +20,12 @@ use crate::units::{self, Compound, Dimension};
 
 /// Columns that are places along the axis: m, or parts of the length.
 const PLACES: [(&str, [i8; 6]); 2] = [("x", [1, 0, 0, 0, 0, 0]), ("eta", [0; 6])];
+/// What values follow between rows, by its word.
+const BETWEEN: [(&str, Between); 3] = [
+    ("linear", Between::Line),
+    ("monotone", Between::Monotone),
+    ("spline", Between::Spline),
+];
 /// Columns that are the coordinates of points, m.
 const COORDINATES: [&str; 3] = ["x", "y", "z"];
 
@@ -41,7 +48,7 @@ impl<'a> Check<'a> {
     }
 
     fn table_of_columns(&mut self, item: &Item, fields: &'a Fields) -> Option<TableId> {
-        let (mut columns, mut is_smooth, mut is_whole) = (Vec::new(), Some(false), fields.complete);
+        let (mut columns, mut between, mut is_whole) = (Vec::new(), Some(Between::Line), fields.complete);
         let mut places = None;
         let words = fields.fields.iter().filter(|field| !is_column(field));
         if !self.once(words.map(|field| &field.name)) {
@@ -49,7 +56,7 @@ impl<'a> Check<'a> {
         }
         for field in &fields.fields {
             if field.name.text == "interpolation" {
-                is_smooth = self.interpolation(&field.value);
+                between = self.interpolation(&field.value);
                 continue;
             }
             if let Some(name) = places_named(field) {
@@ -62,6 +69,7 @@ impl<'a> Check<'a> {
                     header: None,
                     dimension,
                     values,
+                    slopes: Vec::new(),
                 }),
                 None => is_whole = false,
             }
@@ -81,7 +89,7 @@ impl<'a> Check<'a> {
             return None;
         }
         let places = places.map(|name| (name.text.as_str(), Area::from(name.span)));
-        self.add_table(item, columns, (is_smooth?, places), None, &|row| {
+        self.add_table(item, columns, (between?, places), None, &|row| {
             format!("value {}", row + 1)
         })
     }
@@ -133,21 +141,21 @@ impl<'a> Check<'a> {
         Some((values, dimension))
     }
 
-    fn interpolation(&mut self, value: &Expr) -> Option<bool> {
+    fn interpolation(&mut self, value: &Expr) -> Option<Between> {
         let word = match &value.kind {
             ExprKind::Name(name) => name.text.as_str(),
             _ => "",
         };
-        let found = ["linear", "monotone"].iter().position(|known| *known == word);
+        let found = BETWEEN.iter().find(|(known, _)| *known == word);
         if found.is_none() {
-            self.errors
-                .at(value.area, say::choices("interpolation", "`linear` or `monotone`"));
+            let message = say::choices("interpolation", "`linear`, `monotone` or `spline`");
+            self.errors.at(value.area, message);
         }
-        found.map(|found| found == 1)
+        found.map(|&(_, between)| between)
     }
 
     fn table_of_file(&mut self, item: &Item, path: &str, area: Area, arguments: &'a [Argument]) -> Option<TableId> {
-        let mut is_smooth = Some(false);
+        let mut between = Some(Between::Line);
         let mut places = None;
         if !self.once(arguments.iter().filter_map(|argument| argument.name.as_ref())) {
             return None;
@@ -155,7 +163,7 @@ impl<'a> Check<'a> {
         for argument in arguments {
             match (&argument.name, &argument.value.kind) {
                 (Some(name), ExprKind::Name(column)) if name.text == "at" => places = Some(column.text.clone()),
-                (Some(name), _) if name.text == "interpolation" => is_smooth = self.interpolation(&argument.value),
+                (Some(name), _) if name.text == "interpolation" => between = self.interpolation(&argument.value),
                 (Some(name), _) => {
                     let message = suggest::unknown("argument of `file`", &name.text, ["at", "interpolation"]);
                     self.errors.at(name.span, message);
@@ -196,6 +204,7 @@ impl<'a> Check<'a> {
                     header: None,
                     dimension: unit.dimension,
                     values,
+                    slopes: Vec::new(),
                 }),
                 // A note may be any text.
                 Err(_) if head.is_note() => {}
@@ -207,7 +216,7 @@ impl<'a> Check<'a> {
         }
         let row = |row: usize| format!("line {} of `{path}`", rows.line(row));
         let places = places.as_deref().map(|name| (name, area));
-        self.add_table(item, columns, (is_smooth?, places), Some((path, area)), &row)
+        self.add_table(item, columns, (between?, places), Some((path, area)), &row)
     }
 
     /// Finds the places, and checks their order.
@@ -215,7 +224,7 @@ impl<'a> Check<'a> {
         &mut self,
         item: &Item,
         mut columns: Vec<Column>,
-        (is_smooth, named): (bool, Option<(&str, Area)>),
+        (between, named): (Between, Option<(&str, Area)>),
         file: Option<(&str, Area)>,
         row: &dyn Fn(usize) -> String,
     ) -> Option<TableId> {
@@ -295,6 +304,11 @@ impl<'a> Check<'a> {
             self.errors.at(area, message);
             return None;
         }
+        let is_spline = between == Between::Spline;
+        if let Some(step) = (1..places.len()).find(|&at| is_spline && places[at] == places[at - 1]) {
+            self.errors.at(area, say::step_in_spline(&row(step)));
+            return None;
+        }
         let by = |name: &str| columns.iter().position(|column| column.name == name);
         let placed_by = match (looked_up, is_points) {
             (Some(column), _) => by(&column.name).into_iter().collect(),
@@ -302,6 +316,10 @@ impl<'a> Check<'a> {
             (None, false) => by(PLACES[usize::from(is_relative)].0).into_iter().collect(),
         };
         let of_axis = PLACES[usize::from(is_relative)].1;
+        let mut columns = columns;
+        for column in columns.iter_mut().filter(|_| is_spline) {
+            column.slopes = spline::slopes(&places, &column.values);
+        }
         let id = TableId(self.model.tables.len());
         self.model.tables.push(Table {
             name: item.name.text.clone(),
@@ -309,7 +327,7 @@ impl<'a> Check<'a> {
             places,
             dimension: dimension.unwrap_or(of_axis),
             is_relative,
-            is_smooth,
+            between,
             columns,
             placed_by,
             alike: Vec::new(),
@@ -381,7 +399,7 @@ impl<'a> Check<'a> {
             self.errors.at(expr.area, message);
             return Some(None);
         }
-        if self.looks_up {
+        if self.looks_up && !self.is_along {
             let message = say::lookup_in_law(&name.text, &field.text);
             self.errors.at(expr.area, message);
             return Some(None);
@@ -434,12 +452,32 @@ impl<'a> Check<'a> {
         })
     }
 
-    /// Resolves a force, moment or law of a spring, in which tables are looked up.
+    /// Resolves what tables are looked up in.
     pub(super) fn with_lookups<T>(&mut self, resolve: impl FnOnce(&mut Self) -> T) -> T {
-        self.looks_up = true;
+        let before = std::mem::replace(&mut self.looks_up, true);
         let result = resolve(self);
-        self.looks_up = false;
+        self.looks_up = before;
         result
+    }
+
+    /// Whether what prescribes a motion looks up tables alone whose accelerations have no steps; or else reported.
+    pub(super) fn is_smooth<'e>(&mut self, area: Area, values: impl IntoIterator<Item = &'e Value>) -> bool {
+        let rough = values.into_iter().find_map(|value| self.rough_table(value));
+        if let Some(table) = rough {
+            let message = say::rough_motion(&self.model.tables[table.0].name);
+            self.errors.at(area, message);
+        }
+        rough.is_none()
+    }
+
+    /// A table without accelerations that a value looks up, by itself or by motions.
+    fn rough_table(&self, value: &Value) -> Option<TableId> {
+        let own = match value {
+            Value::Lookup { table, .. } if self.model.tables[table.0].between != Between::Spline => Some(*table),
+            Value::Motion(motion, _) => self.rough_table(&self.model.motions[motion.0].value),
+            _ => None,
+        };
+        own.or_else(|| value.parts().into_iter().find_map(|part| self.rough_table(part)))
     }
 
     /// A column as a value along the axis.

@@ -7,7 +7,7 @@ use super::parts::Parts;
 use crate::elements::Interpolant;
 use crate::lower::camel_case;
 use crate::lower::elastic::kept;
-use crate::model::{Body, Law, Model, Piece, Stations, Table, fold};
+use crate::model::{Between, Body, Law, Model, Piece, Stations, Table, fold};
 use crate::units::Dimension;
 use crate::vocabulary::{CENTRES, DAMPINGS, MASS_ENTRIES, MASSES, STIFFNESS_ENTRIES};
 
@@ -21,17 +21,28 @@ pub fn tables(model: &Model) -> String {
             .iter()
             .map(|column| format!("&[{}]", list(&column.values)))
             .collect();
+        let between = match table.between {
+            Between::Line => "Line".to_string(),
+            Between::Monotone => "Monotone".to_string(),
+            Between::Spline => {
+                let slopes = table
+                    .columns
+                    .iter()
+                    .map(|column| format!("&[{}]", list(&column.slopes)));
+                format!("Spline(&[{}])", slopes.collect::<Vec<_>>().join(", "))
+            }
+        };
         let names: Vec<&str> = table.columns.iter().map(|column| column.name.as_str()).collect();
         let _ = writeln!(
             text,
-            "/// Table `{}`: {}.\npub static {}: ::rncf::emitted::Table = ::rncf::emitted::Table {{ name: {:?}, places: &[{}], is_relative: {}, is_smooth: {}, columns: &[{}] }};",
+            "/// Table `{}`: {}.\npub static {}: ::rncf::emitted::Table = ::rncf::emitted::Table {{ name: {:?}, places: &[{}], is_relative: {}, between: ::rncf::emitted::Between::{}, columns: &[{}] }};",
             table.name,
             names.join(", "),
             table.constant(),
             table.name,
             list(&table.places),
             table.is_relative,
-            table.is_smooth,
+            between,
             columns.join(", ")
         );
         if table.is_param {

@@ -8,6 +8,7 @@ mod market;
 mod npz;
 pub mod rows;
 mod sparse;
+pub mod spline;
 
 pub use archive::checksum;
 pub use sparse::Sparse;

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::kernel::Kernel;
 use crate::elements::{Coefficient, Library};
-use crate::model::{Body, Expr, FrameId, FrameTie, Model, Motions, RepeatId};
+use crate::model::{Between, Body, Expr, FrameId, FrameTie, Model, Motions, RepeatId};
 use crate::symbolic::{Id, Node, Time};
 
 /// How often what moves in a prescribed way is differentiated: the jerk is read by constraints on markers, on their
@@ -122,7 +122,8 @@ impl Switches {
 /// integrator finds a root of their gap.
 pub fn switches(model: &Model, library: &Library) -> Switches {
     let mut time = Time::new(model);
-    let mut roots = timed_roots(&mut time);
+    let moved = motions(&mut time);
+    let mut roots = [moved.clone(), timed_roots(&mut time)].concat();
     let bodies = model.bodies.iter();
     let timed = bodies.flat_map(|body| timed_coefficients(body, library));
     roots.extend(
@@ -130,8 +131,8 @@ pub fn switches(model: &Model, library: &Library) -> Switches {
             .filter_map(|one| one.scale.as_ref())
             .map(|scale| time.expression(scale)),
     );
-    let of_time = time.gaps(&roots);
-    let rows = time.rows(&roots);
+    let of_time = time.gaps(&roots, &moved);
+    let rows = time.rows(&roots, &moved);
     let zero = time.graph.zero();
     let start = HashMap::from([(time.t, zero)]);
     let (mut kinks, mut others) = (Vec::new(), Vec::new());
@@ -186,7 +187,7 @@ fn repeated_switches(model: &Model) -> Vec<(RepeatId, Kernel, usize)> {
             .filter(|density| model.bodies[density.body.0].repeat.is_some_and(|repeat| repeat.0 == at));
         let roots: Vec<Id> = repeated.flat_map(|density| time.vector(&density.components)).collect();
         let mut gaps = Vec::new();
-        for gap in time.gaps(&roots) {
+        for gap in time.gaps(&roots, &[]) {
             if time.graph.depends_on(gap, &[time.index]) {
                 gaps.push([gap, time.graph.partial(gap, time.t)]);
             }
@@ -209,8 +210,8 @@ pub fn timed_coefficients<'l>(body: &Body, library: &'l Library) -> Vec<&'l Coef
     list
 }
 
-/// All that time may act on beside strain energies.
-fn timed_roots(time: &mut Time<'_>) -> Vec<Id> {
+/// What moves in a prescribed way: frames, and what is constrained.
+fn motions(time: &mut Time<'_>) -> Vec<Id> {
     let model = time.model;
     let mut roots = Vec::new();
     for (index, frame) in model.frames.iter().enumerate() {
@@ -219,6 +220,16 @@ fn timed_roots(time: &mut Time<'_>) -> Vec<Id> {
             roots.extend(rotation.iter().flatten().copied().chain(position));
         }
     }
+    for (_, row) in model.constraints.iter().flat_map(|constraint| &constraint.rows) {
+        roots.push(time.expression(row));
+    }
+    roots
+}
+
+/// All else that time may act on beside strain energies.
+fn timed_roots(time: &mut Time<'_>) -> Vec<Id> {
+    let model = time.model;
+    let mut roots = Vec::new();
     for load in &model.loads {
         roots.extend(time.vector(load.kind.components()));
     }
@@ -227,9 +238,6 @@ fn timed_roots(time: &mut Time<'_>) -> Vec<Id> {
     }
     for (_, components) in model.distributed.iter().flat_map(|load| &load.forces) {
         roots.extend(time.vector(components));
-    }
-    for (_, row) in model.constraints.iter().flat_map(|constraint| &constraint.rows) {
-        roots.push(time.expression(row));
     }
     for force in &model.forces {
         for components in &force.components {
@@ -242,8 +250,9 @@ fn timed_roots(time: &mut Time<'_>) -> Vec<Id> {
 
 impl Time<'_> {
     /// Gaps of the conditions and rows of tables below `roots` that time decides. What depends on the state, too, changes its branch
-    /// at times that nobody knows before.
-    fn gaps(&mut self, roots: &[Id]) -> Vec<Id> {
+    /// at times that nobody knows before. Of what is `moved`, accelerations count.
+    fn gaps(&mut self, roots: &[Id], moved: &[Id]) -> Vec<Id> {
+        let moved = self.graph.reachable(moved);
         let mut of_state: Vec<Id> = self.observed.iter().map(|&(_, symbol)| symbol).collect();
         of_state.extend(self.locals.iter().flatten().chain(&self.strains).flatten());
         of_state.push(self.x);
@@ -252,7 +261,11 @@ impl Time<'_> {
             let sides = match self.graph.node(id) {
                 Node::Select(_, [left, right, ..]) => vec![[left, right]],
                 Node::Lookup(column, at) if at != self.t => {
-                    let rows = self.graph.table(column).kinks(column.column);
+                    let table = self.graph.table(column);
+                    let mut rows = table.kinks(column.column);
+                    if moved.binary_search(&id).is_ok() {
+                        rows.extend(table.kinks_of_acceleration());
+                    }
                     rows.into_iter().map(|row| [at, self.graph.number(row)]).collect()
                 }
                 _ => continue,
@@ -268,16 +281,22 @@ impl Time<'_> {
         gaps
     }
 
-    /// Rows of linear tables that are looked up at t below `roots`.
-    fn rows(&self, roots: &[Id]) -> Vec<String> {
+    /// Rows of linear tables that are looked up at t below `roots`, and of splines below what is `moved`.
+    fn rows(&self, roots: &[Id], moved: &[Id]) -> Vec<String> {
+        let moved = self.graph.reachable(moved);
         let mut rows = Vec::new();
         for id in self.graph.reachable(roots) {
             let Node::Lookup(column, at) = self.graph.node(id) else {
                 continue;
             };
             let table = self.graph.table(column);
-            let row = format!("{}.kinks({})", table.reference(), column.column);
-            if at == self.t && !table.is_smooth && !rows.contains(&row) {
+            let kinks = match table.between {
+                Between::Line => "kinks",
+                Between::Spline if moved.binary_search(&id).is_ok() => "kinks_of_acceleration",
+                Between::Spline | Between::Monotone => continue,
+            };
+            let row = format!("{}.{kinks}({})", table.reference(), column.column);
+            if at == self.t && !rows.contains(&row) {
                 rows.push(row);
             }
         }

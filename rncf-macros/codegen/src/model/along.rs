@@ -23,8 +23,8 @@ pub struct Table {
     pub dimension: [i8; 6],
     /// Whether places are fractions of the length, or else in m.
     pub is_relative: bool,
-    /// Whether values between rows follow a monotone cubic, or else a line.
-    pub is_smooth: bool,
+    /// What values between rows follow.
+    pub between: Between,
     /// Columns in SI.
     pub columns: Vec<Column>,
     /// Columns that the places are made of: one, or the three coordinates of points.
@@ -33,6 +33,17 @@ pub struct Table {
     pub alike: Vec<[usize; 2]>,
     /// Whether its file is a parameter of the program, so that the rows of a run may be others.
     pub is_param: bool,
+}
+
+/// What the values of a table follow between its rows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Between {
+    /// A line.
+    Line,
+    /// A monotone cubic (Fritsch and Carlson), whose slope has no steps.
+    Monotone,
+    /// A cubic spline, whose slope and curvature have no steps.
+    Spline,
 }
 
 /// A column of a table.
@@ -46,6 +57,8 @@ pub struct Column {
     pub dimension: [i8; 6],
     /// One value for each row, SI.
     pub values: Vec<f64>,
+    /// Slopes at the rows of a spline; of others empty.
+    pub slopes: Vec<f64>,
 }
 
 impl Table {
@@ -96,13 +109,21 @@ impl Table {
     /// Places at which a column that is looked up changes its slope or jumps, if they are known and not many.
     pub fn kinks(&self, column: usize) -> Vec<f64> {
         let (places, values) = (&self.places, &self.columns[column].values);
-        let is_known = !self.is_smooth && !self.is_param && places.len() <= ROWS;
+        let is_known = self.between == Between::Line && !self.is_param && places.len() <= ROWS;
         // At a step it is infinite, or no number.
         let slope = |row: usize| (values[row + 1] - values[row]) / (places[row + 1] - places[row]);
         let rows = (1..places.len() - 1).filter(|&row| is_known && slope(row - 1) != slope(row));
         let mut kinks: Vec<f64> = rows.map(|row| places[row]).collect();
         kinks.dedup();
         kinks
+    }
+
+    /// Places of rows at which the third derivative of a spline steps, if they are known and not many: what it moves has a kink in its acceleration.
+    pub fn kinks_of_acceleration(&self) -> Vec<f64> {
+        let is_known = self.between == Between::Spline && !self.is_param && self.places.len() <= ROWS;
+        // The first and last inner row are no knots.
+        let inner = 2..self.places.len().saturating_sub(2);
+        inner.filter(|_| is_known).map(|row| self.places[row]).collect()
     }
 
     /// Value of a column at an arclength: what `rncf_runtime::Table::at` returns, which reads the same table when it runs.
@@ -119,7 +140,7 @@ impl Table {
         self.within(column, x)[0]
     }
 
-    /// Value of a column (order 0) or its derivative (1) at a place: what `rncf_runtime::Table::look_up` returns.
+    /// Value of a column (order 0) or its first, second or third derivative at a place: what `rncf_runtime::Table::look_up` returns.
     pub fn look_up(&self, column: usize, order: usize, place: f64) -> f64 {
         let (first, last) = (self.places[0], self.places[self.places.len() - 1]);
         let margin = ROUND_OFF * (last - first);
@@ -129,26 +150,37 @@ impl Table {
         self.within(column, place)[order]
     }
 
-    /// Value and slope of a column within the rows.
-    fn within(&self, column: usize, x: f64) -> [f64; 2] {
+    /// Value of a column within the rows and its derivatives.
+    fn within(&self, column: usize, x: f64) -> [f64; 4] {
         let (places, values) = (&self.places, &self.columns[column].values);
         let row = places.partition_point(|&place| place <= x).clamp(1, places.len() - 1) - 1;
         let width = places[row + 1] - places[row];
         let (share, rise) = ((x - places[row]) / width, values[row + 1] - values[row]);
-        if !self.is_smooth {
-            return [values[row] + share * rise, rise / width];
+        if self.between == Between::Line {
+            return [values[row] + share * rise, rise / width, 0.0, 0.0];
         }
         let [start, end] = [row, row + 1].map(|at| width * self.slope(column, at, row));
         // Hermite's cubic.
         let (bend, tilt) = (share * (1.0 - share), 1.0 - 2.0 * share);
         let bent = (1.0 - share) * (start - rise) - share * (end - rise);
         let slope = rise + tilt * bent - bend * (start + end - 2.0 * rise);
-        [values[row] + share * rise + bend * bent, slope / width]
+        // Second and third derivative with respect to the share.
+        let jerk = 6.0 * (start + end - 2.0 * rise);
+        let curvature = 6.0 * rise - 4.0 * start - 2.0 * end + share * jerk;
+        [
+            values[row] + share * rise + bend * bent,
+            slope / width,
+            curvature / width / width,
+            jerk / width / width / width,
+        ]
     }
 
-    /// Slope of the monotone cubic (Fritsch and Carlson) at a row, seen from the span that begins at row `span`.
+    /// Slope of the cubic at a row, seen from the span that begins at row `span`.
     fn slope(&self, column: usize, row: usize, span: usize) -> f64 {
         let (places, values) = (&self.places, &self.columns[column].values);
+        if let Some(&slope) = self.columns[column].slopes.get(row) {
+            return slope;
+        }
         let width = |from: usize| places[from + 1] - places[from];
         let rise = |from: usize| (values[from + 1] - values[from]) / width(from);
         let other = if row == span { row.checked_sub(1) } else { Some(row) };

@@ -27,6 +27,10 @@ pub fn of_repetition(model: &Model, expr: &Expr, t: f64, index: f64) -> Option<f
             let at = of_repetition(model, at, t, index)?;
             with_defaults(model, &model.motions[id.0].value, at)
         }
+        Expr::Lookup { table, column, at } => {
+            let place = of_repetition(model, at, t, index)?;
+            Some(model.tables[table.0].look_up(*column, 0, place))
+        }
         _ => None,
     })
 }

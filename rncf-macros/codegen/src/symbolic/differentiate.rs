@@ -112,11 +112,13 @@ impl Graph {
                 self.select(comparison, left, right, done[&then], done[&otherwise])
             }
             Node::Lookup(column, a) => {
-                if self.is_zero(done[&a]) || column.order > 0 {
-                    // Of second derivatives a linear table has none; nothing asks for those of cubics.
+                let is_line = self.table(column).between == crate::model::Between::Line;
+                let last = if is_line { 1 } else { 3 };
+                if self.is_zero(done[&a]) || column.order == last {
                     return self.zero();
                 }
-                let slope = self.intern(Node::Lookup(Column { order: 1, ..column }, a));
+                let order = column.order + 1;
+                let slope = self.intern(Node::Lookup(Column { order, ..column }, a));
                 self.multiply(slope, done[&a])
             }
         }

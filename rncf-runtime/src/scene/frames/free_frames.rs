@@ -322,7 +322,7 @@ fn check_motions(parts: &dyn Parts, motions: &[FrameMotion]) -> Result<(), Model
         return Ok(());
     };
     Err(ModelError::new(format!(
-        "the motion of frame `{}` or one of its derivatives is not finite at t = 0: check the parameters of its functions of time",
+        "the motion of frame `{}` or one of its derivatives is not finite at t = 0: check its functions of time, the rows of its tables and its parameters",
         parts.frame_name(frame)
     )))
 }

@@ -13,7 +13,7 @@ use crate::app::line::command::Command;
 use crate::app::line::program::Program;
 use crate::app::results::failure::Failure;
 use crate::app::testing::{Rotor, temporary_folder};
-use crate::emitted::{Fidelity, FileColumn, Table, TableFile, TableForm};
+use crate::emitted::{Between, Fidelity, FileColumn, Table, TableFile, TableForm};
 use crate::model::{ConstantArray, KernelCount, Output, Param, ParamKind, RunDefaults};
 use crate::{Formulation, Joints, Model, ModelError, Scene};
 
@@ -21,7 +21,7 @@ static COILS: Table = Table {
     name: "coil",
     places: &[0.0, 1.0],
     is_relative: true,
-    is_smooth: false,
+    between: Between::Line,
     columns: &[&[0.0, 1.0], &[100.0, 100.0]],
 };
 
@@ -50,7 +50,7 @@ static MATRIX: TableForm = TableForm {
         name: "coil",
         places: &[0.0, 1.0],
         is_relative: true,
-        is_smooth: false,
+        between: Between::Line,
         columns: &[&[0.0, 1.0], &[1.0, 1.0], &[1.0, 1.0]],
     },
     file: "data/no_such_folder/matrix.csv",

@@ -122,8 +122,8 @@ fn what_is_wrong_is_told() {
     ];
     let others = [
         (
-            "motion turning(t) = 1 rad * polar.lift(1 rad);",
-            "laws of springs and `distributed` loads",
+            "frame turning = rotating(axis = z, angle = 1 rad * polar.lift(1 rad * (t / 1 [s])));",
+            "which the rows of `polar` do not give",
         ),
         (
             "spring s = law(wing.end, inertial.at([9, 9, 9] m), force = poler.lift(1 rad) * 1 N);",

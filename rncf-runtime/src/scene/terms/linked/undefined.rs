@@ -81,7 +81,7 @@ impl MeshScene {
             .filter(prescribed)
             .find(|&frame| !self.buffers.frames[frame].is_finite())?;
         Some(format!(
-            "the motion of frame `{}` or one of its derivatives is not finite: check its functions of time and its parameters",
+            "the motion of frame `{}` or one of its derivatives is not finite: check its functions of time, the rows of its tables and its parameters",
             self.parts.frame_name(frame)
         ))
     }
