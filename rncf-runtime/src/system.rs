@@ -420,7 +420,7 @@ pub trait System {
     }
 
     /// How the vectors that forces read, by the numbers that courses have of them, go on from a state.
-    fn paths(&mut self, _state: &State, _readers: &[usize]) -> Vec<Vec<Path>> {
+    fn paths(&mut self, _state: &State, _readers: &[Vec<usize>]) -> Vec<Vec<Path>> {
         Vec::new()
     }
 

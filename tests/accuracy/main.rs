@@ -24,6 +24,7 @@ mod models;
 mod moved_by_tables;
 mod moving_loads;
 mod multibody;
+mod narrow_curves;
 mod orbit;
 mod orders;
 mod peaks;

@@ -20,8 +20,10 @@ pub enum Operation {
     Time,
     /// Arclength of an axis, m.
     Place,
-    /// Which of the vectors that a force reads, and its component in space: m of places.
+    /// Which of the vectors that are read, and its component in space: m of places.
     Vector(usize, usize),
+    /// The same of its rate.
+    Rate(usize, usize),
     /// What does not change: index into the numbers of a course.
     Number(usize),
     /// Sum.
@@ -77,6 +79,7 @@ pub enum Operation {
 }
 
 /// Functions of time, or of it and the place along an axis, that share operations.
+#[derive(Default)]
 pub struct Courses {
     /// Operations, operands first.
     pub operations: &'static [Operation],
@@ -88,16 +91,19 @@ pub struct Courses {
     pub functions: &'static [(&'static str, usize)],
     /// Arclength that they are looked at, m; of no account where they do not change along an axis.
     pub place: f64,
-    /// How the vectors that it reads go on; of one without, anyhow.
+    /// Whether they are positions that something is held at: forces follow from their second derivatives.
+    pub are_positions: bool,
+    /// Numbers of the markers in their scene whose vectors they read.
+    pub markers: Vec<usize>,
+    /// How these vectors go on; of one without, anyhow.
     pub paths: Vec<Path>,
-    /// Number of the force in its scene that reads them.
-    pub reader: usize,
 }
 
 impl Courses {
     /// Whether anything in them depends on where what they act on is.
     pub fn reads_vectors(&self) -> bool {
-        self.operations.iter().any(|one| matches!(one, Operation::Vector(..)))
+        let reads = |one: &Operation| matches!(one, Operation::Vector(..) | Operation::Rate(..));
+        self.operations.iter().any(reads)
     }
 
     /// Bounds of every operation over a span of time, s, written to `all`.
@@ -122,6 +128,10 @@ impl Courses {
                 .paths
                 .get(vector)
                 .map_or(Interval::ALL, |path| path.bounds(component, span)),
+            Operation::Rate(vector, component) => self
+                .paths
+                .get(vector)
+                .map_or(Interval::ALL, |path| path.rates(component, span)),
             Operation::Number(index) => Interval::point(self.numbers[index]),
             Operation::Add(a, b) => at[a].add(at[b]),
             Operation::Subtract(a, b) => at[a].subtract(at[b]),
@@ -204,7 +214,7 @@ mod tests {
                 functions: &[],
                 place: 0.0,
                 paths: Vec::new(),
-                reader: 0,
+                ..Courses::default()
             };
             let mut all = Vec::new();
             for (from, width) in [(-4.0, 9.0), (0.3, 1.1), (2.5, 1.0), (-1.7, 0.2), (1.0, 1e-6)] {

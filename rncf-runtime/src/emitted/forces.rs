@@ -275,6 +275,8 @@ pub trait PlacedGravity {
     fn around(&self, load: usize, t: f64, place: Vector) -> [f64; 3];
     /// Its derivatives by the place, rows first.
     fn around_gradient(&self, load: usize, t: f64, place: Vector, gradient: &mut [f64; 9]);
+    /// What it does over the place that steps could jump over.
+    fn around_course(&self, load: usize) -> Option<Courses>;
 }
 
 /// Of a model whose gravity is the same everywhere.
@@ -285,4 +287,7 @@ impl<T: WithoutPlacedGravity> PlacedGravity for T {
         [0.0; 3]
     }
     fn around_gradient(&self, _load: usize, _t: f64, _place: Vector, _gradient: &mut [f64; 9]) {}
+    fn around_course(&self, _load: usize) -> Option<Courses> {
+        None
+    }
 }

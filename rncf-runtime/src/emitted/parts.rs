@@ -49,7 +49,7 @@ pub trait Parts:
     /// Appends the gaps (left less right side) of conditions in motions and loads that time decides in another way than
     /// by [`Parts::kinks`], at time `t`, s, and their time derivatives.
     fn gaps(&self, t: f64, out: &mut Vec<[f64; 2]>);
-    /// What motions and loads do over time that a step could jump over.
+    /// What motions and loads do over time, and constraints, fields and loads over the markers that they read, that a step could jump over.
     fn courses(&self) -> Vec<Courses>;
     /// Motion of every prescribed frame at `t`, jerks included where there are constraints on
     /// markers or mean axes; entries of free frames are not read.

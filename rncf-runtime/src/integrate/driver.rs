@@ -20,6 +20,7 @@ use super::segments::Segments;
 use super::sight::Sight;
 use super::start::{self, describe};
 use super::statistics::Statistics;
+use super::strays::{self, Strays};
 use super::switches::{Switches, first_that};
 use super::watch::{Trouble, Watch};
 use crate::error::{SolveError, SolveErrorKind};
@@ -56,6 +57,8 @@ pub(super) struct Driver {
     pub(super) switches: Switches,
     /// Made when the first step is taken.
     pub(super) sight: Option<Sight>,
+    /// Of a system whose velocities may stray.
+    pub(super) strays: Option<Strays>,
     pub(super) bordered: Bordered,
     /// Step that the next attempt would like to take, s.
     pub(super) wanted: f64,
@@ -124,6 +127,7 @@ impl Driver {
             segments,
             switches,
             sight: None,
+            strays: None,
             wanted: 0.0,
             at_kink: false,
             previous_time: state.t,
@@ -146,8 +150,9 @@ impl Driver {
             return Ok(Stop::End);
         }
         let has_kinks = branches.iter().any(Branch::ends_steps);
-        let before = has_kinks.then(|| self.state().clone());
         let fixed = matches!(self.options.step, StepSize::Fixed(_));
+        let may_stray = !fixed && self.may_stray(system);
+        let before = (has_kinks || may_stray).then(|| self.state().clone());
         loop {
             let limited = self.wanted.min(self.options.max_step);
             let mut h = self.segments.fit((t, low), limited, fixed, self.options.max_step);
@@ -170,6 +175,15 @@ impl Driver {
                     {
                         self.statistics.rejected_steps += 1;
                         self.statistics.rejected_by_error += 1;
+                        self.begin(system, before.clone())?;
+                        continue;
+                    }
+                    if let Some(before) = &before
+                        && self.strays(system, h)
+                    {
+                        self.statistics.rejected_steps += 1;
+                        self.statistics.rejected_by_error += 1;
+                        self.wanted = strays::RETRY * h;
                         self.begin(system, before.clone())?;
                         continue;
                     }
@@ -300,12 +314,12 @@ impl Driver {
     /// The longest step at `t` up to `h` (s) that jumps over nothing that motions and loads do. Notes tell of what a fixed step jumps over, and of what
     /// no step excludes.
     fn seen(&mut self, system: &mut dyn System, t: f64, h: f64) -> f64 {
-        let segments = &self.segments;
-        let sight = self
-            .sight
-            .get_or_insert_with(|| Sight::new(system.courses(), segments.start(), segments.end()));
+        self.sight(system);
+        let (Some(sight), segments) = (&mut self.sight, &self.segments) else {
+            return h;
+        };
         if !sight.readers().is_empty() {
-            sight.follow(system.paths(self.scheme.state(), sight.readers()));
+            sight.follow(t, system.paths(self.scheme.state(), sight.readers()));
         }
         // Beyond a kink the step before says nothing.
         let before = if segments.begins_behind(self.previous_time) {
@@ -321,6 +335,32 @@ impl Driver {
             self.statistics.note_vague(t, of);
         }
         seen.step
+    }
+
+    /// Whether velocities may stray from constraints within a step.
+    fn may_stray(&mut self, system: &mut dyn System) -> bool {
+        let is_held = self.options.stabilised || self.violations.is_empty();
+        let has_positions = !is_held && self.sight(system).has_positions();
+        if has_positions && self.strays.is_none() {
+            self.strays = Some(Strays::new(system));
+        }
+        has_positions
+    }
+
+    /// Whether they do at the end of the step just taken, and a shorter one is possible.
+    fn strays(&mut self, system: &mut dyn System, h: f64) -> bool {
+        let (rtol, state) = (self.options.rtol, self.scheme.state());
+        let is_long = strays::RETRY * h > self.segments.smallest_step(state.t);
+        self.strays
+            .as_mut()
+            .is_some_and(|strays| is_long && strays.are_in(system, state, h, rtol))
+    }
+
+    /// What is known of courses over the run.
+    fn sight(&mut self, system: &dyn System) -> &mut Sight {
+        let segments = &self.segments;
+        self.sight
+            .get_or_insert_with(|| Sight::new(system.courses(), segments.start(), segments.end()))
     }
 
     /// Ends the present segment where the step just taken first passed a kink of a law; false if it passed none, or if something rattles.

@@ -32,6 +32,7 @@ mod sight;
 mod stabiliser;
 mod start;
 mod statistics;
+mod strays;
 mod switches;
 mod watch;
 

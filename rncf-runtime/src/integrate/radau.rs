@@ -26,6 +26,7 @@ use crate::error::SolveErrorKind;
 use crate::system::{State, System};
 use coefficients::Coefficients;
 use error::Estimate;
+pub(super) use error::{FORGETTING, SMOOTH};
 use matrices::Matrices;
 use newton::{Converged, Failure, Newton};
 use stages::Stages;

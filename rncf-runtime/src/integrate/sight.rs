@@ -10,7 +10,9 @@ const BEYOND: f64 = 4.0;
 /// in one pulse must not reach over another.
 const PIECES: usize = 4;
 const BESIDE: f64 = 0.25;
-/// Both as a part of all that it takes on in the run: what is smaller is none of its pulses.
+/// Of what a position changes by in all pieces, more than one of them alone may have.
+const ALONE: f64 = 0.9;
+/// The first two as a part of all that it takes on in the run: what is smaller is none of its pulses.
 const LEAST: f64 = 1e-3;
 /// A step tells of the next one if that is at most so many times as long.
 const ALIKE: f64 = 2.0;
@@ -30,13 +32,16 @@ const SHARP: f64 = 4.0;
 /// Bounds of all courses over the run, and memory.
 pub(super) struct Sight {
     courses: Vec<Courses>,
-    /// Those that read vectors and are bounded wherever these are, by number, and the forces of the scene that read them.
+    /// Those that read vectors, by number, and the markers that they read.
     reading: Vec<usize>,
-    readers: Vec<usize>,
+    readers: Vec<Vec<usize>>,
+    /// How often these were followed, and when the run ends, s.
+    followed: u64,
+    end: f64,
     /// Those that change over a step by what counts, and their functions, by number.
     lively: Vec<usize>,
     functions: Vec<usize>,
-    /// Widths of what each function takes on in the run, and how often steps were halved as its bounds stayed too wide.
+    /// Widths of what each function takes on in the run, infinite where that is not known, and how often steps were halved as its bounds stayed too wide.
     widths: Vec<f64>,
     vague: Vec<u32>,
     /// What lively functions may take on in a step, in their order.
@@ -78,6 +83,8 @@ impl Sight {
             courses,
             reading: Vec::new(),
             readers: Vec::new(),
+            followed: 0,
+            end,
             lively: Vec::new(),
             functions: Vec::new(),
             widths: Vec::new(),
@@ -90,12 +97,11 @@ impl Sight {
         };
         for (number, courses) in sight.courses.iter().enumerate() {
             if courses.reads_vectors() {
-                let widths = anywhere(courses, Interval::new(start, end), &mut sight.all);
-                if widths.iter().any(|width| width.is_finite()) {
-                    sight.reading.push(number);
-                    sight.readers.push(courses.reader);
-                }
-                sight.widths.extend(widths);
+                sight.reading.push(number);
+                sight.readers.push(courses.markers.clone());
+                sight
+                    .widths
+                    .extend(anywhere(courses, Interval::new(start, end), &mut sight.all));
             } else {
                 sight.widths.extend(taken(courses, start, end, &mut sight.all));
             }
@@ -104,15 +110,42 @@ impl Sight {
         sight
     }
 
-    /// Forces of the scene whose vectors are to be followed before each step.
-    pub(super) fn readers(&self) -> &[usize] {
+    /// Markers of the scene whose vectors are to be followed before each step.
+    pub(super) fn readers(&self) -> &[Vec<usize>] {
         &self.readers
     }
 
-    /// Takes the ways of the vectors that each of them reads, from the present state on.
-    pub(super) fn follow(&mut self, paths: Vec<Vec<Path>>) {
+    /// Whether something is held at positions that may change in a small part of a step.
+    pub(super) fn has_positions(&self) -> bool {
+        self.reading.iter().any(|&number| self.courses[number].are_positions)
+    }
+
+    /// Takes the ways of the vectors that each of them reads, from the present time (s) on. What functions take on that have no bounds wherever these are is
+    /// that on their ways, looked at now and then.
+    pub(super) fn follow(&mut self, t: f64, paths: Vec<Vec<Path>>) {
         for (&number, paths) in self.reading.iter().zip(paths) {
-            self.courses[number].paths = paths;
+            let before = std::mem::take(&mut self.courses[number].paths);
+            let after = |(at, path): (usize, Path)| match before.get(at) {
+                Some(before) => path.after(before),
+                None => path,
+            };
+            self.courses[number].paths = paths.into_iter().enumerate().map(after).collect();
+        }
+        self.followed += 1;
+        if !self.followed.is_power_of_two() {
+            return;
+        }
+        let mut first = 0;
+        for courses in &self.courses {
+            let widths = &mut self.widths[first..first + courses.functions.len()];
+            first += widths.len();
+            if widths.iter().all(|width| width.is_finite()) {
+                continue;
+            }
+            let unknown = widths.iter_mut().zip(taken(courses, t, self.end, &mut self.all));
+            unknown
+                .filter(|(width, on_way)| width.is_infinite() && *on_way > 0.0)
+                .for_each(|(width, on_way)| *width = on_way);
         }
     }
 
@@ -179,6 +212,7 @@ impl Sight {
             self.allowed
                 .push(ends.wider(BEYOND * ends.width() + LEAST * self.widths[number]));
         }
+        let alone = self.alone(time);
         let first = self.leaves(Interval::new(from, to), 0);
         let second = (0..PIECES).find_map(|piece| {
             self.allowed.clear();
@@ -194,10 +228,38 @@ impl Sight {
             }
             self.leaves(Interval::new(time(piece), time(piece + 1)), 0)
         });
-        [first, second]
+        [alone, first, second]
             .into_iter()
             .flatten()
             .min_by(|a, b| a.from.total_cmp(&b.from))
+    }
+
+    /// A position that changes in one piece of a step alone: values within its ends are no trace of that, and what it does to velocities may be over.
+    fn alone(&self, time: impl Fn(usize) -> f64) -> Option<Hidden> {
+        let mut functions = self.functions.iter().enumerate();
+        for &index in &self.lively {
+            let courses = &self.courses[index];
+            for &(of, _) in courses.functions {
+                let (at, &number) = functions.next()?;
+                if !courses.are_positions || self.vague[number] >= GIVEN_UP {
+                    continue;
+                }
+                let middle = |end: usize| 0.5 * (self.shown[end][at].low + self.shown[end][at].high);
+                let changes: [f64; PIECES] = std::array::from_fn(|piece| (middle(piece + 1) - middle(piece)).abs());
+                let all: f64 = changes.iter().sum();
+                let is_alone = |&piece: &usize| changes[piece] > ALONE * all;
+                if all > LEAST * self.widths[number]
+                    && let Some(piece) = (0..PIECES).find(is_alone)
+                {
+                    return Some(Hidden {
+                        from: time(piece),
+                        function: (number, of),
+                        vague: false,
+                    });
+                }
+            }
+        }
+        None
     }
 
     /// Finds courses that change over a span by what counts: the others don't leave what the ends of its pieces show.
@@ -357,9 +419,7 @@ mod tests {
             numbers: numbers.to_vec(),
             tables: Vec::new(),
             functions,
-            place: 0.0,
-            paths: Vec::new(),
-            reader: 0,
+            ..Courses::default()
         };
         Sight::new(vec![courses], 0.0, 100.0)
     }

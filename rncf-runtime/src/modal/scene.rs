@@ -476,7 +476,7 @@ impl System for ModalScene {
         self.scene.courses()
     }
 
-    fn paths(&mut self, state: &State, readers: &[usize]) -> Vec<Vec<Path>> {
+    fn paths(&mut self, state: &State, readers: &[Vec<usize>]) -> Vec<Vec<Path>> {
         self.expand(state);
         self.scene.paths(&self.full, readers)
     }

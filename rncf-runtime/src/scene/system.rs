@@ -177,9 +177,9 @@ impl System for MeshScene {
         courses
     }
 
-    fn paths(&mut self, state: &State, readers: &[usize]) -> Vec<Vec<Path>> {
+    fn paths(&mut self, state: &State, readers: &[Vec<usize>]) -> Vec<Vec<Path>> {
         self.load_state(state);
-        readers.iter().map(|&index| self.paths_of(index, state.t)).collect()
+        readers.iter().map(|markers| self.paths_of(markers, state.t)).collect()
     }
 
     fn too_fast(&mut self, state: &State) -> Option<String> {

@@ -77,7 +77,15 @@ pub(super) fn made(course: &CourseKernel, place: &str, arguments: &str) -> Strin
         .map(|(of, at)| format!("({of:?}, {at})"))
         .collect();
     let functions = functions.join(", ");
+    let mut rest = String::new();
+    if course.are_positions {
+        rest += "are_positions: true,\n";
+    }
+    if !course.markers.is_empty() {
+        let markers: Vec<String> = course.markers.iter().map(|marker| marker.0.to_string()).collect();
+        rest += &format!("markers: ::std::vec![{}],\n", markers.join(", "));
+    }
     format!(
-        "{{\nlet {mutable}numbers = [0.0; {count}];\n{numbers}::rncf::emitted::Courses {{\noperations: &[{operations}],\nnumbers: numbers.to_vec(),\ntables: ::std::vec![{tables}],\nfunctions: &[{functions}],\nplace: {place},\npaths: ::std::vec::Vec::new(),\nreader: 0,\n}}\n}}"
+        "{{\nlet {mutable}numbers = [0.0; {count}];\n{numbers}::rncf::emitted::Courses {{\noperations: &[{operations}],\nnumbers: numbers.to_vec(),\ntables: ::std::vec![{tables}],\nfunctions: &[{functions}],\nplace: {place},\n{rest}..::std::default::Default::default()\n}}\n}}"
     )
 }

@@ -30,7 +30,10 @@ impl Equations {
             single.extend(&distributed.tangent);
             single.extend(distributed.course.as_ref().and_then(CourseKernel::kernel));
         }
-        single.extend(self.around.iter().flat_map(|(_, kernels)| kernels));
+        for around in &self.around {
+            single.extend(&around.kernels);
+            single.extend(around.course.as_ref().and_then(CourseKernel::kernel));
+        }
         for field in &self.fields {
             single.push(&field.value);
             single.extend(&field.gradient);

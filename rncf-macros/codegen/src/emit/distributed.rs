@@ -112,14 +112,23 @@ impl Parts<'_> {
         }
         let arms = |which: usize, result: &str| -> String {
             let arms = kernels.iter();
-            arms.map(|(load, kernels)| format!("{load} => {}(&self.model, t, place, {result}),\n", kernels[which].name))
-                .collect()
+            arms.map(|one| {
+                let (load, name) = (one.load, &one.kernels[which].name);
+                format!("{load} => {name}(&self.model, t, place, {result}),\n")
+            })
+            .collect()
         };
+        let courses = kernels.iter().filter_map(|one| {
+            let made = made(one.course.as_ref()?, "0.0", "");
+            Some(format!("{} => ::std::option::Option::Some({made}),\n", one.load))
+        });
         format!(
             "fn around(&self, load: usize, t: f64, place: ::rncf::emitted::Vector) -> [f64; 3] {{\nlet mut gravity = [0.0; 3];\nmatch load {{\n{}_ => {{}}\n}}\ngravity\n}}\n\
-             fn around_gradient(&self, load: usize, t: f64, place: ::rncf::emitted::Vector, gradient: &mut [f64; 9]) {{\ngradient.fill(0.0);\nmatch load {{\n{}_ => {{}}\n}}\n}}\n",
+             fn around_gradient(&self, load: usize, t: f64, place: ::rncf::emitted::Vector, gradient: &mut [f64; 9]) {{\ngradient.fill(0.0);\nmatch load {{\n{}_ => {{}}\n}}\n}}\n\
+             fn around_course(&self, load: usize) -> ::std::option::Option<::rncf::emitted::Courses> {{\n{}}}\n",
             arms(0, "&mut gravity"),
-            arms(1, "gradient")
+            arms(1, "gradient"),
+            looked_up("load", &courses.collect::<String>())
         )
     }
 }

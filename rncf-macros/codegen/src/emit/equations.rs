@@ -8,7 +8,7 @@ use crate::elements::{Interpolant, Library};
 use crate::lower::constraints::{ConstraintKernels, constraint_kernels};
 use crate::lower::courses::CourseKernel;
 use crate::lower::density::{DensityKernels, FieldKernels, density_kernels, field_kernels};
-use crate::lower::distributed::{DistributedKernels, around_kernels, distributed_kernels};
+use crate::lower::distributed::{AroundKernels, DistributedKernels, around_kernels, distributed_kernels};
 use crate::lower::elastic::Form;
 use crate::lower::field_forces::field_forces_kernel;
 use crate::lower::forces::{ForceKernels, force_kernels};
@@ -99,7 +99,7 @@ pub struct Equations {
     /// Loads per length at points.
     pub distributed: Vec<DistributedKernels>,
     /// Gravity that changes from place to place, with the indices of the loads.
-    pub around: Vec<(usize, [Kernel; 2])>,
+    pub around: Vec<AroundKernels>,
     /// Gravity fields.
     pub fields: Vec<FieldKernels>,
     /// Moment on a slope, or in a plane on a section's axis, by dimension, where needed.

@@ -2,10 +2,15 @@
 //! Of prescribed positions it is their second derivative: that of the acceleration. Loads per length have courses over time and along the axis:
 //! they may lie between the points of an element, or pass one within a step. What is narrow in space has courses over the vectors that it reads.
 
+use std::collections::{HashMap, HashSet};
+
 use super::kernel::Kernel;
+use super::markers::{function_name, localise};
 use super::motions::timed_coefficients;
 use crate::elements::Library;
-use crate::model::{Distributed, Expr, FrameId, Function, Model, Observable, ParticleVector, RepeatId};
+use crate::model::{
+    Distributed, Expr, FrameId, Function, LoadKind, MarkerId, Model, Observable, ParticleVector, RepeatId,
+};
 use crate::symbolic::{Id, Node, Time};
 
 /// A sine to a lower power is as wide as its period is long.
@@ -24,6 +29,10 @@ pub struct CourseKernel {
     pub tables: Vec<String>,
     /// What each function belongs to, and its operation.
     pub functions: Vec<(String, usize)>,
+    /// Whether they are positions that something is held at.
+    pub are_positions: bool,
+    /// Markers of the model whose vectors they read, where the scene does not know.
+    pub markers: Vec<MarkerId>,
 }
 
 impl CourseKernel {
@@ -33,10 +42,50 @@ impl CourseKernel {
     }
 }
 
-/// All courses of a model: those of all repetitions first.
+/// All courses of a model but those of forces on markers and at places: those of all repetitions first, those over markers last.
 pub fn courses(model: &Model, library: &Library) -> Vec<CourseKernel> {
     let scopes = std::iter::once(None).chain((0..model.repeats.len()).map(|at| Some(RepeatId(at))));
-    scopes.filter_map(|repeat| courses_in(model, library, repeat)).collect()
+    let of_time = scopes.filter_map(|repeat| courses_in(model, library, repeat));
+    of_time.chain(courses_of_markers(model)).collect()
+}
+
+/// What constraints, fields and loads per length do over the markers that they read.
+fn courses_of_markers(model: &Model) -> Vec<CourseKernel> {
+    let mut names = Vec::new();
+    let mut courses = Vec::new();
+    let mut add = |of: String, name: &str, markers: &[MarkerId], components: Vec<&Expr>, are_positions| {
+        let components: Vec<Expr> = components.into_iter().map(|one| localise(one, markers)).collect();
+        let name = function_name(name, &names);
+        if let Some(mut course) = course_of(model, &components, &format!("markers_of_{name}")) {
+            names.push(name);
+            course.functions.iter_mut().for_each(|(word, _)| word.clone_from(&of));
+            courses.push(CourseKernel {
+                are_positions,
+                markers: markers.to_vec(),
+                ..course
+            });
+        }
+    };
+    for constraint in &model.constraints {
+        let rows = constraint.rows.iter().map(|(_, row)| row).collect();
+        let of = format!("joint `{}`", constraint.name);
+        add(of, &constraint.name, &constraint.markers, rows, true);
+    }
+    for load in &model.loads {
+        if let LoadKind::Field {
+            markers, components, ..
+        } = &load.kind
+        {
+            let of = format!("load `{}`", load.name);
+            add(of, &load.name, markers, components.iter().collect(), false);
+        }
+    }
+    for density in &model.densities {
+        let of = format!("load `{}`", density.name);
+        let components = density.components.iter().collect();
+        add(of, &density.name, &density.markers, components, false);
+    }
+    courses
 }
 
 /// What a load per length does along the axis of its body, over time and where its particles come to; `None` where it is as wide as what its points see.
@@ -45,7 +94,7 @@ pub fn course_along(model: &Model, load: &Distributed, name: &str) -> Option<Cou
     let repeat = model.bodies[load.body.0].repeat;
     let components = load.forces.iter().flat_map(|(_, components)| components);
     let values: Vec<Id> = components.map(|component| time.expression(component)).collect();
-    let places: Vec<Id> = time.vectors().map(|(id, _)| id).collect();
+    let places: Vec<Id> = time.vectors(0).map(|(id, _)| id).collect();
     let mut other = time.what_moves();
     other.retain(|id| !places.contains(id));
     let along = [&[time.x], &places[..]].concat();
@@ -63,11 +112,11 @@ pub fn course_along(model: &Model, load: &Distributed, name: &str) -> Option<Cou
     (!functions.is_empty()).then(|| time.course_kernel(&variables, repeat, (name, &arguments), functions))
 }
 
-/// What a force does over the vectors of its markers that may be over before a step sees it, `None` where nothing is; `components` count its own markers.
-pub fn course_of_force(model: &Model, components: &[Expr], name: &str) -> Option<CourseKernel> {
+/// What an expression does over the vectors of its markers that may be over before a step sees it, `None` where nothing is; `components` count its own markers.
+pub fn course_of(model: &Model, components: &[Expr], name: &str) -> Option<CourseKernel> {
     let mut time = Time::new(model);
     let values: Vec<Id> = components.iter().map(|component| time.expression(component)).collect();
-    let vectors: Vec<Id> = time.vectors().map(|(id, _)| id).collect();
+    let vectors: Vec<Id> = time.vectors(1).map(|(id, _)| id).collect();
     let mut other = time.what_moves();
     other.retain(|id| !vectors.contains(id));
     other.extend([time.x, time.index]);
@@ -200,23 +249,25 @@ fn repeated_roots(time: &mut Time<'_>, repeat: RepeatId) -> Vec<Root> {
 }
 
 impl Time<'_> {
-    /// Symbols of vectors that have been used, with their numbers among those of a force and their components: of a particle its position, which is
-    /// the first of its vectors.
-    fn vectors(&self) -> impl Iterator<Item = (Id, [usize; 2])> {
-        self.observed.iter().filter_map(|(observable, symbol)| {
+    /// Symbols of vectors that have been used, and of their rates if the highest derivative is 1, with the operations that have them: the number of the
+    /// vector among those that are read, and its component. Of a particle it is the position, which is the first of its vectors.
+    fn vectors(&self, highest: usize) -> impl Iterator<Item = (Id, String)> {
+        self.observed.iter().filter_map(move |(observable, symbol)| {
             let Observable::Marker {
                 marker,
-                derivative: 0,
+                derivative,
                 component,
             } = observable
             else {
                 return None;
             };
-            match ParticleVector::of(*marker) {
-                Some(ParticleVector::Position) => Some((*symbol, [0, *component])),
-                Some(_) => None,
-                None => Some((*symbol, [marker.0, *component])),
-            }
+            let number = match ParticleVector::of(*marker) {
+                Some(ParticleVector::Position) if *derivative == 0 => 0,
+                Some(_) => return None,
+                None => marker.0,
+            };
+            let word = ["Vector", "Rate"].get(*derivative).filter(|_| *derivative <= highest)?;
+            Some((*symbol, format!("{word}({number}, {component})")))
         })
     }
 
@@ -258,11 +309,15 @@ impl Time<'_> {
     fn ends_somewhere(&self, variables: &[Id], id: Id) -> bool {
         use Function::{Abs, Cosh, Exp, Sinh, Tanh};
         let graph = &self.graph;
+        let places: Vec<Id> = variables.iter().copied().filter(|&id| id != self.t).collect();
+        let moves = |id: Id| graph.depends_on(id, &places);
         graph.reachable(&[id]).into_iter().any(|id| {
             let is_sharp = match graph.node(id) {
                 Node::Call(function, _) => matches!(function, Exp | Tanh | Sinh | Cosh | Abs),
                 Node::Call2(function, ..) => function != Function::Atan2,
-                Node::Lookup(..) | Node::Select(..) => true,
+                Node::Lookup(..) => true,
+                // Steps end where time decides.
+                Node::Select(_, [left, right, ..]) => moves(left) || moves(right),
                 _ => false,
             };
             is_sharp && graph.depends_on(id, variables)
@@ -306,17 +361,17 @@ impl Time<'_> {
         functions: Vec<(String, Id)>,
     ) -> CourseKernel {
         let (x, graph) = (self.x, &self.graph);
-        let vectors: std::collections::HashMap<Id, [usize; 2]> = self.vectors().collect();
+        let vectors: HashMap<Id, String> = self.vectors(1).collect();
         let roots: Vec<Id> = functions.iter().map(|&(_, id)| id).collect();
         let nodes = graph.reachable(&roots);
         let changes = |id: Id| graph.depends_on(id, variables);
         // What does not change is a number where something that changes reads it.
-        let read: std::collections::HashSet<Id> = nodes
+        let read: HashSet<Id> = nodes
             .iter()
             .filter(|&&id| changes(id))
             .flat_map(|&id| graph.children(id))
             .collect();
-        let (mut places, mut operations) = (std::collections::HashMap::new(), Vec::new());
+        let (mut places, mut operations) = (HashMap::new(), Vec::new());
         let (mut numbers, mut tables): (Vec<Id>, Vec<String>) = (Vec::new(), Vec::new());
         for id in nodes {
             if !changes(id) {
@@ -330,10 +385,7 @@ impl Time<'_> {
             let at = |id: Id| places[&id];
             let operation = match graph.node(id) {
                 Node::Number(_) | Node::Symbol(_) if id == x => "Place".to_string(),
-                Node::Number(_) | Node::Symbol(_) if vectors.contains_key(&id) => {
-                    let [vector, component] = vectors[&id];
-                    format!("Vector({vector}, {component})")
-                }
+                Node::Number(_) | Node::Symbol(_) if vectors.contains_key(&id) => vectors[&id].clone(),
                 Node::Number(_) | Node::Symbol(_) => "Time".to_string(),
                 Node::Add(a, b) => format!("Add({}, {})", at(a), at(b)),
                 Node::Subtract(a, b) => format!("Subtract({}, {})", at(a), at(b)),
@@ -391,6 +443,8 @@ impl Time<'_> {
             operations,
             tables,
             functions,
+            are_positions: false,
+            markers: Vec::new(),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Loads per length at a particle, with both tangents; gravity that changes from place to place.
 
-use super::courses::{CourseKernel, course_along};
+use super::courses::{CourseKernel, course_along, course_of};
 use super::kernel::{Kernel, derivatives, values};
 use super::markers::{Marked, function_name};
 use crate::model::{Distributed, Expr, LoadKind, MarkerId, Model, Observable, ParticleVector};
@@ -116,8 +116,19 @@ fn kernels(model: &Model, load: &Distributed, name: &str) -> DistributedKernels 
     }
 }
 
-/// Gravity as a function of the place: its value and its derivatives, with the indices of the loads.
-pub fn around_kernels(model: &Model) -> Vec<(usize, [Kernel; 2])> {
+/// Gravity as a function of the place.
+#[derive(Clone, Debug)]
+pub struct AroundKernels {
+    /// Index of the load.
+    pub load: usize,
+    /// Its value and its derivatives.
+    pub kernels: [Kernel; 2],
+    /// What it does over the place that steps could jump over.
+    pub course: Option<CourseKernel>,
+}
+
+/// The functions of all gravity that is a function of the place.
+pub fn around_kernels(model: &Model) -> Vec<AroundKernels> {
     let mut names = Vec::new();
     let loads = model.loads.iter().enumerate();
     let kernels = loads.filter_map(|(index, load)| {
@@ -152,7 +163,19 @@ pub fn around_kernels(model: &Model) -> Vec<(usize, [Kernel; 2])> {
         );
         let arguments = ["place: ::rncf::emitted::Vector", "gradient: &mut [f64; 9]"];
         let gradient = marked.kernel(format!("around_gradient_{name}"), title, outputs, &arguments);
-        Some((index, [value, gradient]))
+        let components: Vec<Expr> = components
+            .iter()
+            .map(|component| localise(component, &[ParticleVector::Position]))
+            .collect();
+        let mut course = course_of(model, &components, &format!("around_{name}"));
+        for (of, _) in course.iter_mut().flat_map(|course| &mut course.functions) {
+            *of = format!("load `{}`", load.name);
+        }
+        Some(AroundKernels {
+            load: index,
+            kernels: [value, gradient],
+            course,
+        })
     });
     kernels.collect()
 }

@@ -2,7 +2,7 @@
 //! nothing but their markers share their functions.
 
 use super::branches;
-use super::courses::{CourseKernel, course_of_force};
+use super::courses::{CourseKernel, course_of};
 use super::differences::of_differences;
 use super::kernel::{Kernel, derivatives};
 use super::markers::{Marked, describe, function_name, list, localise};
@@ -74,7 +74,7 @@ pub fn force_kernels(model: &Model) -> Vec<ForceKernels> {
             tangent: law.tangent(),
             energy: energy.as_ref().map(|energy| law.energy(energy)),
             branches: law.branches(),
-            course: course_of_force(model, components, &law.name),
+            course: course_of(model, components, &law.name),
         });
     }
     kernels

@@ -36,6 +36,7 @@ impl Driver {
             segments: Segments::new(0.0, 0.0, &[]),
             switches: Switches::default(),
             sight: None,
+            strays: None,
             wanted: 0.0,
             at_kink: false,
             previous_time: 0.0,
@@ -84,6 +85,7 @@ impl Driver {
             segments,
             switches: _,
             sight,
+            strays,
             bordered,
             wanted,
             at_kink,
@@ -100,7 +102,7 @@ impl Driver {
         statistics.keep(archive);
         watch.keep(archive);
         if archive.is_reading() {
-            *sight = None;
+            (*sight, *strays) = (None, None);
             *bordered = Bordered::new(system);
             *scheme = scheme_of(system, *method, options, segments.span());
         }

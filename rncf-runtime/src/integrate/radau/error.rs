@@ -26,9 +26,9 @@ use crate::integrate::statistics::Statistics;
 use crate::system::{State, System};
 
 /// Steps that vary by less than this do so in smooth motions.
-const SMOOTH: f64 = 4.0;
+pub(in crate::integrate) const SMOOTH: f64 = 4.0;
 /// The longest step is remembered over some hundred steps.
-const FORGETTING: f64 = 0.99;
+pub(in crate::integrate) const FORGETTING: f64 = 0.99;
 
 /// Memory and weights of the estimate.
 pub(super) struct Estimate {

@@ -13,10 +13,13 @@ const ON_SCREW: f64 = 0.5;
 impl MeshScene {
     /// Courses of forces on markers and of points of elements that time or their vectors act on.
     pub(in crate::scene) fn courses_of_forces(&self) -> impl Iterator<Item = Courses> {
-        self.links.forces.iter().enumerate().filter_map(|(reader, push)| {
+        self.links.forces.iter().filter_map(|push| {
             let course = self.course_of(push)?;
             let is_timed = course.operations.contains(&Operation::Time) || course.reads_vectors();
-            is_timed.then_some(Courses { reader, ..course })
+            is_timed.then_some(Courses {
+                markers: push.markers.clone(),
+                ..course
+            })
         })
     }
 
@@ -25,13 +28,13 @@ impl MeshScene {
         match push.law {
             Law::Force(force) => self.parts.force_course(force),
             Law::Distributed { load, at, .. } => self.parts.distributed_course(load, at),
-            Law::Gravity { .. } => None,
+            Law::Gravity { load, .. } => self.parts.around_course(load),
         }
     }
 
-    /// Ways of the vectors that a force reads at the loaded state, from a time (s) on.
-    pub(in crate::scene) fn paths_of(&self, force: usize, t: f64) -> Vec<Path> {
-        let markers = self.links.forces[force].markers.iter();
+    /// Ways of the vectors of markers at the loaded state, from a time (s) on.
+    pub(in crate::scene) fn paths_of(&self, markers: &[usize], t: f64) -> Vec<Path> {
+        let markers = markers.iter();
         let path = |&index: &usize| {
             let marker = &self.links.markers[index];
             let [value, rate, ..] = self.jet_from(marker, None);
@@ -68,9 +71,11 @@ fn straight([value, rate]: [Vector; 2], t: f64) -> Path {
         from: t,
         middle: value.into(),
         velocity: rate.into(),
+        acceleration: [0.0; 3],
         arm: [0.0; 3],
         quarter: [0.0; 3],
         spin: 0.0,
+        spin_rate: 0.0,
     }
 }
 
@@ -97,9 +102,11 @@ fn on_screw(frame: &FrameMotion, [place, velocity]: [Vector; 2], t: f64) -> Path
         from: t,
         middle: middle.into(),
         velocity: (along + drift).into(),
+        acceleration: [0.0; 3],
         arm: (place - middle).into(),
         quarter: axis.cross(&(place - middle)).into(),
         spin,
+        spin_rate: 0.0,
     }
 }
 
