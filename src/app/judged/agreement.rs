@@ -42,13 +42,32 @@ fn sentence(outputs: &[Output], off: &[Off], with: &str) -> Option<String> {
     if off.is_empty() || most > TOLD {
         return None;
     }
-    let like = off.iter().filter(|of| of.part >= LIKE * most);
+    let (open, known): (Vec<&Off>, Vec<&Off>) = off.iter().partition(|of| of.is_open);
+    let most = known.first().map_or(0.0, |of| of.part);
+    let like = known.iter().filter(|of| of.part >= LIKE * most);
     let names: Vec<String> = like.map(|of| format!("`{}`", outputs[of.output].name)).collect();
-    Some(format!(
-        "Compared with {with}, outputs differ by at most {:.1e} of their largest change ({}).",
-        most.max(LEAST),
-        listed(&names, MOST)?
-    ))
+    let size = |of: &&Off| {
+        let (Output { name, unit, .. }, size) = (outputs[of.output], of.part * of.nothing.unwrap_or_default());
+        let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
+        format!("`{name}` by {size:.1e}{unit}")
+    };
+    let open: Vec<String> = open.iter().map(size).collect();
+    let open = listed(&open, MOST).map(|open| {
+        format!("{open}: what changes so little beside what it is made of is not known with this tolerance")
+    });
+    let known = listed(&names, MOST).map(|names| {
+        format!(
+            "outputs differ by at most {:.1e} of their largest change ({names})",
+            most.max(LEAST)
+        )
+    });
+    let found = match (known, open) {
+        (Some(known), Some(open)) => format!("{known}, and {open}"),
+        (Some(one), None) => one,
+        (None, Some(open)) => format!("outputs differ, {open}"),
+        (None, None) => return None,
+    };
+    Some(format!("Compared with {with}, {found}."))
 }
 
 #[cfg(test)]
@@ -69,6 +88,7 @@ mod tests {
             output,
             part,
             nothing: None,
+            is_open: false,
         };
         let some = [off(2, 3.14e-4), off(0, 2e-4), off(1, 1e-6)];
         assert_eq!(
@@ -84,6 +104,12 @@ mod tests {
             of_run(&outputs, &some, true, Some(1e-4)).unwrap().starts_with(
                 "Compared with twice as many elements and steps of the tolerance 1e-4, whose errors are in this, outputs differ by at most 3.1e-4 of"
             )
+        );
+        let mut open = off(1, 1e-5);
+        (open.nothing, open.is_open) = (Some(6.0), true);
+        assert_eq!(
+            of_run(&outputs, &[off(0, 2e-4), open], false, None).unwrap(),
+            "Compared with other steps, outputs differ by at most 2.0e-4 of their largest change (`tip`), and `root` by 6.0e-5 m: what changes so little beside what it is made of is not known with this tolerance."
         );
         // Warnings tell what is more.
         assert_eq!(of_run(&outputs, &[off(0, 0.02)], true, None), None);

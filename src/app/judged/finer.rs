@@ -38,6 +38,10 @@ const TRIES: usize = 4;
 const OTHER: f64 = 1.3;
 /// No tolerance is smaller: round-off is near.
 const LEAST: f64 = 1e-13;
+/// Iterations with ten times the tolerance, as a part of those of the run, from which on steps hardly follow it: by the order of the method there are a third less.
+const ALIKE: f64 = 0.85;
+/// How many smaller tolerances are tried for outputs that may be there, and be off, for all that larger ones tell.
+const OPEN: usize = 2;
 /// Most bodies in the sentence.
 const MOST: usize = 3;
 
@@ -316,7 +320,7 @@ pub(in crate::app) fn compare(
     };
     let mut kinds = [true, false].map(|is_motion| Kind::new(run, outputs, is_motion));
     let mut found_so_far = Sets::new(run, outputs);
-    let mut spent = 0.0;
+    let (mut spent, mut is_alike) = (0.0, false);
     let tolerances = tolerances(run.options.rtol, is_exact(&run), finer.is_some());
     for (place, &rtol) in tolerances.iter().enumerate() {
         if kinds.iter().all(|kind| kind.is_settled) {
@@ -349,6 +353,9 @@ pub(in crate::app) fn compare(
         let (mut steps, mut open) = (Vec::new(), Vec::new());
         if !is_exact(&run) || run.options.rtol != rtol {
             let here = rows(&mut own, rtol, 1.0, &seen);
+            let all = run.iterations as f64 * unknowns(&own);
+            is_alike |=
+                here.len() == run.marks.rows.len() && last.get() >= ALIKE * all && differ(rtol, run.options.rtol);
             found_so_far.meet(&here, rtol, false);
             steps = found_so_far.off(&here, rtol);
             open = found_so_far.open(&here, rtol);
@@ -377,11 +384,20 @@ pub(in crate::app) fn compare(
             kinds.iter_mut().for_each(|kind| kind.meet_near(near, &beyond));
         }
     }
-    // Where motions and loads shorten steps, they do so at ten times the tolerance alike, which then tells too little.
-    let is_blind = is_exact(&run) && run.is_shortened;
-    let tries = match is_blind {
-        true => TRIES,
-        false => usize::from(kinds.iter().any(|kind| kind.is_far)),
+    // Where motions and loads shorten steps, or something else does, they are alike at ten times the tolerance, which then tells too little.
+    let is_blind = is_exact(&run) && (run.is_shortened || is_alike);
+    let has_open = |sets: &Sets<'_>| {
+        let here = sets
+            .sets
+            .iter()
+            .rev()
+            .find(|set| !set.2 && set.0.len() == run.marks.rows.len());
+        is_exact(&run) && here.is_some_and(|(rows, rtol, _)| sets.open(rows, *rtol).contains(&true))
+    };
+    let tries = match () {
+        () if is_blind => TRIES,
+        () if has_open(&found_so_far) => OPEN,
+        () => usize::from(kinds.iter().any(|kind| kind.is_far)),
     };
     left.set(afforded(LAST, &own));
     let smaller = std::iter::successors(Some(run.options.rtol / TEN), |rtol| Some(rtol / TEN));
@@ -393,8 +409,8 @@ pub(in crate::app) fn compare(
         found_so_far.meet(&here, rtol, false);
         let steps = found_so_far.off(&here, rtol);
         kinds.iter_mut().for_each(|kind| kind.meet_smaller(rtol, &steps));
-        // Until steps are others.
-        if last.get() >= OTHER * run.iterations as f64 * unknowns(&own) {
+        // Until steps are others, and what they find is there.
+        if last.get() >= OTHER * run.iterations as f64 * unknowns(&own) && !has_open(&found_so_far) {
             break;
         }
     }

@@ -46,6 +46,8 @@ pub(in crate::app) struct Off {
     pub part: f64,
     /// or of this, in its unit, where both are nothing.
     pub nothing: Option<f64>,
+    /// Whether it may be there for all that the tolerance tells, and be off by much of its change.
+    pub is_open: bool,
 }
 
 /// Rows of two runs in one output.
@@ -82,6 +84,9 @@ impl Compared {
             output: self.output,
             part: self.away / measure,
             nothing: Some(measure).filter(|measure| *measure > self.size),
+            is_open: measure > self.size
+                && self.away > TOLD * self.size
+                && self.away > (NOTHING * rtol * self.operands).max(self.round_off),
         }
     }
 }
@@ -287,7 +292,9 @@ pub(in crate::app) fn sorted(mut found: Vec<Off>) -> Vec<Off> {
 
 /// The outputs whose errors are worth to be told, with these.
 pub(in crate::app) fn told(outputs: &[Output], found: &[Off]) -> Option<String> {
-    let name = |&Off { output, part, nothing }: &Off| {
+    let name = |&Off {
+                    output, part, nothing, ..
+                }: &Off| {
         let Output { name, unit, .. } = outputs[output];
         match nothing {
             // What should not change has no part of its change.
