@@ -37,6 +37,12 @@ impl Interval {
         Self::new(self.low.min(other.low), self.high.max(other.high))
     }
 
+    /// What both contain; of intervals that round-off keeps apart this one.
+    pub(super) fn both(self, other: Self) -> Self {
+        let (low, high) = (self.low.max(other.low), self.high.min(other.high));
+        if low <= high { Self { low, high } } else { self }
+    }
+
     /// The same with a margin on both sides.
     pub fn wider(self, margin: f64) -> Self {
         Self::new(self.low - margin, self.high + margin)

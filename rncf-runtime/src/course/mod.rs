@@ -1,9 +1,11 @@
 //! Courses: what motions and loads do over time alone, and loads per length along an axis, as lists of operations, so that they can be bounded over a
 //! span and not only be evaluated. A load that is over between two evaluations is found so, whatever function it is made of.
 
+mod close;
 mod interval;
 mod path;
 
+pub use close::Close;
 pub use interval::Interval;
 pub use path::Path;
 
@@ -11,6 +13,8 @@ pub use path::Path;
 pub trait Lookup: Send + Sync {
     /// Bounds of a column (`order` 0) or its derivative (1) over places; of those beyond the rows nothing.
     fn bounds(&self, column: usize, order: usize, places: Interval) -> Interval;
+    /// Bounds of the derivative of that over places; every number where it may jump.
+    fn slopes(&self, column: usize, order: usize, places: Interval) -> Interval;
 }
 
 /// One operation; operands are indices of operations before it.

@@ -66,6 +66,18 @@ impl Path {
         even.add(Interval::point(arm.hypot(quarter)).multiply(turned).multiply(spin))
     }
 
+    /// Bounds of the second derivative of a component over a span of time, s.
+    pub(super) fn accelerations(&self, component: usize, span: Interval) -> Interval {
+        let since = span.subtract(Interval::point(self.from));
+        let (arm, quarter) = (self.arm[component], self.quarter[component]);
+        let turn = self.turn(since, quarter.atan2(arm));
+        let spin = Interval::point(self.spin).add(Interval::point(self.spin_rate).multiply(since));
+        let inward = spin.power(2).multiply(turn.cos());
+        let along = Interval::point(self.spin_rate).multiply(turn.sin());
+        let turned = Interval::point(arm.hypot(quarter)).multiply(inward.add(along).negate());
+        Interval::point(self.acceleration[component]).add(turned)
+    }
+
     /// Bounds of the turn since then, less a phase, rad.
     fn turn(&self, since: Interval, phase: f64) -> Interval {
         let bend = Interval::point(0.5 * self.spin_rate).multiply(since);

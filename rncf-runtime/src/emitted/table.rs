@@ -288,6 +288,19 @@ impl Lookup for Table {
         }
         bounds[0].hull(bounds[1])
     }
+
+    fn slopes(&self, column: usize, order: usize, places: Interval) -> Interval {
+        let has_steps = self.places.windows(2).any(|pair| pair[0] == pair[1]);
+        let smooth = match self.between {
+            Between::Line => 0,
+            Between::Monotone => 1,
+            Between::Spline(_) => 2,
+        };
+        if has_steps || order > smooth {
+            return Interval::ALL;
+        }
+        self.bounds(column, order + 1, places)
+    }
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Whether a step sees what motions and loads do over time (`course`): a pulse that is over between two evaluations, whatever function it is made
 //! of, leaves no trace in an estimate of the error. Its bounds over the step tell of it.
 
-use crate::course::{Courses, Interval, Path};
+use crate::course::{Close, Courses, Interval, Path};
 
 /// A course may leave what it takes on at the ends of the step, and of a step before that was not much shorter, by so many times the width of that: then
 /// the error is estimated from values that are not small beside what is between them.
@@ -51,6 +51,7 @@ pub(super) struct Sight {
     shown: [Vec<Interval>; PIECES + 1],
     /// Bounds of all operations.
     all: Vec<Interval>,
+    close: Close,
     evaluations: u32,
 }
 
@@ -93,6 +94,7 @@ impl Sight {
             before: Vec::new(),
             shown: Default::default(),
             all: Vec::new(),
+            close: Close::default(),
             evaluations: 0,
         };
         for (number, courses) in sight.courses.iter().enumerate() {
@@ -310,8 +312,16 @@ impl Sight {
         for &index in &self.lively {
             let courses = &self.courses[index];
             courses.bounds(span, &mut self.all);
+            let mut is_close = false;
             for (&(of, at), (&number, allowed)) in courses.functions.iter().zip(&mut functions) {
-                if self.vague[number] < GIVEN_UP && !allowed.contains(self.all[at]) {
+                if self.vague[number] >= GIVEN_UP || allowed.contains(self.all[at]) {
+                    continue;
+                }
+                if !is_close {
+                    courses.close_bounds(span, &mut self.close);
+                    is_close = true;
+                }
+                if !allowed.contains(self.close.bounds(at)) {
                     return Some((number, of));
                 }
             }

@@ -305,22 +305,29 @@ impl Time<'_> {
     }
 
     /// Whether anything in a function of variables falls faster than any power, or switches: what only falls with a power of the distance is felt from
-    /// far, and factors like directions change with the turn.
+    /// far, and factors like directions change with the turn. Over rates what rises to a value and stays there is friction, and no pulse.
     fn ends_somewhere(&self, variables: &[Id], id: Id) -> bool {
         use Function::{Abs, Cosh, Exp, Sinh, Tanh};
         let graph = &self.graph;
-        let places: Vec<Id> = variables.iter().copied().filter(|&id| id != self.t).collect();
+        let places: Vec<Id> = self.vectors(0).map(|(id, _)| id).collect();
         let moves = |id: Id| graph.depends_on(id, &places);
-        graph.reachable(&[id]).into_iter().any(|id| {
-            let is_sharp = match graph.node(id) {
-                Node::Call(function, _) => matches!(function, Exp | Tanh | Sinh | Cosh | Abs),
-                Node::Call2(function, ..) => function != Function::Atan2,
-                Node::Lookup(..) => true,
-                // Steps end where time decides.
-                Node::Select(_, [left, right, ..]) => moves(left) || moves(right),
-                _ => false,
-            };
-            is_sharp && graph.depends_on(id, variables)
+        let changes = |id: Id| graph.depends_on(id, variables);
+        let rates: Vec<Id> = self
+            .vectors(1)
+            .map(|(id, _)| id)
+            .filter(|id| !places.contains(id))
+            .collect();
+        let passes = |id: Id| changes(id) && !graph.depends_on(id, &rates);
+        graph.reachable(&[id]).into_iter().any(|id| match graph.node(id) {
+            Node::Call(function, of) => {
+                let is_sharp = matches!(function, Exp | Cosh) && changes(of);
+                is_sharp || matches!(function, Tanh | Sinh | Abs) && passes(of)
+            }
+            Node::Call2(function, ..) => function != Function::Atan2 && passes(id),
+            Node::Lookup(_, at) => changes(at),
+            // Steps end where time decides.
+            Node::Select(_, [left, right, ..]) => moves(left) || moves(right),
+            _ => false,
         })
     }
 
