@@ -7,7 +7,7 @@ use super::thing::Thing;
 use super::vector::{Quantity, Vectorial};
 use super::{Check, say};
 use crate::joints::algebra;
-use crate::model::{About, BalanceQuantity, Expr as Value, FrameId, INERTIAL, Observable, Owner, Space};
+use crate::model::{About, BalanceQuantity, Expr as Value, FrameId, INERTIAL, LoadKind, Observable, Owner, Space};
 use crate::parse::tree::{Argument, Expr, ExprKind, Keyword, Name};
 use crate::units::Dimension;
 
@@ -161,6 +161,14 @@ impl<'a> Check<'a> {
         };
         if what == BalanceQuantity::StrainEnergy && matches!(of, Owner::Frame(_)) {
             self.errors.at(field.span, say::RIGID_STRAIN);
+            return None;
+        }
+        let placed = self.model.loads.iter().find(|load| matches!(load.kind, LoadKind::Around(_)));
+        if what == BalanceQuantity::GravityEnergy
+            && let Some(load) = placed
+        {
+            let message = say::energy_of_placed_gravity(&load.name);
+            self.errors.at(field.span, message);
             return None;
         }
         let dimension = Dimension::of(dimension);

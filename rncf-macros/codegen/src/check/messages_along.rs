@@ -68,6 +68,10 @@ pub fn lookup_of_angle(table: &str) -> String {
     format!("this is an angle, and the rows of `{table}` are at plain numbers: give that column a unit, e.g. `deg`")
 }
 
+pub fn energy_of_placed_gravity(load: &str) -> String {
+    format!("gravity `{load}` is a function of the place, whose potential is not known: leave `gravity_energy` out, and write the potential by hand, as of a mass point `-mu * m / distance`")
+}
+
 pub fn step_in_spline(row: &str) -> String {
     format!(
         "{row} is at the place of the one before it, and a spline has no steps: take `interpolation = monotone`, or leave the row out"
