@@ -15,6 +15,7 @@ mod gravity;
 mod hanging;
 mod heavy_top;
 mod judged_forces;
+mod judged_steps;
 mod kinks;
 mod looked_up;
 mod machines;

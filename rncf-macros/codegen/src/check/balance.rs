@@ -163,7 +163,11 @@ impl<'a> Check<'a> {
             self.errors.at(field.span, say::RIGID_STRAIN);
             return None;
         }
-        let placed = self.model.loads.iter().find(|load| matches!(load.kind, LoadKind::Around(_)));
+        let placed = self
+            .model
+            .loads
+            .iter()
+            .find(|load| matches!(load.kind, LoadKind::Around(_)));
         if what == BalanceQuantity::GravityEnergy
             && let Some(load) = placed
         {

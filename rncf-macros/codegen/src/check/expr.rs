@@ -67,7 +67,7 @@ const TIME: super::quantity::Wanted = super::quantity::Wanted {
 };
 
 /// Names that functions have elsewhere.
-const OTHER_NAMES: [(&str, &str); 8] = [
+const OTHER_NAMES: [(&str, &str); 10] = [
     ("log", "ln"),
     ("log10", "ln(x) / ln(10)"),
     ("arcsin", "asin"),
@@ -76,6 +76,8 @@ const OTHER_NAMES: [(&str, &str); 8] = [
     ("arctan2", "atan2"),
     ("fabs", "abs"),
     ("pow", "x^n"),
+    ("sign", "if x < 0 { -1 } else { 1 }"),
+    ("sgn", "if x < 0 { -1 } else { 1 }"),
 ];
 
 /// What is said of a name, and where it is written like a unit how that is told from it.

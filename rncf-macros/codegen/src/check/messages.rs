@@ -10,8 +10,7 @@ pub use crate::suggest::a;
 pub const IMPORT_REPEATED: &str = "a body from a file is not repeated yet: declare it once for each place";
 pub const NEGATIVE_DAMPING: &str = "damping is not negative";
 pub const LONG_CHAIN: &str = "too many names are defined by each other: shorten the chain";
-pub const NO_TIME: &str =
-    "`t` has no meaning here: only motions, frames, drives, constraints, forces, outputs and the energies of elements change with time";
+pub const NO_TIME: &str = "`t` has no meaning here: only motions, frames, drives, constraints, forces, outputs and the energies of elements change with time";
 pub const LONE_T: &str = "`t` is time: a product is written `2*t`; tonnes stand in brackets, `2 [t]`";
 pub const DIVISION_BY_ZERO: &str = "this is zero, and nothing can be divided by it";
 pub const TOO_DEEP: &str = "this is nested too deeply together with the names that it uses: shorten it";

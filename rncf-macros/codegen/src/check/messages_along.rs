@@ -69,7 +69,9 @@ pub fn lookup_of_angle(table: &str) -> String {
 }
 
 pub fn energy_of_placed_gravity(load: &str) -> String {
-    format!("gravity `{load}` is a function of the place, whose potential is not known: leave `gravity_energy` out, and write the potential by hand, as of a mass point `-mu * m / distance`")
+    format!(
+        "gravity `{load}` is a function of the place, whose potential is not known: leave `gravity_energy` out, and write the potential by hand, as of a mass point `-mu * m / distance`"
+    )
 }
 
 pub fn step_in_spline(row: &str) -> String {

@@ -1,0 +1,104 @@
+//! What judged runs tell of errors that ten times the tolerance does not show: it has nearly the same steps, or loses what the run has.
+
+use rncf::app::{Judging, RunSettings, run};
+use rncf::prelude::*;
+
+rncf::model! {
+    /// A passenger on a train that covers 6 km, and swings by a millimetre.
+    pub model Passenger {
+        param ahead = 20 m;
+        rigid seat { plane xy; mass = 50 kg; origin = [ahead, 0, 0]; velocity = [100, 0.01, 0] m/s; }
+        load suspension = force(seat, [0 N, -5000 [N/m] * seat.y, 0]);
+        output y = seat.y;
+        output x = seat.x;
+        run { t_end = 60 s; every = 0.1 s; }
+    }
+}
+
+fn judged(rtol: f64, judged: Judging) -> RunSettings {
+    RunSettings {
+        options: Options {
+            rtol,
+            ..Options::default()
+        },
+        judged,
+        ..RunSettings::default()
+    }
+}
+
+/// The swings are below the tolerance of the place, and above the noise of a tenth of it. The place is `sin(10 t) / 1000`.
+#[test]
+fn what_ten_times_the_tolerance_loses_is_told() {
+    for (ahead, rtol) in [(20.0, 1e-6), (50.0, 1e-6), (1000.0, 1e-8)] {
+        let model = Passenger {
+            ahead,
+            ..Passenger::default()
+        };
+        let found = run(&model, &judged(rtol, Judging::Affordable)).unwrap();
+        let times = found.history.keys.iter();
+        let error = times
+            .zip(found.history.column(0))
+            .map(|(t, y)| (y - 1e-3 * (10.0 * t).sin()).abs());
+        let error = error.fold(0.0, f64::max) / 1e-3;
+        let note = found.warnings.iter().find(|note| note.contains("`y` by"));
+        println!("{ahead} {rtol}: {error} {:?} {:?}", found.warnings, found.agreement);
+        let note = note.unwrap_or_else(|| panic!("{ahead} {rtol}: off by {error}, {:?}", found.warnings));
+        let told = super::judged_forces::told(note, "y").unwrap_or(0.5);
+        assert!(
+            (0.3..3.0).contains(&(told / error)),
+            "{ahead} {rtol}: off by {error}, told {told}"
+        );
+    }
+    // Nothing knows of it where it is below all of these tolerances, and the line says so.
+    let model = Passenger {
+        ahead: 1e5,
+        ..Passenger::default()
+    };
+    let found = run(&model, &judged(1e-6, Judging::Affordable)).unwrap();
+    println!("{:?} {:?}", found.warnings, found.agreement);
+}
+
+rncf::model! {
+    /// A gyroscope that falls in gimbals, past the place where they lock.
+    pub model Gimbals {
+        rigid outer { mass = 0.2 kg; inertia = [2, 2, 2] g*m^2; }
+        rigid inner { mass = 0.1 kg; inertia = [1, 1, 1] g*m^2; }
+        rigid rotor { mass = 0.5 kg; inertia = [0.4, 0.4, 0.7] g*m^2; angular_velocity = [0, 0, 150] rad/s; }
+        rigid bob { mass = 0.05 kg; origin = [0, 0, 0.1] m; }
+        joint about_y = revolute(inertial.at([0, 0, 0] m), outer.at([0, 0, 0] m), axis = y);
+        joint about_x = revolute(outer.at([0, 0, 0] m), inner.at([0, 0, 0] m), axis = x);
+        joint shaft = revolute(inner.at([0, 0, 0] m), rotor.at([0, 0, 0] m), axis = z);
+        joint held = pin(inner.at([0, 0, 0.1] m), bob);
+        load weight = gravity([9.81, 0, 0] m/s^2);
+        output outwards = about_y.angle;
+        output inwards = about_x.angle;
+        run { t_end = 6 s; every = 0.05 s; }
+    }
+}
+
+/// Ten times the tolerance takes twice as many steps as the run, and is off by as much.
+#[test]
+fn where_steps_do_not_follow_the_tolerance_smaller_ones_tell() {
+    let exact = run(&Gimbals::default(), &judged(1e-10, Judging::No)).unwrap();
+    let found = run(&Gimbals::default(), &judged(1e-6, Judging::Affordable)).unwrap();
+    let looser = run(&Gimbals::default(), &judged(1e-5, Judging::No)).unwrap();
+    println!("{} {} steps", found.statistics.steps, looser.statistics.steps);
+    for column in 0..2 {
+        let off = found
+            .history
+            .column(column)
+            .zip(exact.history.column(column))
+            .map(|(a, b)| (a - b).abs());
+        let first = exact.history.column(column).next().unwrap();
+        let [change, value] = exact.history.column(column).fold([0.0_f64; 2], |[change, value], one| {
+            [change.max((one - first).abs()), value.max(one.abs())]
+        });
+        let error = off.fold(0.0, f64::max) / change.min(value);
+        let told = found.off_by.iter().find(|off| off.0 == column).map_or(0.0, |off| off.1);
+        println!("{column}: off by {error:.1e}, told {told:.1e}, {:?}", found.agreement);
+        assert!(
+            (0.3..3.0).contains(&(told / error)),
+            "{column}: off by {error:.1e}, told {told:.1e}"
+        );
+    }
+}
