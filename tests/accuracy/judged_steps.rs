@@ -30,10 +30,7 @@ fn judged(rtol: f64, judged: Judging) -> RunSettings {
 #[test]
 fn what_ten_times_the_tolerance_loses_is_told() {
     for (ahead, rtol) in [(20.0, 1e-6), (50.0, 1e-6), (1000.0, 1e-8)] {
-        let model = Passenger {
-            ahead,
-            ..Passenger::default()
-        };
+        let model = Passenger { ahead };
         let found = run(&model, &judged(rtol, Judging::Affordable)).unwrap();
         let times = found.history.keys.iter();
         let error = times
@@ -50,10 +47,7 @@ fn what_ten_times_the_tolerance_loses_is_told() {
         );
     }
     // It is lost where it is far below the tolerance.
-    let model = Passenger {
-        ahead: 1e5,
-        ..Passenger::default()
-    };
+    let model = Passenger { ahead: 1e5 };
     let found = run(&model, &judged(1e-6, Judging::Affordable)).unwrap();
     assert!(
         found.warnings.iter().any(|note| note.contains("`y` by")),

@@ -40,11 +40,7 @@ fn what_follows_a_curve_follows_its_steps() {
         (hht, 1e-7, 1e-2),
     ] {
         for w in [1e-3, 1e-2] {
-            let model = Curves {
-                w,
-                wide: 50.0 * w,
-                ..Curves::default()
-            };
+            let model = Curves { w, wide: 50.0 * w };
             let settings = RunSettings {
                 method,
                 options: Options {
