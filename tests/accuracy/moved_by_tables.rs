@@ -126,3 +126,50 @@ fn a_frame_has_no_motion_beyond_its_rows() {
         "{told}"
     );
 }
+
+rncf::model! {
+    /// A cam that spins freely and lifts a tappet in every turn.
+    pub model Cam {
+        table profile { at = turn; turn = [-30, 0, 20, 60, 90, 150, 240, 330] deg; lift = [0, 2, 9, 12, 8, 3, 1, 0] mm; interpolation = periodic; }
+        rigid disc { plane xy; mass = 1 kg; inertia = 2 g*m^2; speed = 40 rad/s; }
+        joint bearing = pin(disc, inertial);
+        rigid tappet { plane xy; mass = 0.5 kg; origin = [0, 0.1, 0] m; velocity = [0, 0.610293162869469, 0] m/s; }
+        constraint guide = tappet.x;
+        constraint contact = tappet.y - 98 mm - profile.lift(disc.angle);
+        output energy = total.kinetic_energy;
+        output lift = tappet.y;
+        output read = 98 mm + profile.lift(disc.angle);
+        output turn = disc.angle;
+        output speed = disc.speed;
+        run { t_end = 2 s; every = 0.01 s; }
+    }
+}
+
+/// Rows repeat turn by turn; nothing takes energy from the cam, and it is as fast in every turn at the same angle.
+#[test]
+fn a_cam_lifts_in_every_turn() {
+    let result = run(&Cam::default(), &RunSettings::default()).unwrap();
+    let column = |column: usize| result.history.column(column).collect::<Vec<f64>>();
+    let [energy, lift, read, turn] = [0, 1, 2, 3].map(column);
+    println!(
+        "{} steps, {} turns",
+        result.statistics.steps,
+        turn[turn.len() - 1] / std::f64::consts::TAU
+    );
+    assert!(turn[turn.len() - 1] > 10.0 * std::f64::consts::TAU);
+    for row in 0..energy.len() {
+        assert!(
+            (energy[row] - energy[0]).abs() < 1e-4 * energy[0],
+            "{} J for {}",
+            energy[row],
+            energy[0]
+        );
+        assert!((lift[row] - read[row]).abs() < 1e-6, "{} for {}", lift[row], read[row]);
+    }
+    let [least, most] = [f64::min, f64::max].map(|pick| lift.iter().copied().reduce(pick).unwrap());
+    // By scipy the profile goes from -0.1987 to 12.7167 mm.
+    assert!(
+        least > 0.0978012 && least < 0.09785 && most > 0.1106 && most < 0.1107168,
+        "{least} {most}"
+    );
+}

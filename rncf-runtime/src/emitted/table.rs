@@ -33,6 +33,8 @@ pub enum Between {
     Monotone,
     /// A cubic spline, whose slope and curvature have no steps, with the slope of each column at each row.
     Spline(&'static [&'static [f64]]),
+    /// The same of rows that repeat, so that it has a value everywhere; the last row is the first one again.
+    Periodic(&'static [&'static [f64]]),
 }
 
 impl Table {
@@ -55,11 +57,19 @@ impl Table {
     /// outside of the rows no number.
     pub fn look_up(&self, column: usize, order: usize, place: f64) -> f64 {
         let (first, last) = (self.places[0], self.places[self.places.len() - 1]);
+        if self.repeats() {
+            return self.within(column, first + (place - first).rem_euclid(last - first))[order];
+        }
         let margin = ROUND_OFF * (last - first);
         if !(first - margin..=last + margin).contains(&place) {
             return f64::NAN;
         }
         self.within(column, place)[order]
+    }
+
+    /// Whether it has a value everywhere.
+    fn repeats(&self) -> bool {
+        matches!(self.between, Between::Periodic(_))
     }
 
     /// Whether there are lines between the rows.
@@ -86,7 +96,7 @@ impl Table {
     pub fn kinks_of_acceleration(&self, column: usize) -> Vec<f64> {
         let spans = match self.between {
             Between::Spline(_) => self.places.len() - 1,
-            Between::Line | Between::Monotone => return Vec::new(),
+            Between::Line | Between::Monotone | Between::Periodic(_) => return Vec::new(),
         };
         let at = |span: usize| self.within_span(column, span, 0.0);
         let last = self.within_span(column, spans - 1, 1.0)[2];
@@ -140,7 +150,7 @@ impl Table {
         let (slope, curvature, jerk) = (slope * width, curvature * width.powi(2), jerk * width.powi(3));
         match (order, self.between) {
             // Lines and monotone cubics are extreme at their ends.
-            (0, Between::Spline(_)) => {
+            (0, Between::Spline(_) | Between::Periodic(_)) => {
                 let root = (curvature * curvature - 2.0 * jerk * slope).sqrt();
                 let sum = -(curvature + root.copysign(curvature));
                 vec![sum / jerk, 2.0 * slope / sum]
@@ -153,7 +163,7 @@ impl Table {
     /// Slope of the cubic at a row, seen from the span that begins at row `span`. Of a monotone one it is the harmonic mean of the slopes beside it,
     /// and none where these differ in sign or where there is a step or an end.
     fn slope(&self, column: usize, row: usize, span: usize) -> f64 {
-        if let Between::Spline(slopes) = self.between {
+        if let Between::Spline(slopes) | Between::Periodic(slopes) = self.between {
             return slopes[column][row];
         }
         let (places, values) = (self.places, self.columns[column]);
@@ -258,6 +268,19 @@ impl Lookup for Table {
     fn bounds(&self, column: usize, order: usize, places: Interval) -> Interval {
         let (rows, values) = (self.places, self.columns[column]);
         let (first, last) = (rows[0], rows[rows.len() - 1]);
+        let period = last - first;
+        if self.repeats() && !(first <= places.low && places.high <= last) {
+            if places.width().is_nan() || places.width() >= period {
+                return self.bounds(column, order, Interval::new(first, last));
+            }
+            let low = first + (places.low - first).rem_euclid(period);
+            let high = low + places.width();
+            let here = self.bounds(column, order, Interval::new(low, high.min(last)));
+            return match high > last {
+                true => here.hull(self.bounds(column, order, Interval::new(first, high - period))),
+                false => here,
+            };
+        }
         if places.high < first || places.low > last {
             return Interval::ALL;
         }
@@ -294,7 +317,7 @@ impl Lookup for Table {
         let smooth = match self.between {
             Between::Line => 0,
             Between::Monotone => 1,
-            Between::Spline(_) => 2,
+            Between::Spline(_) | Between::Periodic(_) => 2,
         };
         if has_steps || order > smooth {
             return Interval::ALL;
@@ -392,5 +415,48 @@ mod tests {
         assert!(told.contains("rows up to 100 of the length"), "{told}");
         assert_eq!(MAST.stations(3.0, 1), vec![0.0, 1.0 / 3.0, 1.0]);
         assert_eq!(MAST.stations(4.0, 2).len(), 7);
+    }
+
+    /// Bounds over places contain all values there, beyond the rows of a periodic one, too.
+    #[test]
+    fn bounds_contain_what_columns_take_on() {
+        static SLOPES: &[&[f64]] = &[&[1.0, -3.0, 2.0, 1.0]];
+        let table = |between| Table {
+            name: "rows",
+            places: &[0.0, 1.0, 1.5, 3.0],
+            is_relative: false,
+            between,
+            columns: &[&[0.0, 2.0, -1.0, 0.0]],
+        };
+        let spline = table(Between::Spline(SLOPES));
+        let periodic = table(Between::Periodic(SLOPES));
+        for (table, from) in [
+            (table(Between::Line), 0.0_f64),
+            (table(Between::Monotone), 0.0),
+            (spline, 0.0_f64),
+            (periodic, -7.3),
+        ] {
+            for (start, width) in [(0.1, 0.3), (0.8, 0.9), (0.0, 2.9), (1.6, 0.01), (2.7, 0.3), (2.7, 5.0)] {
+                let low = from + start;
+                let high = if from < 0.0 {
+                    low + width
+                } else {
+                    f64::min(low + width, 3.0)
+                };
+                for order in 0..3 {
+                    let bounds = table.bounds(0, order, Interval::new(low, high)).wider(1e-9);
+                    for step in 0..=100 {
+                        let place = low + (high - low) * f64::from(step) / 100.0;
+                        let value = table.look_up(0, order, place);
+                        assert!(
+                            bounds.contains(Interval::point(value)),
+                            "{table:?} {low} {high} {order}: {value} {bounds:?}"
+                        );
+                    }
+                }
+            }
+        }
+        assert_eq!(periodic.look_up(0, 0, 4.0), periodic.look_up(0, 0, 1.0));
+        assert_eq!(periodic.look_up(0, 1, -3.0), periodic.look_up(0, 1, 0.0));
     }
 }

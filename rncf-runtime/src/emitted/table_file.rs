@@ -9,7 +9,7 @@ use super::table::{Between, Table};
 use crate::error::ModelError;
 use crate::hash::hash_bytes;
 use crate::import::rows::{Disorder, Head, Rows, chords, in_order, text};
-use crate::import::spline::slopes;
+use crate::import::spline::{periodic_slopes, slopes};
 use crate::nearest::nearest;
 use crate::units::{Number, Unit};
 
@@ -114,10 +114,12 @@ impl TableFile {
         }
         let declared = self.form.table;
         let between = match declared.between {
-            Between::Spline(_) => {
-                let slopes = columns.iter().map(|column| slopes(&places, column));
-                Between::Spline(keep_columns(slopes.collect()))
-            }
+            Between::Spline(_) => Between::Spline(keep_columns(
+                columns.iter().map(|column| slopes(&places, column)).collect(),
+            )),
+            Between::Periodic(_) => Between::Periodic(keep_columns(
+                columns.iter().map(|column| periodic_slopes(&places, column)).collect(),
+            )),
             other => other,
         };
         let table = Table {
@@ -225,6 +227,16 @@ impl TableForm {
         };
         let columns = rows.columns(&cells, number).map_err(|mistake| mistake.to_string())?;
         let places = self.placed(&columns, &rows)?;
+        let last = places.len() - 1;
+        let repeats = matches!(self.table.between, Between::Periodic(_));
+        let mut read = (0..columns.len()).filter(|column| repeats && !self.places.contains(column));
+        if let Some(open) = read.find(|&column| columns[column][0] != columns[column][last]) {
+            return Err(format!(
+                "line {}: the last row of `{}` repeats the first one, and differs from it",
+                rows.line(last),
+                self.columns[open].name
+            ));
+        }
         for &[one, other] in self.alike {
             let differ = (0..places.len()).find(|&row| columns[one][row] != columns[other][row]);
             if let Some(row) = differ {
@@ -301,7 +313,7 @@ impl TableForm {
                 "it begins or ends with a step: two rows at one place stand between others".to_string()
             }
         })?;
-        let is_spline = matches!(self.table.between, Between::Spline(_));
+        let is_spline = matches!(self.table.between, Between::Spline(_) | Between::Periodic(_));
         match (1..places.len()).find(|&row| is_spline && places[row] == places[row - 1]) {
             Some(row) => Err(format!(
                 "line {}: it is at the place of the one before it, and a spline has no steps: leave it out",

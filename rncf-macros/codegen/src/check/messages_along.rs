@@ -74,6 +74,10 @@ pub fn energy_of_placed_gravity(load: &str) -> String {
     )
 }
 
+pub fn open_period(row: &str, column: &str) -> String {
+    format!("{row}, the last one, has another `{column}` than the first: rows that repeat end where they begin")
+}
+
 pub fn step_in_spline(row: &str) -> String {
     format!(
         "{row} is at the place of the one before it, and a spline has no steps: take `interpolation = monotone`, or leave the row out"

@@ -21,10 +21,11 @@ use crate::units::{self, Compound, Dimension};
 /// Columns that are places along the axis: m, or parts of the length.
 const PLACES: [(&str, [i8; 6]); 2] = [("x", [1, 0, 0, 0, 0, 0]), ("eta", [0; 6])];
 /// What values follow between rows, by its word.
-const BETWEEN: [(&str, Between); 3] = [
+const BETWEEN: [(&str, Between); 4] = [
     ("linear", Between::Line),
     ("monotone", Between::Monotone),
     ("spline", Between::Spline),
+    ("periodic", Between::Periodic),
 ];
 /// Columns that are the coordinates of points, m.
 const COORDINATES: [&str; 3] = ["x", "y", "z"];
@@ -148,7 +149,7 @@ impl<'a> Check<'a> {
         };
         let found = BETWEEN.iter().find(|(known, _)| *known == word);
         if found.is_none() {
-            let message = say::choices("interpolation", "`linear`, `monotone` or `spline`");
+            let message = say::choices("interpolation", "`linear`, `monotone`, `spline` or `periodic`");
             self.errors.at(value.area, message);
         }
         found.map(|&(_, between)| between)
@@ -304,21 +305,33 @@ impl<'a> Check<'a> {
             self.errors.at(area, message);
             return None;
         }
-        let is_spline = between == Between::Spline;
+        let is_spline = matches!(between, Between::Spline | Between::Periodic);
         if let Some(step) = (1..places.len()).find(|&at| is_spline && places[at] == places[at - 1]) {
             self.errors.at(area, say::step_in_spline(&row(step)));
             return None;
         }
         let by = |name: &str| columns.iter().position(|column| column.name == name);
-        let placed_by = match (looked_up, is_points) {
+        let placed_by: Vec<usize> = match (looked_up, is_points) {
             (Some(column), _) => by(&column.name).into_iter().collect(),
             (None, true) => COORDINATES.into_iter().filter_map(by).collect(),
             (None, false) => by(PLACES[usize::from(is_relative)].0).into_iter().collect(),
         };
         let of_axis = PLACES[usize::from(is_relative)].1;
+        let last = places.len() - 1;
+        let mut read = columns
+            .iter()
+            .enumerate()
+            .filter(|(at, _)| between == Between::Periodic && !placed_by.contains(at));
+        if let Some((_, open)) = read.find(|(_, column)| column.values[0] != column.values[last]) {
+            self.errors.at(area, say::open_period(&row(last), &open.name));
+            return None;
+        }
         let mut columns = columns;
         for column in columns.iter_mut().filter(|_| is_spline) {
-            column.slopes = spline::slopes(&places, &column.values);
+            column.slopes = match between {
+                Between::Periodic => spline::periodic_slopes(&places, &column.values),
+                _ => spline::slopes(&places, &column.values),
+            };
         }
         let id = TableId(self.model.tables.len());
         self.model.tables.push(Table {
@@ -473,7 +486,7 @@ impl<'a> Check<'a> {
     /// A table without accelerations that a value looks up, by itself or by motions.
     fn rough_table(&self, value: &Value) -> Option<TableId> {
         let own = match value {
-            Value::Lookup { table, .. } if self.model.tables[table.0].between != Between::Spline => Some(*table),
+            Value::Lookup { table, .. } if self.model.tables[table.0].slopes_step() => Some(*table),
             Value::Motion(motion, _) => self.rough_table(&self.model.motions[motion.0].value),
             _ => None,
         };

@@ -24,12 +24,12 @@ pub fn tables(model: &Model) -> String {
         let between = match table.between {
             Between::Line => "Line".to_string(),
             Between::Monotone => "Monotone".to_string(),
-            Between::Spline => {
+            Between::Spline | Between::Periodic => {
                 let slopes = table
                     .columns
                     .iter()
                     .map(|column| format!("&[{}]", list(&column.slopes)));
-                format!("Spline(&[{}])", slopes.collect::<Vec<_>>().join(", "))
+                format!("{:?}(&[{}])", table.between, slopes.collect::<Vec<_>>().join(", "))
             }
         };
         let names: Vec<&str> = table.columns.iter().map(|column| column.name.as_str()).collect();

@@ -42,6 +42,25 @@ pub fn slopes(places: &[f64], values: &[f64]) -> Vec<f64> {
     slopes
 }
 
+/// Rows beyond which the ends of a spline are not felt: each row leaves a quarter of what comes from them.
+const BEYOND: usize = 40;
+
+/// The same of the spline that goes on as its rows repeat, the last of which is the first one again.
+pub fn periodic_slopes(places: &[f64], values: &[f64]) -> Vec<f64> {
+    let last = places.len() - 1;
+    let period = places[last] - places[0];
+    let turns = 1 + BEYOND / last;
+    let (mut all, mut repeated) = (Vec::new(), Vec::new());
+    for turn in 0..=2 * turns {
+        let away = period * (turn as f64 - turns as f64);
+        all.extend(places[..last].iter().map(|place| place + away));
+        repeated.extend_from_slice(&values[..last]);
+    }
+    let mut slopes = slopes(&all, &repeated)[turns * last..=(turns + 1) * last].to_vec();
+    slopes[last] = slopes[0];
+    slopes
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -61,6 +80,38 @@ mod tests {
                 assert!(
                     (found - slope(place)).abs() < 1e-12 * (1.0 + slope(place).abs()),
                     "{rows} rows: {place}"
+                );
+            }
+        }
+    }
+
+    /// Slopes at the rows by scipy 1.17, `CubicSpline(x, y, bc_type="periodic")`.
+    #[test]
+    fn periodic_slopes_are_those_of_an_independent_program() {
+        let cases: [(&[f64], &[f64], &[f64]); 2] = [
+            (
+                &[0.0, 0.4, 0.5, 1.3, 2.0, 2.2],
+                &[1.0, -0.5, 0.25, 2.0, 1.5, 1.0],
+                &[
+                    -4.822141541740267,
+                    5.105352417356241,
+                    8.12965434204447,
+                    -0.6140974956503295,
+                    -1.2112515834573176,
+                    -4.822141541740267,
+                ],
+            ),
+            (
+                &[-1.0, 0.5, 3.0],
+                &[0.0, 1.0, 0.0],
+                &[0.2666666666666666, 0.2666666666666666, 0.2666666666666666],
+            ),
+        ];
+        for (places, values, wanted) in cases {
+            for (found, wanted) in periodic_slopes(places, values).into_iter().zip(wanted) {
+                assert!(
+                    (found - wanted).abs() < 1e-12 * wanted.abs().max(1.0),
+                    "{found} {wanted}"
                 );
             }
         }

@@ -293,7 +293,7 @@ impl Time<'_> {
             let kinks = match table.between {
                 Between::Line => "kinks",
                 Between::Spline if moved.binary_search(&id).is_ok() => "kinks_of_acceleration",
-                Between::Spline | Between::Monotone => continue,
+                Between::Spline | Between::Monotone | Between::Periodic => continue,
             };
             let row = format!("{}.{kinks}({})", table.reference(), column.column);
             if at == self.t && !rows.contains(&row) {

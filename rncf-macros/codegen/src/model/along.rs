@@ -44,6 +44,8 @@ pub enum Between {
     Monotone,
     /// A cubic spline, whose slope and curvature have no steps.
     Spline,
+    /// The same of rows that repeat, so that it has a value everywhere; the last row is the first one again.
+    Periodic,
 }
 
 /// A column of a table.
@@ -106,6 +108,11 @@ impl Table {
         [[1, 0, 0, 0, 0, 0], [0; 6]].contains(&self.dimension)
     }
 
+    /// Whether its slope or curvature has steps.
+    pub fn slopes_step(&self) -> bool {
+        matches!(self.between, Between::Line | Between::Monotone)
+    }
+
     /// Places at which a column that is looked up changes its slope or jumps, if they are known and not many.
     pub fn kinks(&self, column: usize) -> Vec<f64> {
         let (places, values) = (&self.places, &self.columns[column].values);
@@ -143,6 +150,9 @@ impl Table {
     /// Value of a column (order 0) or its first, second or third derivative at a place: what `rncf_runtime::Table::look_up` returns.
     pub fn look_up(&self, column: usize, order: usize, place: f64) -> f64 {
         let (first, last) = (self.places[0], self.places[self.places.len() - 1]);
+        if self.between == Between::Periodic {
+            return self.within(column, first + (place - first).rem_euclid(last - first))[order];
+        }
         let margin = ROUND_OFF * (last - first);
         if !(first - margin..=last + margin).contains(&place) {
             return f64::NAN;
