@@ -15,9 +15,10 @@ fn the_generator_reads_tables_as_programs_do() {
         (Between::Line, emitted::Between::Line, &STEPPED),
         (Between::Monotone, emitted::Between::Monotone, &STEPPED),
         (Between::Spline, emitted::Between::Spline(&[&SLOPES]), &SMOOTH),
+        (Between::Periodic, emitted::Between::Periodic(&[&SLOPES]), &SMOOTH),
     ];
     for ((between, ran, places), is_relative) in kinds.into_iter().flat_map(|kind| [(kind, true), (kind, false)]) {
-        let is_spline = between == Between::Spline;
+        let is_spline = matches!(between, Between::Spline | Between::Periodic);
         let ours = model::Table {
             name: "rows".into(),
             file: None,
@@ -55,7 +56,7 @@ fn the_generator_reads_tables_as_programs_do() {
         let expected = match between {
             Between::Line => 0.5,
             Between::Monotone => 0.5 + 0.1 * (10.0 - mean) / 8.0,
-            Between::Spline => 0.5 + 0.1 * (12.0 - 5.0) / 8.0,
+            Between::Spline | Between::Periodic => 0.5 + 0.1 * (12.0 - 5.0) / 8.0,
         };
         assert!((ours.value(0, 0.05, 1.0) - expected).abs() < 1e-15);
     }
