@@ -173,3 +173,42 @@ fn an_element_that_spans_a_winding_is_refused() {
         )
     );
 }
+
+rncf::model! {
+    /// A quarter of a ring with a moment on its end: of a material and a shape, and of the same numbers.
+    pub model Hook {
+        param r = 20 mm;
+        const R = 0.2 m;
+        const EI = 210 GPa * pi / 4;
+        material steel { density = 7850 kg/m^3; young = 210 GPa; poisson = 0.3; }
+        section rod = circle(radius = r);
+        section numbers {
+            EA = 660 MN * (r / 20 [mm])^2; GAy = 230 MN; GAz = 230 MN; GJ = 60 kN*m^2;
+            EIy = EI * r^4; EIz = EI * r^4;
+            mass = 10 kg/m; inertia_y = 1 g*m; inertia_z = 1 g*m;
+        }
+        body shaped { spatial; arc from [0, 0, 0] m direction [1, 0, 0] normal [0, 0, 1] radius R angle 90 deg; section_y [0, 1, 0]; mesh 16 * beam(rod, steel); }
+        body numbered { spatial; arc from [1, 0, 0] m direction [1, 0, 0] normal [0, 0, 1] radius R angle 90 deg; section_y [0, 1, 0]; mesh 16 * beam(numbers); }
+        joint a = clamp(shaped.start, inertial);
+        joint b = clamp(numbered.start, inertial);
+        load on_shaped = moment(shaped.end, [0, 0, 1] N*m);
+        load on_numbered = moment(numbered.end, [0, 0, 1] N*m);
+        output of_shaped = atan2(dot(shaped.end.ey, [0, -1, 0]), dot(shaped.end.ey, [-1, 0, 0]));
+        output of_numbers = atan2(dot(numbered.end.ey, [0, -1, 0]), dot(numbered.end.ey, [-1, 0, 0]));
+    }
+}
+
+/// The end of a thin arc turns by `M L / (E I)`. Bending strains of a `beam` of a shape are those of its axes, `r_x . r_y'`: on a curved axis a moment stretches axis and
+/// section with them, so that it turns by the part `(r / R)^2 / 2` more. Of a section in numbers it does not.
+#[test]
+fn a_shape_on_a_curved_axis_is_softer_by_the_square_of_its_curvature() {
+    for r in [5e-3, 20e-3, 60e-3] {
+        let found = at_rest(&Hook { r }, 1.0);
+        let thin = 0.5 * std::f64::consts::PI * 0.2 / (210e9 * std::f64::consts::PI / 4.0 * f64::powi(r, 4));
+        let [shaped, numbered] = [found[0], found[1]].map(|turn| turn / thin - 1.0);
+        let part = 0.5 * (r / 0.2_f64).powi(2);
+        println!("{r}: {shaped:.2e} of {part:.2e}, {numbered:.2e}");
+        assert!((shaped - part).abs() < 0.1 * part, "{r}: {shaped} for {part}");
+        assert!(numbered.abs() < 1e-4, "{r}: {numbered}");
+    }
+}

@@ -211,6 +211,29 @@ pub(super) fn settled(scene: &mut dyn Scene, newton: &mut Newton, at: &Uniform) 
     })
 }
 
+/// The equilibrium next to the start without loads, if two least loads find as many negative directions of the stiffness there; `None` where they do not, as
+/// of what nothing ties or stiffens.
+pub fn unloaded(scene: &mut dyn Scene, at: &Uniform) -> Option<Continued> {
+    let start = scene.uniform_guess(at);
+    check(scene, at, &start).ok()?;
+    let mut newton = Newton::new(scene);
+    let mut near = |scale: f64| {
+        let (at, mut state) = (at.scaled(scale), start.clone());
+        let (result, iterations) = newton.solve(scene, &at, &mut state, Patience::Strict);
+        let stays = result.is_ok() && !newton.has_moved_far() && !newton.holds_untied();
+        stays.then(|| Continued {
+            scale,
+            state,
+            iterations,
+            negative: newton.count(&at),
+            strayed: newton.has_strayed(),
+            moved_far: false,
+        })
+    };
+    let found = near(SMALLEST)?;
+    (near(4.0 * SMALLEST)?.negative == found.negative).then_some(found)
+}
+
 /// Whether an iteration from `last` to a part of the loads of `at` ends far from where it pointed to, or nowhere: what lies beyond a limit
 /// point may look near by chance.
 fn strays_within(scene: &mut dyn Scene, newton: &mut Newton, at: &Uniform, last: &State) -> bool {

@@ -1,6 +1,6 @@
 //! Where a static equilibrium loses its stability as the loads grow: buckling and limit points.
 
-use super::continuation::{Continued, LOAD_STEP, SMALLEST, along, check};
+use super::continuation::{Continued, LOAD_STEP, SMALLEST, along, check, unloaded};
 use super::newton::{Newton, Patience};
 use crate::error::SolveError;
 use crate::model::{Scene, Uniform};
@@ -27,7 +27,7 @@ pub struct Critical {
 /// As [`follow`](super::follow), if there is no equilibrium at small loads.
 pub fn critical_factor(scene: &mut dyn Scene, t: f64) -> Result<Option<Critical>, SolveError> {
     let at = Uniform::at_rest(t);
-    let mut path: Vec<Continued> = Vec::new();
+    let mut path: Vec<Continued> = unloaded(scene, &at).into_iter().collect();
     let outcome = along(scene, &at, LOAD_STEP, Patience::Strict, |_, step| {
         path.push(step.clone())
     });

@@ -8,8 +8,11 @@ mod newton;
 mod untied;
 
 pub use crate::model::{Kind, Spin, Uniform};
-pub use continuation::{CUTS, Continued, Equilibrium, continue_from, follow, goes_back, settle, static_load, steady};
+pub use continuation::{
+    CUTS, Continued, Equilibrium, continue_from, follow, goes_back, settle, static_load, steady, unloaded,
+};
 pub use critical::{Critical, critical_factor};
+pub use newton::LARGEST_COUNTED;
 pub use untied::untied;
 pub(crate) use untied::untied_directions;
 

@@ -30,7 +30,7 @@ const STILL: f64 = 1e-8;
 /// Part of the acting forces that a phase condition may carry.
 const UNBALANCED: f64 = 1e-6;
 /// Most rows of a matrix whose eigenvalues are counted.
-const LARGEST_COUNTED: usize = 400;
+pub const LARGEST_COUNTED: usize = 400;
 /// Skew part of an equilibrated matrix that counts as round-off.
 const SKEW: f64 = 1e-9;
 /// Part of the stiffness times the sizes that forces are resolved to.

@@ -7,7 +7,7 @@ use crate::app::results::equilibria::EquilibriumSettings;
 use crate::app::results::error::RunError;
 use crate::app::results::history::Column;
 use crate::app::writing::numbers::{digits, in_unit};
-use crate::equilibrium::{CUTS, Continued, Kind, Uniform, continue_from, follow, goes_back, settle};
+use crate::equilibrium::{CUTS, Continued, Kind, Uniform, continue_from, follow, goes_back, settle, unloaded};
 use crate::error::SolveErrorKind;
 use crate::{AnyModel, Scene, SolveError, State};
 
@@ -139,7 +139,8 @@ impl<'m> Line<'m> {
                 let mut rest = scene.uniform_guess(&at);
                 begins_balanced = is_balanced(scene.as_mut(), &at, &rest);
                 scene.uniform_state(&at, &mut rest);
-                (rest, None)
+                let negative = (kind == Kind::Static && begins_balanced).then(|| unloaded(scene.as_mut(), &at));
+                (rest, negative.flatten().and_then(|near| near.negative))
             }
         };
         let full_spin = spin(scene.as_ref(), &Uniform { scale: 1.0, ..at });
