@@ -1,6 +1,7 @@
 //! Curved beams in steady rotation against THEORY 9.2 and the hand-written chain.
 
 use rncf::Model;
+use rncf::app::{EquilibriumSettings, static_equilibria};
 use rncf::equilibrium::{Uniform, steady};
 use rncf_models::{CurvedDownwind, CurvedOutOfPlane, CurvedUpwind};
 use rncf_reference::section_beam::{Properties, Section};
@@ -210,5 +211,18 @@ fn a_shape_on_a_curved_axis_is_softer_by_the_square_of_its_curvature() {
         println!("{r}: {shaped:.2e} of {part:.2e}, {numbered:.2e}");
         assert!((shaped - part).abs() < 0.1 * part, "{r}: {shaped} for {part}");
         assert!(numbered.abs() < 1e-4, "{r}: {numbered}");
+        let found = static_equilibria(&Hook { r }, &EquilibriumSettings::default()).unwrap();
+        let told = found
+            .warnings
+            .iter()
+            .filter(|note| note.contains("turns it too far by"));
+        let told: Vec<&String> = told.collect();
+        match r > 30e-3 {
+            true => assert!(
+                told.len() == 1 && told[0].contains("body `shaped`") && told[0].contains("4.5 %"),
+                "{told:?}"
+            ),
+            false => assert!(told.is_empty(), "{told:?}"),
+        }
     }
 }
