@@ -3,7 +3,7 @@
 //! slope times the way from there. They are as wide as the square of the span. What both contain is passed on.
 
 use super::interval::Interval;
-use super::{Courses, Operation};
+use super::operations::{Courses, Operation};
 
 /// Bounds of all operations over a span of time, of their slopes, and their values in the middle of the span.
 #[derive(Default)]
@@ -120,7 +120,7 @@ fn root(of: Interval) -> Interval {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::course::Path;
+    use crate::course::path::Path;
 
     /// The rate of the distance from the origin of what goes round it is zero: natural bounds know nothing of that, close ones are as wide as the square of the span.
     #[test]
