@@ -3,6 +3,7 @@
 use super::curve::Curve;
 use crate::course::{Interval, Lookup};
 use crate::error::ModelError;
+use crate::import::spline;
 
 /// Relative size of what counts as round-off of places along an axis.
 const ROUND_OFF: f64 = 1e-9;
@@ -126,20 +127,8 @@ impl Table {
         if self.is_of_lines() {
             return [values[row] + share * rise, rise / width, 0.0, 0.0];
         }
-        let [start, end] = [row, row + 1].map(|at| width * self.slope(column, at, row));
-        // Hermite's cubic.
-        let (bend, tilt) = (share * (1.0 - share), 1.0 - 2.0 * share);
-        let bent = (1.0 - share) * (start - rise) - share * (end - rise);
-        let slope = rise + tilt * bent - bend * (start + end - 2.0 * rise);
-        // Second and third derivative with respect to the share.
-        let jerk = 6.0 * (start + end - 2.0 * rise);
-        let curvature = 6.0 * rise - 4.0 * start - 2.0 * end + share * jerk;
-        [
-            values[row] + share * rise + bend * bent,
-            slope / width,
-            curvature / width / width,
-            jerk / width / width / width,
-        ]
+        let slopes = [row, row + 1].map(|at| self.slope(column, at, row));
+        spline::cubic(width, [values[row], values[row + 1]], slopes, share)
     }
 
     /// Shares of a span at which a derivative is extreme, beside its ends: they may lie outside of the span, or be no numbers.
@@ -160,27 +149,12 @@ impl Table {
         }
     }
 
-    /// Slope of the cubic at a row, seen from the span that begins at row `span`. Of a monotone one it is the harmonic mean of the slopes beside it,
-    /// and none where these differ in sign or where there is a step or an end.
+    /// Slope of the cubic at a row, seen from the span that begins at row `span`.
     fn slope(&self, column: usize, row: usize, span: usize) -> f64 {
-        if let Between::Spline(slopes) | Between::Periodic(slopes) = self.between {
-            return slopes[column][row];
+        match self.between {
+            Between::Spline(slopes) | Between::Periodic(slopes) => slopes[column][row],
+            Between::Line | Between::Monotone => spline::monotone_slope(self.places, self.columns[column], row, span),
         }
-        let (places, values) = (self.places, self.columns[column]);
-        let width = |from: usize| places[from + 1] - places[from];
-        let rise = |from: usize| (values[from + 1] - values[from]) / width(from);
-        let other = if row == span { row.checked_sub(1) } else { Some(row) };
-        let other = other.filter(|&from| from + 1 < places.len() && width(from) > 0.0);
-        let Some(other) = other else {
-            return rise(span);
-        };
-        let (before, after) = (span.min(other), span.max(other));
-        let (left, right) = (rise(before), rise(after));
-        if left * right <= 0.0 {
-            return 0.0;
-        }
-        let weights = [2.0 * width(after) + width(before), width(after) + 2.0 * width(before)];
-        (weights[0] + weights[1]) / (weights[0] / left + weights[1] / right)
     }
 
     /// Refuses an axis that the table does not cover, and rows beyond the whole length.
@@ -313,13 +287,12 @@ impl Lookup for Table {
     }
 
     fn slopes(&self, column: usize, order: usize, places: Interval) -> Interval {
-        let has_steps = self.places.windows(2).any(|pair| pair[0] == pair[1]);
         let smooth = match self.between {
             Between::Line => 0,
             Between::Monotone => 1,
             Between::Spline(_) | Between::Periodic(_) => 2,
         };
-        if has_steps || order > smooth {
+        if order > smooth || self.places.windows(2).any(|pair| pair[0] == pair[1]) {
             return Interval::ALL;
         }
         self.bounds(column, order + 1, places)

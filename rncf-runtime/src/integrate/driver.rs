@@ -170,22 +170,17 @@ impl Driver {
             }
             match self.scheme.attempt(system, h, &mut self.statistics) {
                 Outcome::Accepted { next } => {
-                    if let Some(before) = &before
-                        && self.ends_at_passed_kink(system, &branches, before)
-                    {
-                        self.statistics.rejected_steps += 1;
-                        self.statistics.rejected_by_error += 1;
-                        self.begin(system, before.clone())?;
-                        continue;
-                    }
-                    if let Some(before) = &before
-                        && self.strays(system, h)
-                    {
-                        self.statistics.rejected_steps += 1;
-                        self.statistics.rejected_by_error += 1;
-                        self.wanted = strays::RETRY * h;
-                        self.begin(system, before.clone())?;
-                        continue;
+                    if let Some(before) = &before {
+                        let passed = self.ends_at_passed_kink(system, &branches, before);
+                        if passed || self.strays(system, h) {
+                            if !passed {
+                                self.wanted = strays::RETRY * h;
+                            }
+                            self.statistics.rejected_steps += 1;
+                            self.statistics.rejected_by_error += 1;
+                            self.begin(system, before.clone())?;
+                            continue;
+                        }
                     }
                     // A step cut short by a kink or the end says little about the next one.
                     self.wanted = if next >= h && !is_cut { next.max(limited) } else { next };

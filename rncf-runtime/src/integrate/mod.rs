@@ -25,6 +25,7 @@ mod noise;
 mod norms;
 mod options;
 mod radau;
+mod recent;
 mod renewal;
 mod scheme;
 mod segments;

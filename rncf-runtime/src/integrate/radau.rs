@@ -26,7 +26,6 @@ use crate::error::SolveErrorKind;
 use crate::system::{State, System};
 use coefficients::Coefficients;
 use error::Estimate;
-pub(super) use error::{FORGETTING, SMOOTH};
 use matrices::Matrices;
 use newton::{Converged, Failure, Newton};
 use stages::Stages;

@@ -2,7 +2,7 @@
 //! bend at the end of a step, the velocity there is not along it, and the error estimate, which sees the stages, does not know. The next step would have to
 //! turn it by a blow. Such a step is taken again, shorter. Smooth curves need no look.
 
-use super::radau::{FORGETTING, SMOOTH};
+use super::recent::Recent;
 use crate::system::{ConstraintLevel, State, System};
 
 /// The step that is tried in place of one at whose end velocities stray, as a part of it.
@@ -10,8 +10,7 @@ pub(super) const RETRY: f64 = 0.25;
 
 /// Memory of the look.
 pub(super) struct Strays {
-    /// Longest of the recent steps, s: an error of velocity lasts for as long.
-    longest: f64,
+    recent: Recent,
     jacobian: Vec<f64>,
     rates: Vec<f64>,
 }
@@ -19,7 +18,7 @@ pub(super) struct Strays {
 impl Strays {
     pub(super) fn new(system: &dyn System) -> Self {
         Self {
-            longest: 0.0,
+            recent: Recent::default(),
             jacobian: vec![0.0; system.constraint_pattern().entries()],
             rates: vec![0.0; system.constraints()],
         }
@@ -30,7 +29,7 @@ impl Strays {
         system.constraint_jacobian(state, &mut self.jacobian);
         system.constraint(ConstraintLevel::Velocity, state, &mut self.rates);
         let (pattern, sizes) = (system.constraint_pattern(), system.sizes());
-        let time = h.max(self.longest / SMOOTH);
+        let time = self.recent.lasting(h);
         let strays = self.rates.iter().enumerate().any(|(column, &rate)| {
             let (mut rate, mut scale) = (rate, 0.0);
             for place in pattern.starts()[column]..pattern.starts()[column + 1] {
@@ -41,7 +40,7 @@ impl Strays {
             time * rate.abs() > rtol * scale
         });
         if !strays {
-            self.longest = h.max(FORGETTING * self.longest);
+            self.recent.meet(h);
         }
         strays
     }

@@ -190,7 +190,6 @@ impl MeshScene {
         };
         scene.remarks = scene.check_initial()?;
         scene.remarks.extend(scene.thick_sections());
-        scene.remarks.extend(scene.thick_curves());
         scene.remarks.extend(scene.coarse_meshes());
         scene.check_shared(&shared)?;
         scene.place()?;

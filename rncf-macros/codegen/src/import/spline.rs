@@ -42,6 +42,42 @@ pub fn slopes(places: &[f64], values: &[f64]) -> Vec<f64> {
     slopes
 }
 
+/// Value and first three derivatives of Hermite's cubic within a span of a width, at a share of it, from the values and slopes at its ends.
+pub fn cubic(width: f64, [from, to]: [f64; 2], slopes: [f64; 2], share: f64) -> [f64; 4] {
+    let rise = to - from;
+    let [start, end] = slopes.map(|slope| width * slope);
+    let (bend, tilt) = (share * (1.0 - share), 1.0 - 2.0 * share);
+    let bent = (1.0 - share) * (start - rise) - share * (end - rise);
+    let slope = rise + tilt * bent - bend * (start + end - 2.0 * rise);
+    // Second and third derivative with respect to the share.
+    let jerk = 6.0 * (start + end - 2.0 * rise);
+    let curvature = 6.0 * rise - 4.0 * start - 2.0 * end + share * jerk;
+    [
+        from + share * rise + bend * bent,
+        slope / width,
+        curvature / width / width,
+        jerk / width / width / width,
+    ]
+}
+
+/// Slope of the monotone cubic (Fritsch and Carlson) at a row, seen from the span that begins at row `span`: the harmonic mean of the slopes beside it, none where
+/// these differ in sign or where there is a step or an end.
+pub fn monotone_slope(places: &[f64], values: &[f64], row: usize, span: usize) -> f64 {
+    let width = |from: usize| places[from + 1] - places[from];
+    let rise = |from: usize| (values[from + 1] - values[from]) / width(from);
+    let other = if row == span { row.checked_sub(1) } else { Some(row) };
+    let Some(other) = other.filter(|&from| from + 1 < places.len() && width(from) > 0.0) else {
+        return rise(span);
+    };
+    let (before, after) = (span.min(other), span.max(other));
+    let (left, right) = (rise(before), rise(after));
+    if left * right <= 0.0 {
+        return 0.0;
+    }
+    let weights = [2.0 * width(after) + width(before), width(after) + 2.0 * width(before)];
+    (weights[0] + weights[1]) / (weights[0] / left + weights[1] / right)
+}
+
 /// Rows beyond which the ends of a spline are not felt: each row leaves a quarter of what comes from them.
 const BEYOND: usize = 40;
 

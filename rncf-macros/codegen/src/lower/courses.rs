@@ -56,9 +56,8 @@ fn courses_of_markers(model: &Model) -> Vec<CourseKernel> {
     let mut add = |of: String, name: &str, markers: &[MarkerId], components: Vec<&Expr>, are_positions| {
         let components: Vec<Expr> = components.into_iter().map(|one| localise(one, markers)).collect();
         let name = function_name(name, &names);
-        if let Some(mut course) = course_of(model, &components, &format!("markers_of_{name}")) {
+        if let Some(course) = course_of(model, &components, &format!("markers_of_{name}"), &of) {
             names.push(name);
-            course.functions.iter_mut().for_each(|(word, _)| word.clone_from(&of));
             courses.push(CourseKernel {
                 are_positions,
                 markers: markers.to_vec(),
@@ -112,8 +111,9 @@ pub fn course_along(model: &Model, load: &Distributed, name: &str) -> Option<Cou
     (!functions.is_empty()).then(|| time.course_kernel(&variables, repeat, (name, &arguments), functions))
 }
 
-/// What an expression does over the vectors of its markers that may be over before a step sees it, `None` where nothing is; `components` count its own markers.
-pub fn course_of(model: &Model, components: &[Expr], name: &str) -> Option<CourseKernel> {
+/// What an expression does over the vectors of its markers that may be over before a step sees it, `None` where nothing is; `components` count its own markers, and
+/// `of` says in words what it belongs to.
+pub fn course_of(model: &Model, components: &[Expr], name: &str, of: &str) -> Option<CourseKernel> {
     let mut time = Time::new(model);
     let values: Vec<Id> = components.iter().map(|component| time.expression(component)).collect();
     let vectors: Vec<Id> = time.vectors(1).map(|(id, _)| id).collect();
@@ -126,7 +126,7 @@ pub fn course_of(model: &Model, components: &[Expr], name: &str) -> Option<Cours
         .iter()
         .for_each(|&id| time.parts_of(&|id| time.ends_somewhere(&variables, id), id, &other, &mut parts));
     parts.retain(|&part| time.graph.depends_on(part, &vectors));
-    let functions: Vec<(String, Id)> = parts.into_iter().map(|part| (String::new(), part)).collect();
+    let functions: Vec<(String, Id)> = parts.into_iter().map(|part| (of.to_string(), part)).collect();
     let name = format!("numbers_of_courses_of_{name}");
     (!functions.is_empty()).then(|| time.course_kernel(&variables, None, (name, &[]), functions))
 }

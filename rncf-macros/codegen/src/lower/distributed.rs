@@ -137,16 +137,13 @@ pub fn around_kernels(model: &Model) -> Vec<AroundKernels> {
         };
         let name = function_name(&load.name, &names);
         names.push(name.clone());
+        let components: Vec<Expr> = components
+            .iter()
+            .map(|component| localise(component, &[ParticleVector::Position]))
+            .collect();
         let in_graph = || {
             let mut marked = Marked::new(model, 1, &[&|_, component| format!("place[{component}]")]);
-            let field: Vec<Id> = components
-                .iter()
-                .map(|component| {
-                    marked
-                        .time
-                        .expression(&localise(component, &[ParticleVector::Position]))
-                })
-                .collect();
+            let field: Vec<Id> = components.iter().map(|one| marked.time.expression(one)).collect();
             (marked, field)
         };
         let title = format!("Gravity `{}`: g(r, t), m/s^2, inertial axes.", load.name);
@@ -163,18 +160,15 @@ pub fn around_kernels(model: &Model) -> Vec<AroundKernels> {
         );
         let arguments = ["place: ::rncf::emitted::Vector", "gradient: &mut [f64; 9]"];
         let gradient = marked.kernel(format!("around_gradient_{name}"), title, outputs, &arguments);
-        let components: Vec<Expr> = components
-            .iter()
-            .map(|component| localise(component, &[ParticleVector::Position]))
-            .collect();
-        let mut course = course_of(model, &components, &format!("around_{name}"));
-        for (of, _) in course.iter_mut().flat_map(|course| &mut course.functions) {
-            *of = format!("load `{}`", load.name);
-        }
         Some(AroundKernels {
             load: index,
             kernels: [value, gradient],
-            course,
+            course: course_of(
+                model,
+                &components,
+                &format!("around_{name}"),
+                &format!("load `{}`", load.name),
+            ),
         })
     });
     kernels.collect()

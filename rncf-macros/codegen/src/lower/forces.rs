@@ -74,7 +74,7 @@ pub fn force_kernels(model: &Model) -> Vec<ForceKernels> {
             tangent: law.tangent(),
             energy: energy.as_ref().map(|energy| law.energy(energy)),
             branches: law.branches(),
-            course: course_of(model, components, &law.name),
+            course: course_of(model, components, &law.name, ""),
         });
     }
     kernels

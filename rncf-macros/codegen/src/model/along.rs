@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::{Body, Expr, TableId, fold};
+use crate::import::spline;
 use crate::vocabulary::DAMPINGS;
 
 /// Part of the range of a table by which a place may lie outside, as round-off.
@@ -169,41 +170,15 @@ impl Table {
         if self.between == Between::Line {
             return [values[row] + share * rise, rise / width, 0.0, 0.0];
         }
-        let [start, end] = [row, row + 1].map(|at| width * self.slope(column, at, row));
-        // Hermite's cubic.
-        let (bend, tilt) = (share * (1.0 - share), 1.0 - 2.0 * share);
-        let bent = (1.0 - share) * (start - rise) - share * (end - rise);
-        let slope = rise + tilt * bent - bend * (start + end - 2.0 * rise);
-        // Second and third derivative with respect to the share.
-        let jerk = 6.0 * (start + end - 2.0 * rise);
-        let curvature = 6.0 * rise - 4.0 * start - 2.0 * end + share * jerk;
-        [
-            values[row] + share * rise + bend * bent,
-            slope / width,
-            curvature / width / width,
-            jerk / width / width / width,
-        ]
+        let slopes = [row, row + 1].map(|at| self.slope(column, at, row));
+        spline::cubic(width, [values[row], values[row + 1]], slopes, share)
     }
 
     /// Slope of the cubic at a row, seen from the span that begins at row `span`.
     fn slope(&self, column: usize, row: usize, span: usize) -> f64 {
-        let (places, values) = (&self.places, &self.columns[column].values);
-        if let Some(&slope) = self.columns[column].slopes.get(row) {
-            return slope;
-        }
-        let width = |from: usize| places[from + 1] - places[from];
-        let rise = |from: usize| (values[from + 1] - values[from]) / width(from);
-        let other = if row == span { row.checked_sub(1) } else { Some(row) };
-        let Some(other) = other.filter(|&from| from + 1 < places.len() && width(from) > 0.0) else {
-            return rise(span);
-        };
-        let (before, after) = (span.min(other), span.max(other));
-        let (left, right) = (rise(before), rise(after));
-        if left * right <= 0.0 {
-            return 0.0;
-        }
-        let weights = [2.0 * width(after) + width(before), width(after) + 2.0 * width(before)];
-        (weights[0] + weights[1]) / (weights[0] / left + weights[1] / right)
+        let column = &self.columns[column];
+        let known = column.slopes.get(row).copied();
+        known.unwrap_or_else(|| spline::monotone_slope(&self.places, &column.values, row, span))
     }
 
     /// Whether a column says where the rows are: as arclengths, as parts of the length, under a name of its own, or as a coordinate

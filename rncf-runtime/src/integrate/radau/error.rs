@@ -22,21 +22,16 @@ use super::matrices::Matrices;
 use super::stages::{Stages, combine};
 use crate::archive::{Archive, Keep};
 use crate::integrate::norms::largest;
+use crate::integrate::recent::Recent;
 use crate::integrate::statistics::Statistics;
 use crate::system::{State, System};
-
-/// Steps that vary by less than this do so in smooth motions.
-pub(in crate::integrate) const SMOOTH: f64 = 4.0;
-/// The longest step is remembered over some hundred steps.
-pub(in crate::integrate) const FORGETTING: f64 = 0.99;
 
 /// Memory and weights of the estimate.
 pub(super) struct Estimate {
     inverse_weights: Vec<f64>,
     /// First unknown of the poses of free frames and rigid bodies.
     poses: usize,
-    /// Longest of the recent steps, s.
-    longest: f64,
+    recent: Recent,
     /// Errors of position and of velocity.
     x: Vec<f64>,
     v: Vec<f64>,
@@ -50,7 +45,7 @@ pub(super) struct Estimate {
 
 impl Keep for Estimate {
     fn keep(&mut self, archive: &mut Archive<'_>) {
-        self.longest.keep(archive);
+        self.recent.keep(archive);
     }
 }
 
@@ -60,7 +55,7 @@ impl Estimate {
         Self {
             inverse_weights: system.sizes().iter().map(|size| 1.0 / (rtol * size)).collect(),
             poses: n - system.border(),
-            longest: 0.0,
+            recent: Recent::default(),
             x: vec![0.0; n],
             v: vec![0.0; n],
             constraints: vec![0.0; m],
@@ -73,7 +68,7 @@ impl Estimate {
 
     /// Notes an accepted step of size `h`.
     pub(super) fn accepted(&mut self, h: f64) {
-        self.longest = h.max(FORGETTING * self.longest);
+        self.recent.meet(h);
     }
 
     /// Weighted size of the error of `stages`, which start at `start`.
@@ -153,7 +148,7 @@ impl Estimate {
         self.constraints.fill(0.0);
         matrices.solve_real(&mut self.x, &mut self.constraints, statistics);
         let mut sum = 0.0;
-        let lasting = h.max(self.longest / SMOOTH);
+        let lasting = self.recent.lasting(h);
         for i in 0..self.x.len() {
             self.v[i] = g * self.x[i] - self.first[i];
             let weight = self.inverse_weights[i];
