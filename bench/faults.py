@@ -136,7 +136,7 @@ FAULTS = {
         [CODEGEN],
     ),
     "slopes of monotone tables": (
-        "rncf-runtime/src/emitted/table.rs",
+        "rncf-macros/codegen/src/import/spline.rs",
         "(weights[0] + weights[1]) / (weights[0] / left + weights[1] / right)",
         "0.5 * (left + right)",
         [RUNTIME],
