@@ -46,3 +46,4 @@ mod step_control;
 mod ties;
 mod tilted_sail;
 mod tumbling;
+mod turned_parents;

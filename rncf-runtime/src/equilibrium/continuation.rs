@@ -1,6 +1,6 @@
 //! Continuation of equilibria from the start, in the scale of the motion or of the loads.
 
-use super::newton::{Failure, Newton, Patience};
+use super::newton::{Failure, Negative, Newton, Patience};
 use crate::error::{Short, SolveError, SolveErrorKind};
 use crate::model::{Kind, Scene, Uniform};
 use crate::space::product;
@@ -42,10 +42,8 @@ pub struct Continued {
     pub state: State,
     /// Newton iterations that it took.
     pub iterations: u32,
-    /// Of a static equilibrium the number of negative eigenvalues of the stiffness on what the constraints
-    /// leave free: it changes where the bodies buckle or reach a limit point. Its parity alone (0 or 1) where
-    /// there are more than some hundred unknowns, or where the stiffness is not symmetric.
-    pub negative: Option<usize>,
+    /// Of a static equilibrium: it changes where the bodies buckle or reach a limit point.
+    pub negative: Option<Negative>,
     /// Whether Newton's iteration ended far from where its first increment pointed, so that a limit point may lie between.
     pub strayed: bool,
     /// Whether the iteration moved the unknowns by a visible part of their sizes.
@@ -196,7 +194,7 @@ pub(super) fn settled(scene: &mut dyn Scene, newton: &mut Newton, at: &Uniform) 
         (result, more) = newton.solve(scene, at, &mut state, Patience::Patient);
         iterations += more;
         negative = newton.count(at);
-        if distance(scene, &near, &state) > NEAR || negative.is_some_and(|count| count > 0) {
+        if distance(scene, &near, &state) > NEAR || negative.is_some_and(Negative::is_any) {
             return None;
         }
     }

@@ -12,7 +12,7 @@ pub use continuation::{
     CUTS, Continued, Equilibrium, continue_from, follow, goes_back, settle, static_load, steady, unloaded,
 };
 pub use critical::{Critical, critical_factor};
-pub use newton::LARGEST_COUNTED;
+pub use newton::Negative;
 pub use untied::untied;
 pub(crate) use untied::untied_directions;
 

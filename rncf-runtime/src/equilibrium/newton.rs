@@ -30,7 +30,7 @@ const STILL: f64 = 1e-8;
 /// Part of the acting forces that a phase condition may carry.
 const UNBALANCED: f64 = 1e-6;
 /// Most rows of a matrix whose eigenvalues are counted.
-pub const LARGEST_COUNTED: usize = 400;
+const LARGEST_COUNTED: usize = 400;
 /// Skew part of an equilibrated matrix that counts as round-off.
 const SKEW: f64 = 1e-9;
 /// Part of the stiffness times the sizes that forces are resolved to.
@@ -84,6 +84,24 @@ impl Failure {
                 Some(row),
             ),
         }
+    }
+}
+
+/// Negative eigenvalues of the stiffness on what constraints and phase conditions leave free.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Negative {
+    /// Their number.
+    Counted(usize),
+    /// That their number is even, or odd: no more is known where the stiffness is large or not symmetric.
+    Even,
+    /// As [`Negative::Even`].
+    Odd,
+}
+
+impl Negative {
+    /// Whether there is one for certain.
+    pub(super) fn is_any(self) -> bool {
+        !matches!(self, Negative::Counted(0) | Negative::Even)
     }
 }
 
@@ -454,14 +472,12 @@ impl Newton {
         largest
     }
 
-    /// [`Newton::negative`] of static equilibria.
-    pub fn count(&self, at: &Uniform) -> Option<usize> {
+    /// What is known of the negative directions where the iteration to a static equilibrium ended.
+    pub fn count(&self, at: &Uniform) -> Option<Negative> {
         (at.kind == Kind::Static).then(|| self.negative())
     }
 
-    /// Number of negative eigenvalues of the stiffness on what constraints and phase conditions leave free,
-    /// where the iteration ended; its parity alone (0 or 1) where the stiffness is large or not symmetric.
-    pub fn negative(&self) -> usize {
+    fn negative(&self) -> Negative {
         let pattern = self.lu.pattern();
         let size = pattern.columns();
         let bordering = size - self.inverse_sizes.len();
@@ -470,9 +486,10 @@ impl Newton {
         {
             // Every bordering row has one negative eigenvalue of its own.
             let negative = values.iter().filter(|&&value| value < 0.0).count();
-            return negative.saturating_sub(bordering);
+            return Negative::Counted(negative.saturating_sub(bordering));
         }
-        usize::from(self.lu.is_determinant_negative() == bordering.is_multiple_of(2))
+        let is_odd = self.lu.is_determinant_negative() == bordering.is_multiple_of(2);
+        if is_odd { Negative::Odd } else { Negative::Even }
     }
 
     /// The whole matrix, equilibrated by a congruence; `None` where it is not symmetric.

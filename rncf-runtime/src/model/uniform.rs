@@ -31,6 +31,8 @@ pub struct Uniform {
     /// Part of the load, 0 to 1. Spins are multiplied by it and loads by its square
     /// ([`Kind::Steady`]: as centrifugal forces are), or loads by itself ([`Kind::Static`]).
     pub scale: f64,
+    /// Part of the spins at which the equilibrium is asked for, 0 to 1: loads are not scaled by it.
+    pub spinning: f64,
     /// Rotation or rest.
     pub kind: Kind,
     /// Rotation of what moves freely, at scale 1; `None`: that of the prescribed frames which turn,
@@ -44,6 +46,7 @@ impl Uniform {
         Self {
             t,
             scale: 1.0,
+            spinning: 1.0,
             ..Self::default()
         }
     }
@@ -64,7 +67,7 @@ impl Uniform {
     /// Factor of all velocities.
     pub fn speed(&self) -> f64 {
         match self.kind {
-            Kind::Steady => self.scale,
+            Kind::Steady => self.scale * self.spinning,
             Kind::Static => 0.0,
         }
     }

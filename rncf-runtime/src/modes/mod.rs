@@ -13,6 +13,7 @@ mod pair;
 mod pencil;
 mod refinement;
 mod spectrum;
+mod stiffness;
 mod tracking;
 mod whirl;
 
@@ -20,12 +21,13 @@ pub use crate::model::{Composition, Motion};
 pub use critical::{Critical, critical};
 pub use mode::Mode;
 pub use pencil::Pencil;
+pub use stiffness::{Stiffness, stiffness_values};
 pub use tracking::{assurance, followed, matched};
 pub use whirl::Whirl;
 
 use crate::equilibrium;
 use crate::error::{SolveError, SolveErrorKind};
-use crate::linalg::{Lu, Pattern};
+use crate::linalg::Pattern;
 use crate::model::{Scene, Uniform};
 use crate::system::{State, Tangent};
 use pair::{Failure, Pair};
@@ -65,24 +67,6 @@ pub fn unstable_directions(scene: &mut dyn Scene, at: &Uniform, state: &State) -
     dense::negative_stiffness(&pencil(scene, at, state)).map_err(|failure| error(scene, at, &failure))
 }
 
-/// Parity, 0 or 1, of the number of directions in which the co-rotating stiffness is negative, constraints kept and circulatory forces not left out. Where it
-/// changes with a parameter the stiffness is singular, as it is where an equilibrium at rest diverges; the symmetric part is so elsewhere.
-///
-/// # Errors
-/// [`SolveErrorKind::NoModes`] if the stiffness is singular in the whole neighbourhood of this state.
-pub fn divergence_parity(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Result<usize, SolveError> {
-    let pencil = pencil(scene, at, state);
-    let mut lu: Lu<f64> = pencil.lu();
-    // What is singular here is not negative yet.
-    lu.factor(&pencil.at(0.0))
-        .or_else(|_| lu.factor(&pencil.at(BESIDE * pencil.guess())))
-        .map_err(|_| error(scene, at, &Failure::Singular(None)))?;
-    // Every constraint has one negative direction of its own.
-    Ok(usize::from(
-        lu.is_determinant_negative() == pencil.constraints().is_multiple_of(2),
-    ))
-}
-
 /// Whether circulatory forces act, the skew part of the stiffness: then an equilibrium may be unstable in growing vibrations
 /// though its stiffness is positive, and [`unstable_directions`] does not tell.
 pub fn is_circulatory(scene: &mut dyn Scene, at: &Uniform, state: &State) -> bool {
@@ -109,55 +93,8 @@ pub fn is_circulatory(scene: &mut dyn Scene, at: &Uniform, state: &State) -> boo
         })
 }
 
-/// Growth, of a typical one, at which an equilibrium that is critical is looked at instead.
-const BESIDE: f64 = 1e-6;
 /// Part of the stiffness of their rows from which on two entries that differ count as different.
 const CIRCULATORY: f64 = 1e-9;
-
-/// The lowest values mu of `K x = mu M x`, ascending, with the symmetric part of the co-rotating stiffness and constraints
-/// kept, 1/s^2: from `-2 spin^2`, below which turning brings none, to the first `count` positive ones. The number of negative
-/// ones is that of [`unstable_directions`], found from sparse matrices where there are many unknowns; `spin` in rad/s.
-///
-/// # Errors
-/// As [`modes`].
-pub fn stiffness_values(
-    scene: &mut dyn Scene,
-    at: &Uniform,
-    state: &State,
-    count: usize,
-    spin: f64,
-) -> Result<Vec<f64>, SolveError> {
-    let mut tangent = tangent(scene, at, state);
-    tangent.damping.fill(0.0);
-    symmetrise(scene.pattern(), &mut tangent.stiffness);
-    // Beside the mass nothing is singular, and the lowest ones are those that are looked for.
-    let beside = 2.0 * spin * spin;
-    let entries = tangent.stiffness.iter_mut().zip(&tangent.mass);
-    entries.for_each(|(stiffness, mass)| *stiffness += beside * mass);
-    let pencil = with_constraints(scene, state, &tangent);
-    let free = pencil.unknowns().saturating_sub(pencil.constraints());
-    let mut asked = 2 * count;
-    loop {
-        let pairs = spectrum::lowest(&pencil, asked).map_err(|failure| error(scene, at, &failure))?;
-        // Of a value below the range there are two eigenvalues +-s.
-        let one = pairs.iter().map(|pair| pair.s).filter(|s| s.im > 0.0 || s.re >= 0.0);
-        let mut values: Vec<f64> = one.map(|s| -(s * s).re - beside).collect();
-        for value in &mut values {
-            if value.abs() <= NEUTRAL * beside {
-                *value = 0.0;
-            }
-        }
-        values.sort_by(f64::total_cmp);
-        let positive = values.iter().filter(|&&value| value > 0.0).count();
-        if positive >= count || asked >= free {
-            return Ok(values);
-        }
-        asked *= 2;
-    }
-}
-
-/// Part of the square of the spin that is round-off in a value of the stiffness: of motions that change nothing.
-const NEUTRAL: f64 = 1e-10;
 
 /// Stability margin: the largest rate of growth, 1/s. Negative: the equilibrium is asymptotically stable in
 /// these modes; 0 to round-off: neutral, as without damping; `None` without modes.

@@ -85,8 +85,7 @@ fn distinct(
     if !modes.is_empty() {
         pairs.drain(..slow);
     }
-    // One of two conjugates.
-    pairs.retain(|pair| pair.s.im >= 0.0);
+    let mut pairs: Vec<Pair> = pairs.into_iter().flat_map(one_of_conjugates).collect();
     let found = modes.len() + pairs.len();
     // The one beyond the count only completes a group.
     pairs.truncate((count + 1).saturating_sub(modes.len()));
@@ -105,6 +104,21 @@ fn distinct(
     }
     modes.sort_by(|a, b| order(a.s, b.s));
     Ok((modes, found <= count))
+}
+
+/// A pair, if it is the one of two conjugates that is taken; of two that round-off made of one real eigenvalue, which is there twice, both.
+fn one_of_conjugates(Pair { s, x }: Pair) -> Vec<Pair> {
+    if s.im < 0.0 {
+        return Vec::new();
+    }
+    if s.im == 0.0 || s.im > CLOSE * s.norm() {
+        return vec![Pair { s, x }];
+    }
+    let real = |part: fn(&c64) -> f64| Pair {
+        s: c64::new(s.re, 0.0),
+        x: x.iter().map(|value| c64::new(part(value), 0.0)).collect(),
+    };
+    vec![real(|value| value.re), real(|value| value.im)]
 }
 
 fn order(a: c64, b: c64) -> std::cmp::Ordering {

@@ -1,6 +1,7 @@
 //! Critical values between two equilibria at rest: where the bodies buckle or snap.
 
-use super::continuation::{Line, Measured};
+use super::continuation::Line;
+use super::directions;
 use crate::modes::Critical;
 
 /// Where the number of negative directions changed in the last step.
@@ -8,18 +9,14 @@ pub(in crate::app) fn buckling(line: &mut Line<'_>) -> Vec<Critical> {
     let (Some(before), after) = line.last_two() else {
         return Vec::new();
     };
-    let (Some(low), Some(high)) = (before.negative, after.negative) else {
+    let (Some(low), Some(high)) = (before.measured.clone(), after.measured.clone()) else {
         return Vec::new();
     };
-    if low == high {
+    if low.negative == high.negative {
         return Vec::new();
     }
     let (before, after) = (before.clone(), after.clone());
-    let known = |negative| Measured {
-        negative,
-        values: Vec::new(),
-    };
-    line.critical([&before, &after], [low, high].map(known), &mut |_, _, step, _| {
-        step.negative.map(known)
+    line.critical([&before, &after], [low, high], &mut |scene, at, step, _| {
+        directions::at_rest(scene, at, step).ok().flatten()
     })
 }

@@ -2,6 +2,7 @@
 //! `steady`, `static` and `campbell` share; nothing is printed or written here.
 
 use super::balanced::is_balanced;
+use super::directions::{self, Measured};
 use super::way::{Unplaced, between, check, placed, spin};
 use crate::app::results::equilibria::EquilibriumSettings;
 use crate::app::results::error::RunError;
@@ -45,6 +46,8 @@ pub(in crate::app) struct Line<'m> {
     before: Option<Found>,
     /// Parts of the way before and behind gaps that were leapt over.
     leaps: Vec<[f64; 2]>,
+    /// The first part of the way at which the negative directions were looked for and not found, and why.
+    unmeasured: Option<(f64, String)>,
     /// Newton iterations so far.
     pub iterations: u64,
     /// Whether the first state is an equilibrium: a declared initial shape may be none without spin and loads.
@@ -58,16 +61,8 @@ pub(in crate::app) struct Found {
     pub share: f64,
     /// Carried back to t = 0 ([`Scene::carried`]).
     pub state: State,
-    /// As [`Continued::negative`].
-    pub negative: Option<usize>,
-}
-
-/// How many directions of the stiffness are negative.
-#[derive(Clone, Debug)]
-pub(in crate::app) struct Measured {
-    pub negative: usize,
-    /// The values next to zero, ascending, with all negative ones; none where they are not known.
-    pub values: Vec<f64>,
+    /// Of a static equilibrium the negative directions of the stiffness, where they are known.
+    pub measured: Option<Measured>,
 }
 
 /// What is asked at an equilibrium; whether with the values.
@@ -108,42 +103,59 @@ impl<'m> Line<'m> {
         let mut iterations = 0;
         let mut place = 0;
         let mut begins_balanced = true;
-        let (state, negative) = match settings.range {
-            Some(range) => {
-                let mut found = follow(scene.as_mut(), &at, 1.0, |_, _| ());
-                // Where there is no equilibrium at the first value, as of hinged blades at rest, it begins at a later one.
-                let mut step = 1;
-                while let (true, Kind::Steady, true) = (found.is_err(), kind, step <= settings.steps) {
-                    let share = f64::from(step) / f64::from(settings.steps);
-                    if let Ok((mut other, there)) = placed(model, kind, settings, share)
-                        && let Ok(later) = follow(other.as_mut(), &there, 1.0, |_, _| ())
-                    {
-                        leaps.push([0.0, share]);
-                        place = u64::from(step) * PARTS;
-                        (scene, at, found) = (other, there, Ok(later));
-                    }
-                    step *= 2;
-                }
-                let found = found.map_err(|error| {
-                    let value = value_of(model, range.param, range.from);
-                    RunError::Equilibrium(format!("at {value}: {}", reason(&error, true)))
-                })?;
-                iterations = u64::from(found.iterations());
-                let last = found.path.last();
-                (
-                    last.map_or_else(|| scene.uniform_guess(&at), |step| step.state.clone()),
-                    last.and_then(|step| step.negative),
-                )
-            }
-            None => {
-                let mut rest = scene.uniform_guess(&at);
-                begins_balanced = is_balanced(scene.as_mut(), &at, &rest);
-                scene.uniform_state(&at, &mut rest);
-                let negative = (kind == Kind::Static && begins_balanced).then(|| unloaded(scene.as_mut(), &at));
-                (rest, negative.flatten().and_then(|near| near.negative))
-            }
+        let mut unmeasured = None;
+        let mut ask = |scene: &mut dyn Scene, at: &Uniform, found: &Continued| {
+            directions::at_rest(scene, at, found).unwrap_or_else(|error| {
+                unmeasured.get_or_insert((0.0, error.to_string()));
+                None
+            })
         };
-        let full_spin = spin(scene.as_ref(), &Uniform { scale: 1.0, ..at });
+        let mut rest = scene.uniform_guess(&at);
+        let is_followed = settings.range.is_some() || is_loaded(scene.as_mut(), &at, &rest);
+        let (state, measured) = if is_followed {
+            let mut found = follow(scene.as_mut(), &at, 1.0, |_, _| ());
+            // Where there is no equilibrium at the first value, as of hinged blades at rest, it begins at a later one.
+            let mut step = 1;
+            while let (true, Kind::Steady, true) = (found.is_err(), kind, step <= settings.steps) {
+                let share = f64::from(step) / f64::from(settings.steps);
+                if let Ok((mut other, there)) = placed(model, kind, settings, share)
+                    && let Ok(later) = follow(other.as_mut(), &there, 1.0, |_, _| ())
+                {
+                    leaps.push([0.0, share]);
+                    place = u64::from(step) * PARTS;
+                    (scene, at, found) = (other, there, Ok(later));
+                }
+                step *= 2;
+            }
+            let found = found.map_err(|error| {
+                let value = match settings.range {
+                    Some(range) => value_of(model, range.param, range.from),
+                    None => "rest under the loads".into(),
+                };
+                RunError::Equilibrium(format!("at {value}: {}", reason(&error, true)))
+            })?;
+            iterations = u64::from(found.iterations());
+            match found.path.last() {
+                Some(step) => (step.state.clone(), ask(scene.as_mut(), &at, step)),
+                None => (rest, None),
+            }
+        } else {
+            begins_balanced = is_balanced(scene.as_mut(), &at, &rest);
+            scene.uniform_state(&at, &mut rest);
+            let near = (kind == Kind::Static && begins_balanced).then(|| unloaded(scene.as_mut(), &at));
+            let measured = near
+                .flatten()
+                .and_then(|near| ask(scene.as_mut(), &at.scaled(near.scale), &near));
+            (rest, measured)
+        };
+        let full_spin = spin(
+            scene.as_ref(),
+            &Uniform {
+                scale: 1.0,
+                spinning: 1.0,
+                ..at
+            },
+        );
         Ok(Self {
             model,
             kind,
@@ -154,8 +166,9 @@ impl<'m> Line<'m> {
             last: Found {
                 share: place as f64 / (u64::from(settings.steps) * PARTS) as f64,
                 state: scene.carried(&at, &state, true),
-                negative,
+                measured,
             },
+            unmeasured,
             scene,
             at,
             state,
@@ -263,7 +276,7 @@ impl<'m> Line<'m> {
         let Ok((mut scene, at)) = placed(self.model, self.kind, &self.settings, share) else {
             return false;
         };
-        if self.kind == Kind::Static || at.scale == 0.0 {
+        if self.kind == Kind::Static {
             return false;
         }
         let guess = scene.uniform_guess(&at);
@@ -303,7 +316,7 @@ impl<'m> Line<'m> {
         (self.place, self.increment) = (target, PARTS);
     }
 
-    /// What is said of the leaps.
+    /// What is said of the leaps, and of what is not known.
     pub fn warnings(&self) -> Vec<String> {
         let Column { name, unit } = self.column();
         let told = |leap: &[f64; 2]| {
@@ -314,7 +327,11 @@ impl<'m> Line<'m> {
                 digits(to, 7)
             )
         };
-        self.leaps.iter().map(told).collect()
+        let unmeasured = self.unmeasured.iter().map(|(share, why)| {
+            let key = digits(self.key(*share), 7);
+            format!("whether the stiffness is negative in some direction is not known at {name} = {key} {unit}, so that critical values next to it are not found: {why}")
+        });
+        self.leaps.iter().map(told).chain(unmeasured).collect()
     }
 
     fn total(&self) -> u64 {
@@ -342,7 +359,8 @@ impl<'m> Line<'m> {
         } else if leapt {
             return Err(LEAPT.into());
         }
-        let found = found.map_err(|error| reason(&error, self.settings.range.is_some()))?;
+        let found =
+            found.map_err(|error| reason(&error, self.settings.range.is_some() || self.kind == Kind::Steady))?;
         self.keep(scene, at, share, found);
         Ok(())
     }
@@ -383,10 +401,14 @@ impl<'m> Line<'m> {
 
     fn keep(&mut self, mut scene: Box<dyn Scene>, at: Uniform, share: f64, found: Continued) {
         self.iterations += u64::from(found.iterations);
+        let measured = directions::at_rest(scene.as_mut(), &at, &found).unwrap_or_else(|error| {
+            self.unmeasured.get_or_insert((share, error.to_string()));
+            None
+        });
         let last = Found {
             share,
             state: scene.carried(&at, &found.state, true),
-            negative: found.negative,
+            measured,
         };
         self.before = Some(std::mem::replace(&mut self.last, last));
         (self.scene, self.at, self.state) = (scene, at, found.state);
@@ -442,6 +464,12 @@ impl<'m> Line<'m> {
             measured,
         })
     }
+}
+
+/// Whether a way along the spin begins where loads move what is undeformed at rest.
+fn is_loaded(scene: &mut dyn Scene, at: &Uniform, rest: &State) -> bool {
+    let is_along_spin = at.kind == Kind::Steady && at.spinning == 0.0;
+    is_along_spin && is_balanced(scene, &at.scaled(0.0), rest) && !is_balanced(scene, at, rest)
 }
 
 /// The equilibrium near a guess that is carried back to t = 0.

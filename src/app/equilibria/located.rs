@@ -1,11 +1,14 @@
 //! Critical values between two equilibria of a way: bracketed, and where no equilibrium comes near them, interpolated
 //! between those that do; nothing is printed or written here.
 
-use super::continuation::{Found, Line, Looked, Measure, Measured};
+use super::continuation::{Found, Line, Looked, Measure};
+use super::directions::Measured;
 use crate::modes::Critical;
 
 /// Width to which critical values are bracketed, part of the way.
 const WIDTH: f64 = 1e-7;
+/// Part of the values of the stiffness at the ends of a step that counts as zero where one passes it.
+const ZERO: f64 = 1e-2;
 /// Distance from the expected place, part of the bracket, at which it is looked at: it then lies on one side.
 const ASIDE: f64 = 0.01;
 /// Of so many looks one halves the bracket whatever is expected.
@@ -25,6 +28,8 @@ impl Line<'_> {
             state: found.state.clone(),
             measured,
         };
+        let sizes = before.values.iter().chain(&after.values);
+        let zero = ZERO * sizes.fold(0.0, |largest: f64, value| largest.max(value.abs()));
         let mut found = Vec::new();
         let mut open = vec![([end(low, before), end(high, after)], 1)];
         while let Some(([low, high], looks)) = open.pop() {
@@ -32,7 +37,9 @@ impl Line<'_> {
                 continue;
             }
             if high.share - low.share <= WIDTH {
-                found.push(self.bracketed(&low, &high));
+                if passes_zero(&low.measured, &high.measured, zero) {
+                    found.push(self.bracketed(&low, &high));
+                }
                 continue;
             }
             let middle = 0.5 * (low.share + high.share);
@@ -145,6 +152,16 @@ impl Line<'_> {
             open: None,
         })
     }
+}
+
+/// Whether values that change their sign between two equilibria next to each other do so at zero: two negative ones that become a vibration
+/// which grows do not.
+fn passes_zero(low: &Measured, high: &Measured, zero: f64) -> bool {
+    let changing = low.negative.min(high.negative)..low.negative.max(high.negative);
+    let more = if low.negative > high.negative { low } else { high };
+    more.values
+        .get(changing)
+        .is_none_or(|values| values.iter().all(|value| value.abs() <= zero))
 }
 
 /// Where the value that changes its sign between two equilibria is expected to be zero, a little aside to either side by turns.

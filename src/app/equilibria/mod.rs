@@ -3,6 +3,7 @@
 pub(super) mod balanced;
 pub(super) mod buckling;
 pub(super) mod continuation;
+pub(super) mod directions;
 pub(super) mod finer;
 pub(super) mod located;
 pub(super) mod steady;

@@ -4,7 +4,7 @@
 use std::ops::ControlFlow;
 
 use super::buckling::buckling;
-use super::continuation::{EquilibriumProgress, Line, Station};
+use super::continuation::{EquilibriumProgress, Found, Line, Station};
 use super::finer;
 use super::way::at_the_end;
 use crate::app::judged::finer::Judging;
@@ -18,7 +18,7 @@ use crate::app::results::history::History;
 use crate::app::results::incomplete::Incomplete;
 use crate::app::results::modes::{SeenMode, growth};
 use crate::app::writing::numbers::digits;
-use crate::equilibrium::{self, Kind, LARGEST_COUNTED};
+use crate::equilibrium::{self, Kind};
 use crate::{AnyModel, modes};
 
 /// Follows the relative equilibria of a model (THEORY 8.1): from rest to its spin, or along a parameter.
@@ -41,8 +41,8 @@ pub fn static_equilibria(model: &dyn AnyModel, settings: &EquilibriumSettings) -
 /// That the last equilibria at rest are unstable.
 fn unstable(line: &Line) -> Option<String> {
     let (before, last) = line.last_two();
-    let negative = last.negative?.min(before?.negative?);
-    let directions = match negative {
+    let negative = |found: &Found| found.measured.as_ref().map(|measured| measured.negative);
+    let directions = match negative(last)?.min(negative(before?)?) {
         0 => return None,
         1 => "one direction of its stiffness is".to_string(),
         more => format!("{more} directions of its stiffness are"),
@@ -52,28 +52,20 @@ fn unstable(line: &Line) -> Option<String> {
     ))
 }
 
-/// That the last equilibrium under circulatory forces, such as following ones, is unstable though its stiffness is positive; or that of a scene whose negative
-/// directions are not counted, as there are too many unknowns.
+/// That the last equilibrium under circulatory forces, such as following ones, is unstable though its stiffness is positive.
 fn flutter(station: &mut Station, count: usize) -> Option<String> {
     let (scene, at, state) = (&mut *station.scene, &station.at, station.state);
-    let is_counted = scene.unknowns() + scene.constraints() <= LARGEST_COUNTED;
-    let is_circulatory = modes::is_circulatory(scene, at, state);
-    if is_counted && !is_circulatory {
+    if !modes::is_circulatory(scene, at, state) {
         return None;
     }
     let Ok(found) = modes::modes(scene, at, state, modes::Wanted { count }) else {
-        return is_circulatory.then(|| {
-            "Whether the last equilibrium is stable is not known: forces that come from no energy act, and its modes were not found".to_string()
-        });
+        return Some(
+            "Whether the last equilibrium is stable is not known: forces that come from no energy act, and its modes were not found".into(),
+        );
     };
     let seen: Vec<SeenMode> = found.iter().map(|mode| SeenMode::of(scene, at, state, mode)).collect();
     let growth = growth(&seen)?;
     let time = digits(1.0 / growth, 4);
-    if !is_circulatory {
-        return Some(format!(
-            "The last equilibrium is unstable: a disturbance grows by the factor e in {time} s (`modes` shows how). With more than {LARGEST_COUNTED} unknowns and conditions the negative directions of the stiffness are not counted: critical values of two directions at once are not found, and one that \"becomes positive again\" may be another that becomes negative. Take fewer elements to find them"
-        ));
-    }
     Some(format!(
         "The last equilibrium is unstable: under forces that come from no energy a disturbance grows by the factor e in {time} s (`modes` shows how)"
     ))

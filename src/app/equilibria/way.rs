@@ -32,21 +32,23 @@ pub(in crate::app) fn placed(
     share: f64,
 ) -> Result<(Box<dyn Scene>, Uniform), Unplaced> {
     let mut model = model.boxed();
-    let mut scale = share;
     if let Some(range) = settings.range {
         model.set(range.param, between(range, share));
-        scale = 1.0;
     }
     let t = time(model.as_ref(), settings).map_err(Unplaced::Time)?;
     let scene = model
         .build(Formulation::Rncf, Joints::Eliminated)
         .map_err(Unplaced::Model)?;
-    let at = Uniform {
-        t,
-        scale,
+    let mut at = Uniform {
         kind,
         spin: settings.spin,
+        ..Uniform::steady(t)
     };
+    match (settings.range, kind) {
+        (Some(_), _) => {}
+        (None, Kind::Steady) => at.spinning = share,
+        (None, Kind::Static) => at.scale = share,
+    }
     Ok((scene, at))
 }
 

@@ -11,7 +11,7 @@ use crate::app::pictures::Shapes;
 use crate::app::results::equilibria::EquilibriumSettings;
 use crate::app::results::error::RunError;
 use crate::app::results::modes::{Modes, SeenMode, is_round};
-use crate::equilibrium::{Kind, Uniform, follow};
+use crate::equilibrium::{Uniform, follow};
 use crate::modes::{self, Mode, Wanted};
 use crate::{AnyModel, Formulation, Joints, Scene, State};
 
@@ -126,10 +126,8 @@ fn about(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<About, 
         .build(Formulation::Rncf, Joints::Eliminated)
         .map_err(RunError::Model)?;
     let at = Uniform {
-        t,
-        scale: 1.0,
-        kind: Kind::Steady,
         spin: settings.spin,
+        ..Uniform::steady(t)
     };
     let told = |error: crate::SolveError| RunError::Equilibrium(error.to_string());
     let found = follow(scene.as_mut(), &at, 1.0, |_, _| ()).map_err(told)?;

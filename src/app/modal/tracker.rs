@@ -1,7 +1,8 @@
 //! Modes followed by their shapes from step to step of a way, and what is between the steps: critical values and crossings
 //! with multiples of the spin.
 
-use crate::app::equilibria::continuation::{Found, Line, Measured};
+use crate::app::equilibria::continuation::{Found, Line};
+use crate::app::equilibria::directions::{self, Measured};
 use crate::app::equilibria::way;
 use crate::app::results::campbell::{Campbell, Crossing};
 use crate::app::results::modes::{Inertial, SeenMode, is_round};
@@ -11,11 +12,6 @@ use crate::{Scene, SolveError, State};
 
 /// Modes that are looked at beyond those shown, so that one that leaves them is not lost at once.
 const BEYOND: usize = 6;
-/// Most unknowns for which the negative directions of the stiffness are counted with full matrices, which is
-/// quicker than to look for its values.
-const LARGEST: usize = 800;
-/// Values of the stiffness that are looked at.
-const NEXT_TO_ZERO: usize = 4;
 /// Times that a step is halved to find where a mode goes.
 const HALVINGS: u32 = 4;
 /// Part of the largest |s| of a step beyond which a mode that is lost may have left the lowest ones.
@@ -39,7 +35,7 @@ pub(in crate::app) struct Tracker {
     measured: Option<(Measured, Found)>,
     /// Whether they are not known at the last step alone.
     is_skipped: bool,
-    /// Whether nothing turned and circulatory forces acted at a step, so that parities of these directions are compared from there on.
+    /// Whether nothing turned and circulatory forces acted at a step, so that the whole stiffness is asked from there on.
     diverges: bool,
 }
 
@@ -278,13 +274,10 @@ impl Tracker {
             return;
         };
         self.is_skipped = false;
-        let Some((mut before, first)) = self.measured.replace((measured.clone(), last.clone())) else {
+        let Some((before, first)) = self.measured.replace((measured.clone(), last.clone())) else {
             return;
         };
         let diverges = self.diverges;
-        if diverges {
-            before.negative %= 2;
-        }
         if before.negative == measured.negative {
             return;
         }
@@ -458,8 +451,7 @@ fn refined(
     })
 }
 
-/// The negative directions of the stiffness, and its values next to zero where they are asked for or tell the number; the parity of the directions alone
-/// where the stiffness `diverges`.
+/// The negative directions of the stiffness, of all of it where it `diverges`; whether with its values next to zero.
 fn measured(
     scene: &mut dyn Scene,
     at: &Uniform,
@@ -467,24 +459,10 @@ fn measured(
     (with_values, diverges): (bool, bool),
 ) -> Result<Measured, SolveError> {
     if diverges {
-        let negative = modes::divergence_parity(scene, at, state)?;
-        return Ok(Measured {
-            negative,
-            values: Vec::new(),
-        });
-    }
-    let is_large = state.x.len() > LARGEST;
-    let mut values = Vec::new();
-    if is_large || with_values {
-        let spin = way::spin(scene, at);
-        values = modes::stiffness_values(scene, at, state, NEXT_TO_ZERO, spin)?;
-    }
-    let negative = if is_large {
-        values.iter().filter(|&&value| value < 0.0).count()
+        directions::whole(scene, at, state)
     } else {
-        modes::unstable_directions(scene, at, state)?
-    };
-    Ok(Measured { negative, values })
+        directions::turning(scene, at, state, with_values)
+    }
 }
 
 /// The diagonal of the mass matrix: shapes of different modes are nearly orthogonal with it.

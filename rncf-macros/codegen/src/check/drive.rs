@@ -169,8 +169,10 @@ impl<'a> Check<'a> {
             Some(motions) => {
                 let is_opposite = matches!(motions, Motions::Hinged { axis } if axis[normal] < 0.0);
                 let sign = if is_opposite { -1.0 } else { 1.0 };
+                let parent = self.model.frames[frame.0].parent;
+                let from = Box::new(self.prescribed_angle(parent, normal).at_time_zero());
                 let marker = self.marker(Marker::Angle { frame });
-                Some(Turned::Free { marker, sign })
+                Some(Turned::Free { marker, sign, from })
             }
             None if frame == INERTIAL => Some(Turned::Still),
             None => {
@@ -189,7 +191,11 @@ impl<'a> Check<'a> {
                 let marker = self.marker(Marker::Angle { frame });
                 return Some(Angle::Counted {
                     first: Turned::Still,
-                    second: Turned::Free { marker, sign: 1.0 },
+                    second: Turned::Free {
+                        marker,
+                        sign: 1.0,
+                        from: Box::new(Value::Number(0.0)),
+                    },
                 });
             }
             Some(Motions::Shifting | Motions::ShiftingPlanar { .. }) => say::point_mass_turns(&name),

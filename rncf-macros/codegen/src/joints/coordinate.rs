@@ -40,6 +40,8 @@ pub enum Turned {
         marker: MarkerId,
         /// -1 where it counts about the opposite axis.
         sign: f64,
+        /// Angle, rad, of the axes that it counts from: those of its parent at t = 0.
+        from: Box<Expr>,
     },
     /// The inertial frame.
     Still,
@@ -57,7 +59,10 @@ pub enum Turned {
 impl Turned {
     fn value(&self) -> Expr {
         match self {
-            Turned::Free { marker, sign } => signed(*sign, observed(*marker, 0, None)[0].clone()),
+            Turned::Free { marker, sign, from } => {
+                let own = signed(*sign, observed(*marker, 0, None)[0].clone());
+                algebra::add((**from).clone(), own)
+            }
             Turned::Still => Expr::Number(0.0),
             Turned::Prescribed { angle, .. } => (**angle).clone(),
         }
@@ -65,7 +70,7 @@ impl Turned {
 
     fn rate(&self) -> Expr {
         match self {
-            Turned::Free { marker, sign } => signed(*sign, observed(*marker, 1, None)[0].clone()),
+            Turned::Free { marker, sign, .. } => signed(*sign, observed(*marker, 1, None)[0].clone()),
             Turned::Still => Expr::Number(0.0),
             Turned::Prescribed { angle, .. } if !algebra::has_time(angle) => Expr::Number(0.0),
             Turned::Prescribed { turn, normal, .. } => observed(*turn, 1, None)[*normal].clone(),
@@ -74,7 +79,7 @@ impl Turned {
 
     fn marker(&self) -> Option<(MarkerId, f64)> {
         match self {
-            Turned::Free { marker, sign } => Some((*marker, *sign)),
+            Turned::Free { marker, sign, .. } => Some((*marker, *sign)),
             Turned::Still | Turned::Prescribed { .. } => None,
         }
     }

@@ -109,6 +109,16 @@ impl Expr {
         })
     }
 
+    /// Its value at t = 0.
+    pub fn at_time_zero(&self) -> Self {
+        match self {
+            Expr::Time => Expr::Number(0.0),
+            other => other
+                .with_parts(&mut |part| Some(part.at_time_zero()))
+                .unwrap_or_else(|| other.clone()),
+        }
+    }
+
     /// Whether it or something that it is made of is of a kind.
     pub fn contains(&self, is: &dyn Fn(&Expr) -> bool) -> bool {
         is(self) || self.parts().into_iter().any(|part| part.contains(is))

@@ -75,10 +75,10 @@ fn small_motions_are_derivatives_in_corotating_axes() {
             point: Vector::new(0.1, 0.3, -0.2),
         });
         let at = Uniform {
-            t: 0.0,
             scale: part,
             kind,
             spin,
+            ..Uniform::steady(0.0)
         };
         let mut state = scene.rest(0.0);
         Random(seed).shake(&scene, &mut state, 0.2);

@@ -127,7 +127,11 @@ impl MeshScene {
         if let Some(name) = self.timed_load(at.t) {
             return Some(format!("load `{name}` varies with time: give it a constant value"));
         }
-        let whole = Uniform { scale: 1.0, ..*at };
+        let whole = Uniform {
+            scale: 1.0,
+            spinning: 1.0,
+            ..*at
+        };
         let spin = match self.rotation(&whole) {
             Ok(spin) => spin,
             Err(text) if self.is_coupled() => return Some(text),

@@ -1,0 +1,99 @@
+//! The values of the co-rotating stiffness next to zero: each that passes zero along a parameter is a critical one.
+
+use super::{error, spectrum, symmetrise, tangent, with_constraints};
+use crate::error::SolveError;
+use crate::linalg::c64;
+use crate::model::{Scene, Uniform};
+use crate::system::{State, Tangent};
+
+/// Part of what stands beside the mass that is round-off in a value of the stiffness: of motions that change nothing.
+const NEUTRAL: f64 = 1e-10;
+/// Imaginary part of a real value that is round-off.
+const REAL: f64 = 1e-6;
+
+/// A part of the co-rotating stiffness.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stiffness {
+    /// The symmetric one of what turns with this spin, rad/s: what dissipates in axes that stand still is left out.
+    Symmetric(f64),
+    /// All of it, circulatory forces as well: it is singular where an equilibrium at rest diverges, and its symmetric part elsewhere.
+    Whole,
+}
+
+/// The lowest values mu of `K x = mu M x`, ascending, with a part of the co-rotating stiffness and constraints kept, 1/s^2: up to
+/// the first `count` positive ones, of the symmetric part from `-2 spin^2`, below which turning brings none, of the whole one those that are
+/// smaller in size than the largest one. The number of negative ones of the symmetric part is that of
+/// [`unstable_directions`](super::unstable_directions), found from sparse matrices where there are many unknowns. Two conjugate values,
+/// of what vibrates and grows, stand as their size: they pass zero nowhere.
+///
+/// # Errors
+/// As [`modes`](super::modes).
+pub fn stiffness_values(
+    scene: &mut dyn Scene,
+    at: &Uniform,
+    state: &State,
+    count: usize,
+    of: Stiffness,
+) -> Result<Vec<f64>, SolveError> {
+    let mut tangent = tangent(scene, at, state);
+    tangent.damping.fill(0.0);
+    match of {
+        Stiffness::Symmetric(spin) => {
+            symmetrise(scene.pattern(), &mut tangent.stiffness);
+            // Beside the mass nothing is singular, and the lowest ones are those that are looked for.
+            values(scene, at, (state, &tangent), count, 2.0 * spin * spin)
+        }
+        Stiffness::Whole => {
+            let found = values(scene, at, (state, &tangent), count, 0.0)?;
+            let least = found.iter().map(|value| value.abs()).filter(|&size| size > 0.0);
+            match least.reduce(f64::min) {
+                // What is next to zero has its sign beside the mass.
+                Some(least) if found.contains(&0.0) => values(scene, at, (state, &tangent), count, least),
+                _ => Ok(found),
+            }
+        }
+    }
+}
+
+/// The same with so much of the mass, 1/s^2, beside the stiffness.
+fn values(
+    scene: &mut dyn Scene,
+    at: &Uniform,
+    (state, tangent): (&State, &Tangent),
+    count: usize,
+    beside: f64,
+) -> Result<Vec<f64>, SolveError> {
+    let mut tangent = tangent.clone();
+    let entries = tangent.stiffness.iter_mut().zip(&tangent.mass);
+    entries.for_each(|(stiffness, mass)| *stiffness += beside * mass);
+    let pencil = with_constraints(scene, state, &tangent);
+    let free = pencil.unknowns().saturating_sub(pencil.constraints());
+    let mut asked = 2 * count;
+    loop {
+        let pairs = spectrum::lowest(&pencil, asked).map_err(|failure| error(scene, at, &failure))?;
+        // Of a value below the range there are two eigenvalues +-s.
+        let one = pairs.iter().map(|pair| pair.s).filter(|s| s.im > 0.0 || s.re >= 0.0);
+        let mut values: Vec<f64> = one.map(|s| value(s) - beside).collect();
+        for value in &mut values {
+            if value.abs() <= NEUTRAL * beside {
+                *value = 0.0;
+            }
+        }
+        values.sort_by(f64::total_cmp);
+        let positive = values.iter().filter(|&&value| value > 0.0).count();
+        if positive >= count || asked >= free {
+            return Ok(values);
+        }
+        asked *= 2;
+    }
+}
+
+/// `-s^2` where that is a real number, else its size.
+fn value(s: c64) -> f64 {
+    let square = s * s;
+    if square.im.abs() <= REAL * square.norm() {
+        -square.re
+    } else {
+        square.norm()
+    }
+}

@@ -1,0 +1,71 @@
+//! In how many directions the stiffness at an equilibrium is negative: where that changes along a way, bodies buckle, or a
+//! critical speed is passed.
+
+use crate::app::equilibria::way;
+use crate::equilibrium::{Continued, Negative, Uniform};
+use crate::modes::{self, Stiffness};
+use crate::{Scene, SolveError, State};
+
+/// Most unknowns for which the negative directions of the stiffness are counted with full matrices, which is
+/// quicker than to look for its values.
+const LARGEST: usize = 800;
+/// Values of the stiffness that are looked at.
+const NEXT_TO_ZERO: usize = 4;
+
+/// How many directions of the stiffness are negative.
+#[derive(Clone, Debug)]
+pub(in crate::app) struct Measured {
+    pub negative: usize,
+    /// The values next to zero, ascending, with all negative ones; none where they are not known.
+    pub values: Vec<f64>,
+}
+
+impl Measured {
+    fn of(values: Vec<f64>) -> Self {
+        Self {
+            negative: values.iter().filter(|&&value| value < 0.0).count(),
+            values,
+        }
+    }
+}
+
+/// Of an equilibrium at rest; `None` of a relative one, which [`turning`] asks.
+pub(in crate::app) fn at_rest(
+    scene: &mut dyn Scene,
+    at: &Uniform,
+    found: &Continued,
+) -> Result<Option<Measured>, SolveError> {
+    match found.negative {
+        None => Ok(None),
+        Some(Negative::Counted(negative)) => Ok(Some(Measured {
+            negative,
+            values: Vec::new(),
+        })),
+        Some(Negative::Even | Negative::Odd) => whole(scene, at, &found.state).map(Some),
+    }
+}
+
+/// Of the whole stiffness, where circulatory forces act or there are many unknowns.
+pub(in crate::app) fn whole(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Result<Measured, SolveError> {
+    modes::stiffness_values(scene, at, state, NEXT_TO_ZERO, Stiffness::Whole).map(Measured::of)
+}
+
+/// Of the symmetric part of the co-rotating stiffness; whether with its values, which otherwise are known only where they tell the number.
+pub(in crate::app) fn turning(
+    scene: &mut dyn Scene,
+    at: &Uniform,
+    state: &State,
+    with_values: bool,
+) -> Result<Measured, SolveError> {
+    let is_large = state.x.len() > LARGEST;
+    let mut values = Vec::new();
+    if is_large || with_values {
+        let of = Stiffness::Symmetric(way::spin(scene, at));
+        values = modes::stiffness_values(scene, at, state, NEXT_TO_ZERO, of)?;
+    }
+    if is_large {
+        return Ok(Measured::of(values));
+    }
+    let negative = modes::unstable_directions(scene, at, state)?;
+    Ok(Measured { negative, values })
+}
