@@ -43,6 +43,7 @@ mod slider_crank;
 mod spin_up;
 mod steady;
 mod step_control;
+mod stops;
 mod ties;
 mod tilted_sail;
 mod tumbling;

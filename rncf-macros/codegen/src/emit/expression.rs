@@ -134,6 +134,14 @@ impl<'g> Writer<'g> {
         (text, part.operations)
     }
 
+    /// What a method is called of: a number needs its type there, and its sign inside the brackets.
+    fn receiver(&self, id: Id) -> (String, usize) {
+        match self.graph.value(id) {
+            Some(_) => (format!("({}_f64)", self.texts[&id].text), 0),
+            None => self.operand(id, Binding::Atom),
+        }
+    }
+
     fn infix(&self, a: Id, operator: &str, b: Id, binding: Binding) -> Text {
         // The left operand may bind as loosely, the right one must bind more tightly: the text then
         // means the same order of rounding as the graph.
@@ -240,12 +248,7 @@ impl<'g> Writer<'g> {
                 }
             }
             Node::Call(function, a) => {
-                let (argument, operations) = self.operand(a, Binding::Atom);
-                let argument = if self.graph.value(a).is_some() {
-                    format!("({argument}_f64)")
-                } else {
-                    argument
-                };
+                let (argument, operations) = self.receiver(a);
                 Text {
                     text: format!("{argument}.{}()", method(function)),
                     binding: Binding::Atom,
@@ -253,12 +256,7 @@ impl<'g> Writer<'g> {
                 }
             }
             Node::Call2(function, a, b) => {
-                let (left, m) = self.operand(a, Binding::Atom);
-                let left = if self.graph.value(a).is_some() {
-                    format!("({left}_f64)")
-                } else {
-                    left
-                };
+                let (left, m) = self.receiver(a);
                 let (right, n) = self.operand(b, Binding::Sum);
                 let text = format!("{left}.{}({right})", method(function));
                 Text {
