@@ -12,6 +12,7 @@ mod own_curves;
 mod roll_up;
 mod runs;
 mod scenes;
+mod sections_along_curves;
 mod statics;
 mod table_curves;
 mod table_files;

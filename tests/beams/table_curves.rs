@@ -283,13 +283,23 @@ fn points_that_are_no_axis_are_told() {
         Some("0, 100\n2.9, 100\n"),
         &["layup.csv` for `layup` has rows from 0 to 2.9 m", "goes from 0 to 3 m"],
     );
-    let up = "0,0,0\n1,0,0.1\n1.5,0,1\n1.5,0,3\n";
     let mut pipe = Pipe::default();
-    let points: Vec<&str> = up.lines().collect();
-    let rows = points.iter().map(|point| format!("{point},1,1,1,1,1,1,1,1,1\n"));
+    let with = |points: &str| {
+        let rows = points.lines().map(|point| format!("{point},1,1,1,1,1,1,1,1,1\n"));
+        rows.collect::<String>()
+    };
+    let (up, over) = ("0,0,0\n1,0,0.1\n1.5,0,1\n2,0,3\n", "0,0,0\n1,0,0.1\n1.5,0,1\n1.5,0,3\n");
     let head = "x [m], y [m], z [m], EA [N], GAy [N], GAz [N], GJ [N*m^2], EIy [N*m^2], EIz [N*m^2], mass [kg/m], inertia_y [kg*m], inertia_z [kg*m]\n";
-    pipe.rows = read(pipe.rows, "up", &format!("{head}{}", rows.collect::<String>())).unwrap();
+    pipe.rows = read(pipe.rows, "up", &format!("{head}{}", with(up))).unwrap();
     pipe.build(Formulation::Rncf, Joints::Eliminated).unwrap();
+    // The spline leans back before its end, between two nodes.
+    pipe.rows = read(pipe.rows, "over", &format!("{head}{}", with(over))).unwrap();
+    let found = pipe
+        .build(Formulation::Rncf, Joints::Eliminated)
+        .err()
+        .unwrap()
+        .to_string();
+    assert!(found.contains("`section_y`") && found.contains("at x = 2.9"), "{found}");
     let straight = "0,0,0,1,1,1,1,1,1,1,1,1\n0,0,3,1,1,1,1,1,1,1,1,1\n";
     pipe.rows = read(pipe.rows, "straight", &format!("{head}{straight}")).unwrap();
     let found = pipe

@@ -8,7 +8,7 @@ use crate::error::ModelError;
 /// Elements of one body that are surely not meant: their vectors alone would fill the memory.
 const MOST_ELEMENTS: usize = 10_000_000;
 
-/// Parts of an element over which a curve's turn is summed; a prime, so that no winding of a coil hides in one.
+/// Parts of an element over which turns are summed; a prime, so that no winding of a coil hides in one.
 const PARTS: usize = 31;
 
 /// A joint may tie a body to its own free frame; everything else between free frames is a constraint.
@@ -74,20 +74,18 @@ pub(crate) fn check_body(spec: &BodySpec) -> Result<(), ModelError> {
     let angle: f64 = match spec.line {
         Line::Arc { angle, .. } => angle,
         Line::Straight { .. } | Line::Nodes(_) => 0.0,
-        Line::Curve(_) => {
-            let bent = |element: usize| {
-                let [start, end] = [element, element + 1].map(|node| spec.fraction(node, 0));
-                let tangent = |part: usize| spec.line.at(start + part as f64 / PARTS as f64 * (end - start)).1;
-                let turn = |part: usize| tangent(part).dot(&tangent(part + 1)).clamp(-1.0, 1.0).acos();
-                (0..PARTS).map(turn).sum::<f64>()
-            };
-            (0..spec.count).map(bent).fold(0.0, f64::max) * spec.count as f64
-        }
+        Line::Curve(_) => summed(spec, &|from, to| {
+            let [before, after] = [from, to].map(|u| spec.line.at(u).1);
+            before.dot(&after).clamp(-1.0, 1.0).acos()
+        }),
     };
     check_stations(spec)?;
-    let node = |node: usize| spec.fraction(node, 0);
-    let turn = |element: usize| (spec.twist.at(node(element + 1)) - spec.twist.at(node(element))).abs();
-    let twist = (0..spec.count).map(turn).fold(0.0, f64::max) * spec.count as f64;
+    spec.check_directions()?;
+    // Twist may swing within an element and come back.
+    let twist = match spec.has_turning_section() {
+        true => summed(spec, &|from, to| spec.turn_about_axis(from, to)),
+        false => summed(spec, &|from, to| (spec.twist.at(to) - spec.twist.at(from)).abs()),
+    };
     for (angle, what) in [(angle, "bent"), (twist, "twisted")] {
         let each = angle.abs() / spec.count as f64;
         // The macro has the same limit for the defaults.
@@ -101,7 +99,17 @@ pub(crate) fn check_body(spec: &BodySpec) -> Result<(), ModelError> {
             )));
         }
     }
-    spec.check_directions()
+    Ok(())
+}
+
+/// The sum over the parts of an element of a turn between two fractions of the axis, rad: the largest one, times the number of elements.
+fn summed(spec: &BodySpec, turn: &dyn Fn(f64, f64) -> f64) -> f64 {
+    let of_element = |element: usize| {
+        let [start, end] = [element, element + 1].map(|node| spec.fraction(node, 0));
+        let at = |part: usize| start + part as f64 / PARTS as f64 * (end - start);
+        (0..PARTS).map(|part| turn(at(part), at(part + 1))).sum::<f64>()
+    };
+    (0..spec.count).map(of_element).fold(0.0, f64::max) * spec.count as f64
 }
 
 /// Refuses a twist that jumps at a step of its table: both elements there have one section. The macro has the same limit.

@@ -3,6 +3,10 @@
 use crate::emitted::{BodySpec, Interpolant, Line, PARALLEL};
 use crate::error::ModelError;
 use crate::space::{Vector, exp, matrix, perpendicular};
+use std::f64::consts::FRAC_PI_2;
+
+/// Places of an element at which the direction of sections on a curve is looked at.
+const LOOKS: usize = 31;
 
 impl BodySpec {
     /// Unit vectors along the section's y and z axes (1, frame axes) at the fraction `u` in [0, 1] of the
@@ -32,6 +36,22 @@ impl BodySpec {
         let (sine, cosine) = self.twist.at(u).sin_cos();
         let y = cosine * turned + sine * side;
         [y, tangent.cross(&y)]
+    }
+
+    /// Whether the direction of the sections is found anew at every place, as on a curve in space.
+    pub(crate) fn has_turning_section(&self) -> bool {
+        self.dimension() == 3 && self.has_section() && matches!(self.line, Line::Curve(_))
+    }
+
+    /// Angle, rad, not negative, by which the section turns about the axis from one fraction of it to another one next to it.
+    pub(crate) fn turn_about_axis(&self, from: f64, to: f64) -> f64 {
+        let [before, after] = [from, to].map(|u| self.line.at(u).1);
+        let [y, wanted] = [from, to].map(|u| self.section(u)[0]);
+        // Carried along the axis without turning about it.
+        let turn = before.cross(&after);
+        let carried = y + turn.cross(&y) + turn.cross(&turn.cross(&y)) / (1.0 + before.dot(&after));
+        let sine = after.cross(&carried).dot(&wanted);
+        sine.atan2(carried.dot(&wanted)).abs()
     }
 
     /// Unit normal of the plane of a planar body, frame axes.
@@ -74,10 +94,14 @@ impl BodySpec {
         }
         // On a curve every section has this direction by itself.
         if let (Some(wanted), Line::Curve(_)) = (self.section_y, &self.line) {
-            let mut places = (0..=self.count).map(|node| self.fraction(node, 0));
-            if let Some(u) = places.find(|&u| self.across(self.line.at(u).1).is_none()) {
+            let mut places = (0..=LOOKS * self.count).map(|place| place as f64 / (LOOKS * self.count) as f64);
+            let turns_over = |u: f64| {
+                let next = (u + 1.0 / (LOOKS * self.count) as f64).min(1.0);
+                self.across(self.line.at(u).1).is_none() || self.turn_about_axis(u, next) > FRAC_PI_2
+            };
+            if let Some(u) = places.find(|&u| turns_over(u)) {
                 return Err(ModelError::new(format!(
-                    "body `{name}`: `section_y` {wanted:?} has no part across the axis at x = {:.6} m: give a direction that is nowhere along it",
+                    "body `{name}`: `section_y` {wanted:?} has no part across the axis at x = {:.6} m, or next to it: give a direction that is nowhere along it",
                     u * self.line.length()
                 )));
             }
