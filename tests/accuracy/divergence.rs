@@ -1,5 +1,8 @@
 //! Equilibria that are lost, beside those that only seem to be: forces that come from no energy, and what turns.
 
+use rncf::equilibrium::Spin;
+use rncf::space::Vector;
+
 use rncf::app::{EquilibriumSettings, Judging, Range, campbell, modes, static_equilibria, steady};
 
 rncf::model! {
@@ -270,4 +273,21 @@ fn loads_are_whole_along_the_spin() {
     for force in found.history.column(0) {
         assert!((force.abs() - 300.0).abs() < 1e-6, "{force}");
     }
+    // A rotation that is given is not that of the hub: its modes stood under another spin.
+    let spun = |speed: f64| {
+        let spin = Some(Spin {
+            velocity: Vector::new(0.0, 0.0, speed),
+            point: Vector::zeros(),
+        });
+        modes(
+            &mast,
+            &EquilibriumSettings {
+                spin,
+                ..EquilibriumSettings::default()
+            },
+        )
+    };
+    let told = spun(3.0).unwrap_err().to_string();
+    assert!(told.contains("frame `hub` turns in a prescribed way, with 6"), "{told}");
+    assert!(spun(6.0).is_ok());
 }

@@ -99,6 +99,12 @@ impl MeshScene {
             any.get_or_insert(spin);
             let expected = other.velocity.cross(&(frame.position - other.point));
             if differs(velocity, other.velocity) || differs(frame.velocity, expected) {
+                if wanted.is_some() {
+                    return Err(format!(
+                        "frame `{name}` turns in a prescribed way, with {:.6} rad/s, and not with the rotation that is given (`--spin`): leave that away, or give the model another speed",
+                        velocity.norm()
+                    ));
+                }
                 return Err(format!(
                     "frame `{name}` does not turn with the others: what moves freely needs one angular velocity and one axis in common; give the rotation, or frames that turn alike"
                 ));
@@ -134,7 +140,7 @@ impl MeshScene {
         };
         let spin = match self.rotation(&whole) {
             Ok(spin) => spin,
-            Err(text) if self.is_coupled() => return Some(text),
+            Err(text) if self.is_coupled() || at.spin.is_some() => return Some(text),
             Err(_) => Spin::default(),
         };
         let mut turning = state.clone();
