@@ -2971,6 +2971,9 @@ pub mod bend45_equations {
         ) -> ::std::vec::Vec<&'static ::rncf::emitted::Table> {
             ::std::vec::Vec::new()
         }
+        fn properties(&self, body: usize, x: f64) -> ::std::vec::Vec<f64> {
+            ::std::vec::Vec::new()
+        }
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             beam_spatial_curved_mass(&self.row_bend, ::rncf::emitted::array_mut(mass));
         }

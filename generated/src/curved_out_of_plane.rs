@@ -2638,6 +2638,9 @@ pub mod curved_out_of_plane_equations {
         ) -> ::std::vec::Vec<&'static ::rncf::emitted::Table> {
             ::std::vec::Vec::new()
         }
+        fn properties(&self, body: usize, x: f64) -> ::std::vec::Vec<f64> {
+            ::std::vec::Vec::new()
+        }
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             beam_spatial_curved_mass(&self.row_beam, ::rncf::emitted::array_mut(mass));
         }

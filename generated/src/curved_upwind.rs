@@ -1652,6 +1652,9 @@ pub mod curved_upwind_equations {
         ) -> ::std::vec::Vec<&'static ::rncf::emitted::Table> {
             ::std::vec::Vec::new()
         }
+        fn properties(&self, body: usize, x: f64) -> ::std::vec::Vec<f64> {
+            ::std::vec::Vec::new()
+        }
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             beam_planar_curved_mass(&self.row_beam, ::rncf::emitted::array_mut(mass));
         }

@@ -1486,6 +1486,9 @@ pub mod elastica_equations {
         ) -> ::std::vec::Vec<&'static ::rncf::emitted::Table> {
             ::std::vec::Vec::new()
         }
+        fn properties(&self, body: usize, x: f64) -> ::std::vec::Vec<f64> {
+            ::std::vec::Vec::new()
+        }
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             beam_planar_mass(&self.row_beam, ::rncf::emitted::array_mut(mass));
         }

@@ -4610,6 +4610,9 @@ pub mod esail_tilted_equations {
         ) -> ::std::vec::Vec<&'static ::rncf::emitted::Table> {
             ::std::vec::Vec::new()
         }
+        fn properties(&self, body: usize, x: f64) -> ::std::vec::Vec<f64> {
+            ::std::vec::Vec::new()
+        }
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             let (body, instance) = self.kind(body);
             match body {

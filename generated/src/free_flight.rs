@@ -2206,6 +2206,9 @@ pub mod free_flight_equations {
         ) -> ::std::vec::Vec<&'static ::rncf::emitted::Table> {
             ::std::vec::Vec::new()
         }
+        fn properties(&self, body: usize, x: f64) -> ::std::vec::Vec<f64> {
+            ::std::vec::Vec::new()
+        }
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             cable_spatial_mass(&self.row_cable, ::rncf::emitted::array_mut(mass));
         }

@@ -4277,6 +4277,20 @@ pub mod iea15mw_blade_equations {
         ) -> ::std::vec::Vec<&'static ::rncf::emitted::Table> {
             ::std::vec::Vec::from([&TABLE_SECTIONS, &TABLE_POINTS])
         }
+        fn properties(&self, body: usize, x: f64) -> ::std::vec::Vec<f64> {
+            let model = &self.model;
+            let length = ::rncf::emitted::Line::Curve(
+                    TABLE_POINTS.curve([0, 1, 2], &[0, 1, 2]),
+                )
+                .length();
+            along_blade(&self.model, x, length)
+                .map_or_else(
+                    |_| ::std::vec::Vec::new(),
+                    |(coefficients, masses)| {
+                        coefficients.into_iter().chain(masses).collect()
+                    },
+                )
+        }
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             mass.copy_from_slice(&self.mass_blade[element]);
         }

@@ -3376,6 +3376,9 @@ pub mod motor_equations {
         ) -> ::std::vec::Vec<&'static ::rncf::emitted::Table> {
             ::std::vec::Vec::new()
         }
+        fn properties(&self, body: usize, x: f64) -> ::std::vec::Vec<f64> {
+            ::std::vec::Vec::new()
+        }
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             beam_spatial_damped_mass(&self.row_shaft, ::rncf::emitted::array_mut(mass));
         }

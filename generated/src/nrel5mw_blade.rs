@@ -6987,6 +6987,21 @@ pub mod nrel5mw_blade_equations {
         ) -> ::std::vec::Vec<&'static ::rncf::emitted::Table> {
             ::std::vec::Vec::from([&TABLE_SECTIONS, &TABLE_POINTS])
         }
+        fn properties(&self, body: usize, x: f64) -> ::std::vec::Vec<f64> {
+            let model = &self.model;
+            let length = ::rncf::emitted::Line::Straight {
+                from: [0.0, 0.0, 1.5],
+                to: [0.0, 0.0, 63.0],
+            }
+                .length();
+            along_blade(&self.model, x, length)
+                .map_or_else(
+                    |_| ::std::vec::Vec::new(),
+                    |(coefficients, masses)| {
+                        coefficients.into_iter().chain(masses).collect()
+                    },
+                )
+        }
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             mass.copy_from_slice(&self.mass_blade[element]);
         }

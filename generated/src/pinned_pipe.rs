@@ -1409,6 +1409,9 @@ pub mod pinned_pipe_equations {
         ) -> ::std::vec::Vec<&'static ::rncf::emitted::Table> {
             ::std::vec::Vec::new()
         }
+        fn properties(&self, body: usize, x: f64) -> ::std::vec::Vec<f64> {
+            ::std::vec::Vec::new()
+        }
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             cable_planar_mass(&self.row_pipe, ::rncf::emitted::array_mut(mass));
         }

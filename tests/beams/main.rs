@@ -8,6 +8,7 @@ mod curved;
 mod elements;
 mod motor;
 mod motor_runs;
+mod narrow_properties;
 mod own_curves;
 mod roll_up;
 mod runs;

@@ -16,6 +16,7 @@ rncf::model! {
         joint root = clamp(swung.start, inertial);
         joint other = clamp(bow.start, inertial);
         output y = bow.end.y;
+        output of_swung = swung.end.y;
     }
 }
 

@@ -206,6 +206,7 @@ impl Scene for MeshScene {
         warnings.extend(self.overstretched(&stretched));
         warnings.extend(self.strained_fixtures());
         warnings.extend(self.between_points(state.t));
+        warnings.extend(self.missed_within_elements());
         warnings
     }
 }

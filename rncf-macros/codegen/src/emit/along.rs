@@ -339,6 +339,31 @@ impl Parts<'_> {
         )
     }
 
+    /// What bodies have at a place of their axes.
+    pub(super) fn properties_along(&self) -> String {
+        if !self.model.bodies.iter().any(Body::varies) {
+            return "fn properties(&self, body: usize, x: f64) -> ::std::vec::Vec<f64> { ::std::vec::Vec::new() }\n"
+                .to_string();
+        }
+        let kind = self.kind();
+        let arms = self.by_body(|_, body| {
+            if !body.varies() {
+                return "::std::vec::Vec::new()".to_string();
+            }
+            format!(
+                "{}let length = {}.length();\n\
+                 along_{}(&self.model, x, length{}).map_or_else(|_| ::std::vec::Vec::new(), |(coefficients, masses)| coefficients.into_iter().chain(masses).collect())",
+                self.index(body),
+                self.line(body),
+                body.identifier(),
+                repetition(body)
+            )
+        });
+        format!(
+            "fn properties(&self, body: usize, x: f64) -> ::std::vec::Vec<f64> {{\nlet model = &self.model;\n{kind}{arms}}}\n"
+        )
+    }
+
     /// Forces on the fields of a body whose coefficients vary.
     pub(super) fn field_forces_varying(&self, body: &Body, kernel: &str, rates: &str) -> String {
         let instance = if body.repeat.is_some() { "[instance]" } else { "" };

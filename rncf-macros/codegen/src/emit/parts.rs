@@ -151,6 +151,7 @@ impl Parts<'_> {
             self.fixtures(),
             self.varies(),
             self.read_tables(),
+            self.properties_along(),
             self.element_functions(),
             self.timed_energies(),
             self.sections(),

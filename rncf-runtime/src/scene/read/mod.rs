@@ -22,3 +22,4 @@ pub(crate) mod strained;
 pub(crate) mod stress;
 mod stretch;
 pub(crate) mod thick;
+pub(crate) mod within_elements;

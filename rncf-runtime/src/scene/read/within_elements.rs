@@ -1,0 +1,136 @@
+//! Properties along an axis that elements do not see: a notch or a lump between their points of integration leaves no trace, and a copy with
+//! twice as many elements misses it, too. Places between the points tell of it.
+
+use crate::emitted::legendre;
+use crate::model::Warning;
+use crate::scene::MeshScene;
+
+/// Points of an element.
+const POINTS: usize = 5;
+/// Places of a body that are looked at, and of an element at least; those of the rows of its tables beside them.
+const PLACES: usize = 4096;
+const LEAST: usize = 16;
+/// Part of a property, or of its inverse, summed along the axis, from which on it is told that points miss it.
+const TOLD: f64 = 0.01;
+
+impl MeshScene {
+    /// Bodies whose elements miss some of their properties.
+    pub(crate) fn missed_within_elements(&self) -> Vec<Warning> {
+        let mut told: Vec<&str> = Vec::new();
+        let mut warnings = Vec::new();
+        for (index, body) in self.bodies.iter().enumerate() {
+            let spec = &body.spec;
+            if !self.parts.varies(index) || told.contains(&spec.name) {
+                continue;
+            }
+            let Some(missed) = self.missed_of(index) else {
+                continue;
+            };
+            told.push(spec.name);
+            warnings.push(Warning {
+                text: format!(
+                    "body `{}`: its section or material changes between the points at which elements look at it: near x = {:.4} m of {:.4} m, and {:.1} % of a property or of its inverse, summed along the axis, are missed. \
+                     Take more elements in `mesh`, nodes where it changes (`stations`, `mesh at`), or a `fixture` or body of its own for what is narrow",
+                    spec.label(),
+                    missed.place,
+                    spec.line.length(),
+                    100.0 * missed.part,
+                ),
+                weight: missed.part,
+            });
+        }
+        warnings
+    }
+
+    /// The property of a body of which most is missed.
+    fn missed_of(&self, body: usize) -> Option<Missed> {
+        let spec = &self.bodies[body].spec;
+        let at = |x: f64| self.parts.properties(body, x);
+        let length = spec.line.length();
+        let rows = self.parts.tables(body).into_iter().flat_map(|table| {
+            let unit = if table.is_relative { length } else { 1.0 };
+            table.places.iter().map(move |place| place * unit)
+        });
+        let mut rows: Vec<f64> = rows.collect();
+        rows.sort_by(f64::total_cmp);
+        let rule = legendre(POINTS);
+        let places = (PLACES / spec.count.max(1)).max(LEAST);
+        let elements: Vec<Element> = (0..spec.count)
+            .map(|element| {
+                let [from, to] = [0.0, 1.0].map(|xi| spec.arclength(element, xi));
+                let points = rule.iter().map(|&(xi, weight)| (at(from + xi * (to - from)), weight));
+                let inside = rows.iter().copied().filter(|row| (from..to).contains(row));
+                let even = (0..=places).map(|place| from + (to - from) * place as f64 / places as f64);
+                let mut seen: Vec<f64> = even.chain(inside).collect();
+                seen.sort_by(f64::total_cmp);
+                Element {
+                    width: to - from,
+                    points: points.collect(),
+                    seen: seen.into_iter().map(|x| (x, at(x))).collect(),
+                }
+            })
+            .collect();
+        let count = elements.first()?.points.first()?.0.len();
+        let found = (0..count).flat_map(|property| {
+            let as_it_is: fn(f64) -> f64 = |value| value;
+            [as_it_is, f64::recip].map(|of| missed(&elements, property, of))
+        });
+        found
+            .flatten()
+            .reduce(|most, other| if other.part > most.part { other } else { most })
+            .filter(|missed| missed.part > TOLD)
+    }
+}
+
+/// What an element has.
+struct Element {
+    /// m
+    width: f64,
+    /// Properties at the points, with their weights.
+    points: Vec<(Vec<f64>, f64)>,
+    /// Places, m, ascending, and the properties there.
+    seen: Vec<(f64, Vec<f64>)>,
+}
+
+/// What points miss.
+struct Missed {
+    /// Where the property is farthest from what they see, m.
+    place: f64,
+    /// Of its sum along the axis.
+    part: f64,
+}
+
+/// What the points of all elements miss of a function of a property that is positive everywhere.
+fn missed(elements: &[Element], property: usize, of: fn(f64) -> f64) -> Option<Missed> {
+    let (mut sum, mut off, mut most, mut place) = (0.0, 0.0, 0.0, 0.0);
+    for element in elements {
+        if element
+            .seen
+            .iter()
+            .any(|(_, values)| values[property].is_nan() || values[property] <= 0.0)
+        {
+            return None;
+        }
+        let points = element
+            .points
+            .iter()
+            .map(|(values, weight)| weight * of(values[property]));
+        let mean: f64 = points.sum();
+        let spans = element.seen.windows(2).map(|ends| {
+            let [(x, before), (next, after)] = [&ends[0], &ends[1]];
+            0.5 * (next - x) * (of(before[property]) + of(after[property]))
+        });
+        let whole: f64 = spans.sum();
+        let error = (whole - element.width * mean).abs();
+        sum += whole;
+        off += error;
+        if error > most {
+            most = error;
+            let far = |values: &[f64]| (of(values[property]) - mean).abs();
+            let farthest = element.seen.iter().max_by(|a, b| far(&a.1).total_cmp(&far(&b.1)))?;
+            place = farthest.0;
+        }
+    }
+    let part = off / sum;
+    part.is_finite().then_some(Missed { place, part })
+}
