@@ -3114,6 +3114,7 @@ pub mod bend45_equations {
                 area: 1.0,
                 second_moments: [0.08333333333333333, 0.08333333333333333],
                 torsion_constant: 0.14057701493497562,
+                young_over_shear: 2.0 * (1.0 + 0.0),
                 yield_stress: None,
                 material: "soft",
             }

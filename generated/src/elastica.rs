@@ -1615,6 +1615,7 @@ pub mod elastica_equations {
                     0.7853981633974483 * model.slenderness.powi(4),
                 ],
                 torsion_constant: 1.5707963267948966 * model.slenderness.powi(4),
+                young_over_shear: 2.0 * (1.0 + 0.3),
                 yield_stress: None,
                 material: "steel",
             }

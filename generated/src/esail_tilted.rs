@@ -4878,6 +4878,7 @@ pub mod esail_tilted_equations {
                         area: 4.571428571428571e-9,
                         second_moments: [1.663e-18, 1.663e-18],
                         torsion_constant: 0.0,
+                        young_over_shear: 0.0,
                         yield_stress: None,
                         material: "aluminium",
                     }
@@ -4890,6 +4891,7 @@ pub mod esail_tilted_equations {
                         area: 4.571428571428571e-9,
                         second_moments: [1.663e-18, 1.663e-18],
                         torsion_constant: 0.0,
+                        young_over_shear: 0.0,
                         yield_stress: None,
                         material: "aluminium",
                     }

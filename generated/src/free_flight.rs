@@ -2339,6 +2339,7 @@ pub mod free_flight_equations {
                 area: 0.001,
                 second_moments: [5e-6, 5e-6],
                 torsion_constant: 0.0,
+                young_over_shear: 0.0,
                 yield_stress: None,
                 material: "soft",
             }

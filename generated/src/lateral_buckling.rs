@@ -2914,6 +2914,7 @@ pub mod lateral_buckling_equations {
                 area: 3e-5,
                 second_moments: [2.25e-9, 2.5e-12],
                 torsion_constant: 9.78991704123871e-12,
+                young_over_shear: 2.0 * (1.0 + 0.3),
                 yield_stress: None,
                 material: "steel",
             }

@@ -3519,6 +3519,7 @@ pub mod motor_equations {
                 area: 0.007853981633974483,
                 second_moments: [4.908738521234054e-6, 4.908738521234054e-6],
                 torsion_constant: 9.817477042468108e-6,
+                young_over_shear: 2.0 * (1.0 + 0.3),
                 yield_stress: Some(355000000.0),
                 material: "steel",
             }

@@ -7145,6 +7145,7 @@ pub mod nrel5mw_blade_equations {
                 area: 0.0,
                 second_moments: [0.0, 0.0],
                 torsion_constant: 0.0,
+                young_over_shear: 0.0,
                 yield_stress: None,
                 material: "",
             }

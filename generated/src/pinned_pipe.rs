@@ -1542,6 +1542,7 @@ pub mod pinned_pipe_equations {
                 area: 7.299e-5,
                 second_moments: [8.215e-9, 8.215e-9],
                 torsion_constant: 0.0,
+                young_over_shear: 0.0,
                 yield_stress: None,
                 material: "aluminium",
             }

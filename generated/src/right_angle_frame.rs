@@ -3532,6 +3532,7 @@ pub mod right_angle_frame_equations {
                         area: 1.7999999999999997e-5,
                         second_moments: [5.399999999999998e-13, 1.3499999999999999e-9],
                         torsion_constant: 2.132773248544536e-12,
+                        young_over_shear: 2.0 * (1.0 + 0.31),
                         yield_stress: None,
                         material: "aluminium",
                     }
@@ -3544,6 +3545,7 @@ pub mod right_angle_frame_equations {
                         area: 1.7999999999999997e-5,
                         second_moments: [5.399999999999998e-13, 1.3499999999999999e-9],
                         torsion_constant: 2.132773248544536e-12,
+                        young_over_shear: 2.0 * (1.0 + 0.31),
                         yield_stress: None,
                         material: "aluminium",
                     }

@@ -1363,6 +1363,7 @@ pub mod roll_up_equations {
                     0.7853981633974483 * model.slenderness.powi(4),
                 ],
                 torsion_constant: 1.5707963267948966 * model.slenderness.powi(4),
+                young_over_shear: 2.0 * (1.0 + 0.3),
                 yield_stress: None,
                 material: "steel",
             }

@@ -1844,6 +1844,7 @@ pub mod rotating_cantilever_equations {
                 area: 1.0,
                 second_moments: [1e-8, 1e-8],
                 torsion_constant: 0.0,
+                young_over_shear: 0.0,
                 yield_stress: None,
                 material: "unit",
             }

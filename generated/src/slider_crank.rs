@@ -3045,6 +3045,7 @@ pub mod slider_crank_equations {
                 area: 0.00020106192982974675,
                 second_moments: [3.216990877275948e-9, 3.216990877275948e-9],
                 torsion_constant: 0.0,
+                young_over_shear: 2.0 * (1.0 + 0.29),
                 yield_stress: None,
                 material: "_soft",
             }

@@ -1713,6 +1713,7 @@ pub mod spin_up_equations {
                 area: 7.299e-5,
                 second_moments: [8.215e-9, 8.215e-9],
                 torsion_constant: 0.0,
+                young_over_shear: 2.0 * (1.0 + 0.3),
                 yield_stress: None,
                 material: "aluminium",
             }

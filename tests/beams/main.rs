@@ -6,6 +6,7 @@ mod cantilever;
 mod corners;
 mod curved;
 mod elements;
+mod fibres;
 mod motor;
 mod motor_runs;
 mod narrow_properties;

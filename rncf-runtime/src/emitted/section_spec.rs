@@ -59,6 +59,8 @@ pub struct SectionSpec {
     pub second_moments: [f64; 2],
     /// Torsion constant, m^4; 0 where unknown.
     pub torsion_constant: f64,
+    /// Young's modulus over the shear modulus of the material; 0 of one that is given otherwise.
+    pub young_over_shear: f64,
     /// Yield stress of the material, Pa.
     pub yield_stress: Option<f64>,
     /// Name of the material, for messages.
@@ -72,6 +74,7 @@ impl SectionSpec {
         area: 0.0,
         second_moments: [0.0; 2],
         torsion_constant: 0.0,
+        young_over_shear: 0.0,
         yield_stress: None,
         material: "",
     };

@@ -207,6 +207,7 @@ impl Scene for MeshScene {
         warnings.extend(self.strained_fixtures());
         warnings.extend(self.between_points(state.t));
         warnings.extend(self.missed_within_elements());
+        warnings.extend(self.apart_from_fibres());
         warnings
     }
 }

@@ -206,9 +206,13 @@ impl Parts<'_> {
             ),
             SectionShape::Rectangle { sizes } => format!("Rectangle {{ sizes: {} }}", self.array(sizes)),
         };
+        let young_over_shear = match (given("young"), given("poisson")) {
+            (Some(_), Some(poisson)) => format!("2.0 * (1.0 + {poisson})"),
+            _ => "0.0".to_string(),
+        };
         let yield_stress = option(&body.properties.get("yield").cloned());
         format!(
-            "::rncf::emitted::SectionSpec {{ shape: ::rncf::emitted::SectionShape::{shape}, area: {}, second_moments: [{}, {}], torsion_constant: {}, yield_stress: {yield_stress}, material: {:?} }}",
+            "::rncf::emitted::SectionSpec {{ shape: ::rncf::emitted::SectionShape::{shape}, area: {}, second_moments: [{}, {}], torsion_constant: {}, young_over_shear: {young_over_shear}, yield_stress: {yield_stress}, material: {:?} }}",
             property(&["area"]),
             property(&["second_moment_y", "second_moment"]),
             property(&["second_moment_z", "second_moment"]),

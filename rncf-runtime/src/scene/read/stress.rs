@@ -131,6 +131,7 @@ mod tests {
             area,
             second_moments,
             torsion_constant,
+            young_over_shear: 0.0,
             yield_stress: None,
             material: "steel",
         })

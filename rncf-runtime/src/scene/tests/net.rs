@@ -249,6 +249,7 @@ impl Bodies for Net {
             area: 0.03,
             second_moments: [7e-5, 7e-5],
             torsion_constant: 1.4e-4,
+            young_over_shear: 2.6,
             yield_stress: None,
             material: "rubber",
         }
