@@ -3115,6 +3115,7 @@ pub mod bend45_equations {
                 second_moments: [0.08333333333333333, 0.08333333333333333],
                 torsion_constant: 0.14057701493497562,
                 young_over_shear: 2.0 * (1.0 + 0.0),
+                softness_of_curves: 2.0,
                 yield_stress: None,
                 material: "soft",
             }

@@ -2782,6 +2782,7 @@ pub mod curved_out_of_plane_equations {
                 second_moments: [8.215e-9, 8.215e-9],
                 torsion_constant: 1.643e-8,
                 young_over_shear: 2.0 * (1.0 + 0.3),
+                softness_of_curves: 2.0,
                 yield_stress: None,
                 material: "aluminium",
             }

@@ -1616,6 +1616,7 @@ pub mod elastica_equations {
                 ],
                 torsion_constant: 1.5707963267948966 * model.slenderness.powi(4),
                 young_over_shear: 2.0 * (1.0 + 0.3),
+                softness_of_curves: 2.0,
                 yield_stress: None,
                 material: "steel",
             }

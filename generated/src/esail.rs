@@ -3942,6 +3942,7 @@ pub mod esail_equations {
                         second_moments: [1.663e-18, 1.663e-18],
                         torsion_constant: 0.0,
                         young_over_shear: 0.0,
+                        softness_of_curves: 4.0,
                         yield_stress: None,
                         material: "aluminium",
                     }
@@ -3955,6 +3956,7 @@ pub mod esail_equations {
                         second_moments: [1.663e-18, 1.663e-18],
                         torsion_constant: 0.0,
                         young_over_shear: 0.0,
+                        softness_of_curves: 4.0,
                         yield_stress: None,
                         material: "aluminium",
                     }

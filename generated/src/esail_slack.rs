@@ -4606,6 +4606,7 @@ pub mod esail_slack_equations {
                         second_moments: [1.663e-18, 1.663e-18],
                         torsion_constant: 0.0,
                         young_over_shear: 0.0,
+                        softness_of_curves: 4.0,
                         yield_stress: None,
                         material: "aluminium",
                     }
@@ -4619,6 +4620,7 @@ pub mod esail_slack_equations {
                         second_moments: [1.663e-18, 1.663e-18],
                         torsion_constant: 0.0,
                         young_over_shear: 0.0,
+                        softness_of_curves: 4.0,
                         yield_stress: None,
                         material: "aluminium",
                     }

@@ -4879,6 +4879,7 @@ pub mod esail_tilted_equations {
                         second_moments: [1.663e-18, 1.663e-18],
                         torsion_constant: 0.0,
                         young_over_shear: 0.0,
+                        softness_of_curves: 4.0,
                         yield_stress: None,
                         material: "aluminium",
                     }
@@ -4892,6 +4893,7 @@ pub mod esail_tilted_equations {
                         second_moments: [1.663e-18, 1.663e-18],
                         torsion_constant: 0.0,
                         young_over_shear: 0.0,
+                        softness_of_curves: 4.0,
                         yield_stress: None,
                         material: "aluminium",
                     }

@@ -2340,6 +2340,7 @@ pub mod free_flight_equations {
                 second_moments: [5e-6, 5e-6],
                 torsion_constant: 0.0,
                 young_over_shear: 0.0,
+                softness_of_curves: 4.0,
                 yield_stress: None,
                 material: "soft",
             }

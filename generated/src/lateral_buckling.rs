@@ -2915,6 +2915,7 @@ pub mod lateral_buckling_equations {
                 second_moments: [2.25e-9, 2.5e-12],
                 torsion_constant: 9.78991704123871e-12,
                 young_over_shear: 2.0 * (1.0 + 0.3),
+                softness_of_curves: 2.0,
                 yield_stress: None,
                 material: "steel",
             }

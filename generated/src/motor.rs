@@ -3520,6 +3520,7 @@ pub mod motor_equations {
                 second_moments: [4.908738521234054e-6, 4.908738521234054e-6],
                 torsion_constant: 9.817477042468108e-6,
                 young_over_shear: 2.0 * (1.0 + 0.3),
+                softness_of_curves: 2.0,
                 yield_stress: Some(355000000.0),
                 material: "steel",
             }

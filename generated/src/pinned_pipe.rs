@@ -1543,6 +1543,7 @@ pub mod pinned_pipe_equations {
                 second_moments: [8.215e-9, 8.215e-9],
                 torsion_constant: 0.0,
                 young_over_shear: 0.0,
+                softness_of_curves: 4.0,
                 yield_stress: None,
                 material: "aluminium",
             }

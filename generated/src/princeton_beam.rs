@@ -2916,6 +2916,7 @@ pub mod princeton_beam_equations {
                 second_moments: [3.3875478439500715e-11, 5.060741896150687e-10],
                 torsion_constant: 1.1340719248267313e-10,
                 young_over_shear: 2.0 * (1.0 + 0.31),
+                softness_of_curves: 2.0,
                 yield_stress: None,
                 material: "aluminium",
             }

@@ -3533,6 +3533,7 @@ pub mod right_angle_frame_equations {
                         second_moments: [5.399999999999998e-13, 1.3499999999999999e-9],
                         torsion_constant: 2.132773248544536e-12,
                         young_over_shear: 2.0 * (1.0 + 0.31),
+                        softness_of_curves: 2.0,
                         yield_stress: None,
                         material: "aluminium",
                     }
@@ -3546,6 +3547,7 @@ pub mod right_angle_frame_equations {
                         second_moments: [5.399999999999998e-13, 1.3499999999999999e-9],
                         torsion_constant: 2.132773248544536e-12,
                         young_over_shear: 2.0 * (1.0 + 0.31),
+                        softness_of_curves: 2.0,
                         yield_stress: None,
                         material: "aluminium",
                     }

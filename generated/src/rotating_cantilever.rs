@@ -1845,6 +1845,7 @@ pub mod rotating_cantilever_equations {
                 second_moments: [1e-8, 1e-8],
                 torsion_constant: 0.0,
                 young_over_shear: 0.0,
+                softness_of_curves: 4.0,
                 yield_stress: None,
                 material: "unit",
             }

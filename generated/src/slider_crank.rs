@@ -3046,6 +3046,7 @@ pub mod slider_crank_equations {
                 second_moments: [3.216990877275948e-9, 3.216990877275948e-9],
                 torsion_constant: 0.0,
                 young_over_shear: 2.0 * (1.0 + 0.29),
+                softness_of_curves: 0.0,
                 yield_stress: None,
                 material: "_soft",
             }

@@ -1714,6 +1714,7 @@ pub mod spin_up_equations {
                 second_moments: [8.215e-9, 8.215e-9],
                 torsion_constant: 0.0,
                 young_over_shear: 2.0 * (1.0 + 0.3),
+                softness_of_curves: 4.0,
                 yield_stress: None,
                 material: "aluminium",
             }

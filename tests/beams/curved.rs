@@ -226,3 +226,49 @@ fn a_shape_on_a_curved_axis_is_softer_by_the_square_of_its_curvature() {
         }
     }
 }
+
+rncf::model! {
+    /// Three quarters of a ring with a moment on its end, with both measures of bending of a cable.
+    pub model Ring {
+        param r = 10 mm;
+        const R = 100 mm;
+        material steel { density = 7850 kg/m^3; young = 210 GPa; }
+        section wire { area = pi * r^2; second_moment = pi * r^4 / 4; }
+        body rough { planar xy; arc from [0, 0, 0] m direction [1, 0, 0] radius R angle 270 deg; mesh 64 * cable(wire, steel); }
+        body exact { planar xy; arc from [0, 0, 0] m direction [1, 0, 0] radius R angle 270 deg; mesh 64 * cable(wire, steel, bending = exact); }
+        joint a = clamp(rough.start, inertial);
+        joint b = clamp(exact.start, inertial);
+        load on_rough = moment(rough.end, [0, 0, 1] N*m);
+        load on_exact = moment(exact.end, [0, 0, 1] N*m);
+        output of_rough = atan2(rough.end.slope.x, -rough.end.slope.y);
+        output of_exact = atan2(exact.end.slope.x, -exact.end.slope.y);
+    }
+}
+
+/// The polynomial of bending of a `cable` grows with the square of the stretch: a moment turns it by the part `(r / R)^2` more.
+#[test]
+fn a_cable_on_a_curved_axis_is_softer_by_its_polynomial() {
+    for r in [5e-3, 10e-3, 20e-3] {
+        let found = at_rest(&Ring { r }, 1.0);
+        let thin = 1.5 * std::f64::consts::PI * 0.1 / (210e9 * 0.25 * std::f64::consts::PI * f64::powi(r, 4));
+        let [rough, exact] = [found[0], found[1]].map(|turn| turn / thin - 1.0);
+        let part = (r / 0.1_f64).powi(2);
+        assert!(
+            (rough - part).abs() < 0.05 * part && exact.abs() < 1e-4,
+            "{r}: {rough} {exact} for {part}"
+        );
+        let found = static_equilibria(&Ring { r }, &EquilibriumSettings::default()).unwrap();
+        let told: Vec<&String> = found
+            .warnings
+            .iter()
+            .filter(|note| note.contains("turns it too far by"))
+            .collect();
+        match r > 15e-3 {
+            true => assert!(
+                told.len() == 1 && told[0].contains("body `rough`") && told[0].contains("4.0 %"),
+                "{told:?}"
+            ),
+            false => assert!(told.is_empty(), "{told:?}"),
+        }
+    }
+}

@@ -61,6 +61,8 @@ pub struct SectionSpec {
     pub torsion_constant: f64,
     /// Young's modulus over the shear modulus of the material; 0 of one that is given otherwise.
     pub young_over_shear: f64,
+    /// By how many parts `I curvature^2 / A` a moment turns a curved axis more than that of a thin beam.
+    pub softness_of_curves: f64,
     /// Yield stress of the material, Pa.
     pub yield_stress: Option<f64>,
     /// Name of the material, for messages.
@@ -75,6 +77,7 @@ impl SectionSpec {
         second_moments: [0.0; 2],
         torsion_constant: 0.0,
         young_over_shear: 0.0,
+        softness_of_curves: 0.0,
         yield_stress: None,
         material: "",
     };

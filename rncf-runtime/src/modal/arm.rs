@@ -277,6 +277,7 @@ impl Bodies for Arm {
             second_moments: [5e-6, 5e-6],
             torsion_constant: 1e-5,
             young_over_shear: 0.0,
+            softness_of_curves: 0.0,
             yield_stress: None,
             material: "steel",
         }

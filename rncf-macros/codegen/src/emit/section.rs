@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use super::number::number;
 use super::parts::Parts;
 use crate::elements::Coefficient;
 use crate::model::fold;
@@ -148,7 +149,7 @@ impl Parts<'_> {
 
     /// Constants of a body's sections, its fields, and the forces on them.
     pub fn sections(&self) -> String {
-        let section = self.by_body(|_, body| self.index(body).to_string() + &self.section(body));
+        let section = self.by_body(|index, body| self.index(body).to_string() + &self.section(index, body));
         let fields = self.by_body(|_, body| {
             let element = &self.library.elements[body.element.0];
             let fields = element.fields_in(body.space.dimension());
@@ -182,7 +183,25 @@ impl Parts<'_> {
         )
     }
 
-    fn section(&self, body: &Body) -> String {
+    /// How much more a moment turns a curved axis than a thin beam's, in parts `I curvature^2 / A`: bending that is measured by `r_x x r_xx` or `r_x . r_y'`
+    /// grows with the stretch, which on a curved axis couples both (docs/elements.md, curved axes).
+    fn softness_of_curves(&self, index: usize, body: &Body) -> f64 {
+        let variant = &self.variant(index).variant;
+        let element = variant.declaration(self.library);
+        let chosen = |name: &str| {
+            let mut options = element.options.iter().zip(&variant.options);
+            let (option, &value) = options.find(|(option, _)| option.name == name)?;
+            option.values.get(value).copied()
+        };
+        match element.names[0] {
+            _ if !element.is_of_library => 0.0,
+            "cable" if chosen("bending") == Some("polynomial") => 4.0,
+            "beam" | "full_beam" if body.law.is_none() && variant.material.is_none() => 2.0,
+            _ => 0.0,
+        }
+    }
+
+    fn section(&self, index: usize, body: &Body) -> String {
         let given = |name: &str| body.properties.get(name).map(|value| self.expr(value));
         let property = |names: &[&str]| {
             names
@@ -212,11 +231,12 @@ impl Parts<'_> {
         };
         let yield_stress = option(&body.properties.get("yield").cloned());
         format!(
-            "::rncf::emitted::SectionSpec {{ shape: ::rncf::emitted::SectionShape::{shape}, area: {}, second_moments: [{}, {}], torsion_constant: {}, young_over_shear: {young_over_shear}, yield_stress: {yield_stress}, material: {:?} }}",
+            "::rncf::emitted::SectionSpec {{ shape: ::rncf::emitted::SectionShape::{shape}, area: {}, second_moments: [{}, {}], torsion_constant: {}, young_over_shear: {young_over_shear}, softness_of_curves: {}, yield_stress: {yield_stress}, material: {:?} }}",
             property(&["area"]),
             property(&["second_moment_y", "second_moment"]),
             property(&["second_moment_z", "second_moment"]),
             property(&["torsion_constant"]),
+            number(self.softness_of_curves(index, body)),
             body.material_name
         )
     }

@@ -132,6 +132,7 @@ mod tests {
             second_moments,
             torsion_constant,
             young_over_shear: 0.0,
+            softness_of_curves: 0.0,
             yield_stress: None,
             material: "steel",
         })

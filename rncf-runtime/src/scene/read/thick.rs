@@ -8,8 +8,6 @@ use crate::scene::MeshScene;
 const PLACES: usize = 32;
 /// Part by which a moment turns a curved beam too far, from which on that is told.
 const TOLD: f64 = 0.01;
-/// Vectors of a node of a `cable`: others have axes of a section.
-const WITHOUT_SECTION: usize = 2;
 
 impl MeshScene {
     /// What does not fit, of one body of each name.
@@ -53,19 +51,23 @@ fn too_thick(body: &BodySpec, section: &SectionSpec) -> Option<Warning> {
     })
 }
 
-/// A beam of a shape whose axis is curved so much that its strains are not those of a thin one: bending is measured by the axes of the section, `r_x . r_y'`,
-/// which a moment on a curved axis stretches, too. It turns the axis by the part `2 curvature^2 I / A` more.
+/// A body whose axis is curved so much that its strains are not those of a thin one: bending is measured by the axes of the section, `r_x . r_y'`, or the polynomial
+/// `r_x x r_xx`, which a moment on a curved axis stretches, too. It turns the axis by a part of `curvature^2 I / A` more.
 fn too_curved(body: &BodySpec, section: &SectionSpec) -> Option<Warning> {
     let line = &body.line;
     let tangent = |place: usize| line.at(place as f64 / PLACES as f64).1.normalize();
     let span = line.length() / PLACES as f64;
     let curvatures = (0..PLACES).map(|place| (tangent(place + 1) - tangent(place)).norm() / span);
     let curvature = curvatures.fold(0.0, f64::max);
-    let part = 2.0 * curvature.powi(2) * square_of_gyration(section);
-    let has_section = body.vectors_per_node > WITHOUT_SECTION;
-    (has_section && part.is_finite() && part > TOLD).then(|| Warning {
+    let part = section.softness_of_curves * curvature.powi(2) * square_of_gyration(section);
+    let cure = if body.has_section() {
+        "strains of a `beam` with a shape are those of a thin one. Give its section in numbers (`EA`, `GJ`, `EIy`, ..)"
+    } else {
+        "its polynomial of bending grows with the stretch. Take `cable(.., bending = exact)`"
+    };
+    (part.is_finite() && part > TOLD).then(|| Warning {
         text: format!(
-            "body `{}`: its section is so thick beside the radius of its axis, {:.3e} m, that a moment turns it too far by {:.1} %: strains of a `beam` with a shape are those of a thin one. Give its section in numbers (`EA`, `GJ`, `EIy`, ..)",
+            "body `{}`: its section is so thick beside the radius of its axis, {:.3e} m, that a moment turns it too far by {:.1} %: {cure}",
             body.name,
             1.0 / curvature,
             100.0 * part

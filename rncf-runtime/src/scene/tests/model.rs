@@ -357,6 +357,7 @@ impl Bodies for Hand {
             second_moments: [7e-5, 7e-5],
             torsion_constant: 1.4e-4,
             young_over_shear: 2.6,
+            softness_of_curves: 0.0,
             yield_stress: None,
             material: "rubber",
         }
