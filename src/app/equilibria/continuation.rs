@@ -128,11 +128,11 @@ impl<'m> Line<'m> {
                 step *= 2;
             }
             let found = found.map_err(|error| {
-                let value = match settings.range {
-                    Some(range) => value_of(model, range.param, range.from),
-                    None => "rest under the loads".into(),
-                };
-                RunError::Equilibrium(format!("at {value}: {}", reason(&error, true)))
+                let why = reason(&error, true);
+                RunError::Equilibrium(match settings.range {
+                    Some(range) => format!("at {}: {why}", value_of(model, range.param, range.from)),
+                    None => why,
+                })
             })?;
             iterations = u64::from(found.iterations());
             match found.path.last() {

@@ -45,6 +45,8 @@ pub(in crate::app) struct Own<'e> {
 /// What is found.
 #[derive(Debug, Default)]
 pub(in crate::app) struct Found {
+    /// Whether anything was compared.
+    pub is_compared: bool,
     /// One sentence where outputs or critical values are off by much.
     pub told: Option<String>,
     /// One where they are not.
@@ -53,25 +55,37 @@ pub(in crate::app) struct Found {
     pub off_by: Vec<(usize, f64)>,
 }
 
-/// Goes the way of `own` on finer meshes; `None` where no mesh changes, or where that takes too long.
+impl Found {
+    /// Why nothing is found.
+    fn nothing(why: &str) -> Self {
+        Self {
+            agreement: Some(format!("Not compared with twice as many elements: {why}.")),
+            ..Self::default()
+        }
+    }
+}
+
+/// Goes the way of `own` on finer meshes; `None` where no mesh changes.
 pub(in crate::app) fn compare(model: &dyn AnyModel, own: &Own<'_>, goes_on: &mut dyn FnMut() -> bool) -> Option<Found> {
     let finer = FinerModel {
         model: model.boxed(),
         times: FINER,
     };
-    let mut line = Line::start(&finer, own.kind, own.settings).ok()?;
-    let unknowns = line.station().scene.unknowns();
-    if unknowns == own.unknowns {
-        return None;
-    }
     let most = match own.settings.judged {
         Judging::No => return None,
         Judging::Affordable => AFFORDED.max(SHARE * own.iterations as f64 * own.unknowns as f64),
         Judging::Whole => f64::INFINITY,
     };
+    let mut line = match Line::start(&finer, own.kind, own.settings) {
+        Ok(line) => line,
+        Err(error) => return Some(Found::nothing(&error.to_string())),
+    };
+    let unknowns = line.station().scene.unknowns();
+    if unknowns == own.unknowns {
+        return None;
+    }
     let mut rows: Vec<Row> = Vec::new();
     let mut critical = Vec::new();
-    let mut is_whole = true;
     loop {
         let is_balanced = line.begins_balanced || line.last_two().0.is_some();
         let station = line.station();
@@ -83,18 +97,22 @@ pub(in crate::app) fn compare(model: &dyn AnyModel, own: &Own<'_>, goes_on: &mut
         if line.is_done() {
             break;
         }
-        if line.iterations as f64 * unknowns as f64 > most || !goes_on() {
+        if !goes_on() {
             return None;
         }
-        if line.advance().is_err() {
-            is_whole = false;
+        if line.iterations as f64 * unknowns as f64 > most {
+            return Some(Found::nothing(
+                "it would take several times as long (`--thorough` takes it)",
+            ));
+        }
+        if let Err(text) = line.advance() {
+            if own.is_whole {
+                // That Newton's iteration fails there says nothing of the own mesh.
+                return Some(Found::nothing(&text));
+            }
             break;
         }
         critical.extend(buckling(&mut line));
-    }
-    if own.is_whole && !is_whole {
-        // That Newton's iteration fails there says nothing of the own mesh.
-        return None;
     }
     let ends = [own.history.keys.last().copied()?, rows.last()?.0];
     let (mut here, mut there) = common(own.history, &rows);
@@ -115,6 +133,7 @@ pub(in crate::app) fn compare(model: &dyn AnyModel, own: &Own<'_>, goes_on: &mut
     let names: Vec<String> = told(outputs, &off).into_iter().chain(values).chain(ends).collect();
     let scene = line.station().scene;
     Some(Found {
+        is_compared: true,
         told: (!names.is_empty()).then(|| on_meshes(&*scene, FINER, (THESE, None), &names.join(", "))),
         agreement: names
             .is_empty()

@@ -162,7 +162,8 @@ pub fn equilibria(
     };
     let found = look_again(model, &mut station, &result, &mut watch);
     // What outputs are off by says more than the energy of the last state.
-    result.warnings.extend(if found.is_some() { None } else { coarse });
+    let is_compared = found.as_ref().is_some_and(|found| found.is_compared);
+    result.warnings.extend(if is_compared { None } else { coarse });
     if let Some(found) = found {
         result.warnings.extend(found.told);
         (result.off_by, result.agreement) = (found.off_by, found.agreement);

@@ -65,7 +65,9 @@ fn too_curved(body: &BodySpec, section: &SectionSpec) -> Option<Warning> {
     } else {
         "its polynomial of bending grows with the stretch. Take `cable(.., bending = exact)`"
     };
-    (part.is_finite() && part > TOLD).then(|| Warning {
+    // Of what is thicker than it is long more is told already.
+    let is_slender = square_of_gyration(section).sqrt() <= line.length();
+    (is_slender && part.is_finite() && part > TOLD).then(|| Warning {
         text: format!(
             "body `{}`: its section is so thick beside the radius of its axis, {:.3e} m, that a moment turns it too far by {:.1} %: {cure}",
             body.name,
