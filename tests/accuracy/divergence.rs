@@ -170,6 +170,31 @@ fn the_first_step_of_loads_is_looked_at() {
     }
 }
 
+/// The lowest modes of a column under 145 times Euler's load decay or vibrate, and what grows fastest was not among them: "no mode grows of these 1".
+#[test]
+fn what_grows_is_told_with_few_modes() {
+    for n in [4, 8, 40] {
+        let grown = |count| {
+            let model = Pressed { load: 500.0, n };
+            let found = modes(
+                &model,
+                &EquilibriumSettings {
+                    count,
+                    ..EquilibriumSettings::default()
+                },
+            )
+            .unwrap();
+            found.modes.iter().map(|mode| mode.re).fold(f64::NEG_INFINITY, f64::max)
+        };
+        let all = grown(24);
+        assert!(all > 900.0, "{n}: {all}");
+        for count in [1, 2, 8] {
+            let few = grown(count);
+            assert!((few / all - 1.0).abs() < 1e-9, "{n}, {count}: {few} {all}");
+        }
+    }
+}
+
 rncf::model! {
     /// Two equal masses on springs that are pushed aside as [`Pushed`] is: both stiffnesses are singular at q = k.
     pub model BothPushed {

@@ -14,6 +14,7 @@ use crate::app::results::equilibria::EquilibriumSettings;
 use crate::app::results::history::{Column, History};
 use crate::app::writing::numbers::digits;
 use crate::equilibrium::Kind;
+use crate::model::DescribedBody;
 use crate::modes::Critical;
 
 /// Iterations of the own way, times unknowns, that the finer one may take,
@@ -35,6 +36,7 @@ pub(in crate::app) struct Own<'e> {
     pub critical: &'e [Critical],
     /// Whether the way ends where it should.
     pub is_whole: bool,
+    pub bodies: &'e [DescribedBody],
     pub unknowns: usize,
     pub iterations: u64,
     /// What round-off makes of the outputs, and what they are made of, by columns.
@@ -131,10 +133,9 @@ pub(in crate::app) fn compare(model: &dyn AnyModel, own: &Own<'_>, goes_on: &mut
     let of_values = own.critical.iter().zip(&critical).map(apart).reduce(f64::max);
     let ends = told_of_ends(key, ends, own.is_whole).filter(|_| values.is_none());
     let names: Vec<String> = told(outputs, &off).into_iter().chain(values).chain(ends).collect();
-    let scene = line.station().scene;
     Some(Found {
         is_compared: true,
-        told: (!names.is_empty()).then(|| on_meshes(&*scene, FINER, (THESE, None), &names.join(", "))),
+        told: (!names.is_empty()).then(|| on_meshes(own.bodies, (THESE, None), &names.join(", "))),
         agreement: names
             .is_empty()
             .then(|| agreement::of_equilibria(outputs, &off, of_values))

@@ -192,6 +192,7 @@ fn look_again(
         history: &result.history,
         critical: &result.critical,
         is_whole: result.incomplete.is_none(),
+        bodies: &result.bodies,
         unknowns: result.unknowns,
         iterations: result.newton_iterations,
         round_off: round_off(station.scene, station.state),

@@ -10,7 +10,8 @@ use std::cell::Cell;
 
 use super::accumulated::Ended;
 use super::marks::{Again, Marks, Off, TOLD, again, is_of_motion, largest, sorted, told};
-use crate::model::Fidelity;
+use crate::app::writing::numbers::digits;
+use crate::model::{DescribedBody, Fidelity};
 use crate::{Method, Options, Output, Scene, State, StepSize};
 
 /// Elements for each one of the run.
@@ -457,7 +458,7 @@ fn found(
         is_whole: until >= whole,
         has_meshes,
         rest: (until < whole && judging == Judging::Affordable).then(|| not_compared(until, whole)),
-        mesh: told(outputs, &meshes).map(|names| on_meshes(scene, 1, ("this motion", seen), &names)),
+        mesh: told(outputs, &meshes).map(|names| on_meshes(&scene.bodies(), ("this motion", seen), &names)),
         steps: sentence_on_steps(run, rtol, outputs, &steps),
         off,
         looser,
@@ -525,9 +526,16 @@ fn is_exact(run: &Ended<'_>) -> bool {
     run.method.is_radau() && run.options.step == StepSize::Adaptive
 }
 
+/// A time in s: three decimals, or where these tell little, as many digits.
+fn time(t: f64) -> String {
+    if t.abs() < 0.1 { digits(t, 3) } else { format!("{t:.3}") }
+}
+
 fn not_compared(until: f64, end: f64) -> String {
     format!(
-        "Outputs were compared with those of finer meshes and other steps until {until:.3} s, which took about the time of the run; from there to {end:.3} s nothing is known of their errors. `--thorough` compares all of it, `--unjudged` nothing."
+        "Outputs were compared with those of finer meshes and other steps until {} s, which took about the time of the run; from there to {} s nothing is known of their errors. `--thorough` compares all of it, `--unjudged` nothing.",
+        time(until),
+        time(end)
     )
 }
 
@@ -542,21 +550,19 @@ pub(in crate::app) struct Meshes {
 }
 
 impl Meshes {
-    /// Of a scene that has so many elements for each one that is named.
-    pub fn of(scene: &dyn Scene, times: usize) -> Self {
-        let described = scene.bodies();
-        let deforming = described
+    /// Of the bodies of a scene.
+    pub fn of(bodies: &[DescribedBody]) -> Self {
+        let deforming = bodies
             .iter()
             .filter(|body| !matches!(body.fidelity, Fidelity::Rigid | Fidelity::Point));
         let mut in_modes = false;
         let mut meshes: Vec<String> = Vec::new();
         for body in deforming {
-            let elements = body.elements / times;
             meshes.push(if body.fidelity == Fidelity::Full {
-                format!("`{}` ({elements})", body.name)
+                format!("`{}` ({})", body.name, body.elements)
             } else {
                 in_modes = true;
-                format!("`{}` ({elements}, {})", body.name, body.fidelity)
+                format!("`{}` ({}, {})", body.name, body.elements, body.fidelity)
             });
         }
         let others = meshes.len().saturating_sub(MOST);
@@ -582,15 +588,10 @@ impl Meshes {
     }
 }
 
-/// That the meshes of a scene, which has so many elements for each one of them, are too coarse for `what`, as far as it was compared.
-pub(in crate::app) fn on_meshes(
-    scene: &dyn Scene,
-    times: usize,
-    (what, until): (&str, Option<f64>),
-    outputs: &str,
-) -> String {
-    let Meshes { names, too, how, more } = Meshes::of(scene, times);
-    let until = until.map_or(String::new(), |t| format!(" until {t:.3} s"));
+/// That the meshes of bodies are too coarse for `what`, as far as it was compared.
+pub(in crate::app) fn on_meshes(bodies: &[DescribedBody], (what, until): (&str, Option<f64>), outputs: &str) -> String {
+    let Meshes { names, too, how, more } = Meshes::of(bodies);
+    let until = until.map_or(String::new(), |t| format!(" until {} s", time(t)));
     format!(
         "The mesh is too coarse for {what}{too}: with twice as many elements{how} in {names} outputs differ{until} by parts of their largest change or value, {outputs}. Take more elements in `mesh` (twice as many make it some ten times less){more}."
     )

@@ -45,7 +45,7 @@ pub(in crate::app) fn compare(scene: &dyn Scene, own: &[(usize, f64)], there: &[
         .iter()
         .map(|&(mode, part)| format!("of mode {mode} by {}", percent(part)))
         .collect();
-    let Meshes { too, how, more, names } = Meshes::of(scene, 1);
+    let Meshes { too, how, more, names } = Meshes::of(&scene.bodies());
     listed(&named, MOST).map(|named| {
         Found::Much(format!(
             "The mesh is too coarse for these modes{too}: with twice as many elements{how} in {names} frequencies differ by parts of them, that {named}. Take more elements in `mesh` (twice as many make it some ten times less){more}."

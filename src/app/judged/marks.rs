@@ -222,10 +222,12 @@ impl Marks {
             };
             let pairs = here.iter().zip(there);
             let in_columns = |of: &[f64]| norm(of.get(columns.clone()).unwrap_or_default().iter().copied());
+            // What changes nowhere, such as a mass, is measured by its value.
+            let is_still = change == 0.0 && both.iter().all(|[change, _]| *change == 0.0);
             compared.push(Compared {
                 output: index,
                 away: pairs.map(|((_, row), other)| apart(row, other)).fold(0.0, f64::max),
-                size: change.min(value),
+                size: if is_still { value } else { change.min(value) },
                 value,
                 sizes: both.map(|[change, value]| change.min(value)),
                 operands: in_columns(&self.operands),

@@ -138,7 +138,7 @@ pub(in crate::app) fn command_line(model: &dyn AnyModel, program: &Program<'_>) 
             &["x", "y", "z"],
             "Axis of `--spin`, through the origin: x, y or z (default)",
         ))
-        .arg(value("modes", "NUMBER", "Number of modes, the lowest ones (default 8)"))
+        .arg(value("modes", "NUMBER", "Number of modes, the lowest ones; those that grow are shown beside them (default 8)"))
         .arg(choice(
             "frequency",
             "UNIT",

@@ -1,7 +1,7 @@
 //! Modes of small motions about a relative equilibrium, and how an observer sees them (THEORY 8.1, 8.2);
 //! nothing is printed or written here.
 
-use crate::app::equilibria::way;
+use crate::app::equilibria::{directions, way};
 use crate::app::judged::finer::FINER;
 use crate::app::judged::finer_model::FinerModel;
 use crate::app::judged::finer_modes::{self, Found};
@@ -10,10 +10,15 @@ use crate::app::machine::clock::Clock;
 use crate::app::pictures::Shapes;
 use crate::app::results::equilibria::EquilibriumSettings;
 use crate::app::results::error::RunError;
-use crate::app::results::modes::{Modes, SeenMode, is_round};
+use crate::app::results::modes::{Modes, SeenMode, grows, is_round};
 use crate::equilibrium::{Uniform, follow};
 use crate::modes::{self, Mode, Wanted};
-use crate::{AnyModel, Formulation, Joints, Scene, State};
+use crate::{AnyModel, Formulation, Joints, Scene, SolveError, State};
+
+/// Unknowns up to which all modes are looked at: full matrices find them together.
+const FEW: usize = 60;
+/// Relative distance of two sizes |s| that are one.
+const SAME: f64 = 1e-9;
 
 /// The modes of a model about its relative equilibrium at the time of the settings; where a parameter is
 /// continued, at its last value.
@@ -129,11 +134,10 @@ fn about(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<About, 
         spin: settings.spin,
         ..Uniform::steady(t)
     };
-    let told = |error: crate::SolveError| RunError::Equilibrium(error.to_string());
+    let told = |error: SolveError| RunError::Equilibrium(error.to_string());
     let found = follow(scene.as_mut(), &at, 1.0, |_, _| ()).map_err(told)?;
     let state = found.state().cloned().unwrap_or_else(|| scene.uniform_guess(&at));
-    let wanted = Wanted { count: settings.count };
-    let shapes = modes::modes(scene.as_mut(), &at, &state, wanted).map_err(told)?;
+    let shapes = lowest_and_growing(scene.as_mut(), &at, &state, settings.count).map_err(told)?;
     let modes = shapes
         .iter()
         .map(|mode| SeenMode::of(scene.as_mut(), &at, &state, mode))
@@ -146,6 +150,54 @@ fn about(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<About, 
         modes,
         newton_iterations: u64::from(found.iterations()),
     })
+}
+
+/// The `count` modes of the lowest |s|, and those beyond that grow, as far as they are looked for: of few unknowns all, at rest those of negative
+/// directions of the stiffness.
+fn lowest_and_growing(
+    scene: &mut dyn Scene,
+    at: &Uniform,
+    state: &State,
+    count: usize,
+) -> Result<Vec<Mode>, SolveError> {
+    let found = modes::modes(scene, at, state, Wanted { count })?;
+    if found.len() < count || count == 0 {
+        return Ok(found);
+    }
+    let unknowns = scene.unknowns();
+    let beyond = if unknowns <= FEW {
+        modes::modes(scene, at, state, Wanted { count: unknowns })
+    } else if way::spin(scene, at) == 0.0 {
+        let negative = directions::whole(scene, at, state).map_or(0, |measured| measured.negative);
+        let known = found.iter().filter(|mode| mode.im == 0.0 && mode.re > 0.0).count();
+        if negative <= known {
+            return Ok(found);
+        }
+        // Of each of them there are two modes, and what vibrates as slowly.
+        modes::modes(
+            scene,
+            at,
+            state,
+            Wanted {
+                count: count + 4 * negative,
+            },
+        )
+    } else {
+        return Ok(found);
+    };
+    // Those of the highest frequencies may be lost to round-off.
+    let Ok(beyond) = beyond else {
+        return Ok(found);
+    };
+    let size = |mode: &Mode| mode.re.hypot(mode.im);
+    let largest = beyond.iter().map(size).fold(0.0, f64::max);
+    let last = found.iter().map(size).fold(0.0, f64::max);
+    let extra = beyond
+        .into_iter()
+        .filter(|mode| size(mode) > last * (1.0 + SAME) && grows(mode.re, mode.im, largest));
+    let mut all: Vec<Mode> = found.into_iter().chain(extra).collect();
+    all.sort_by(|a, b| a.im.total_cmp(&b.im).then(a.re.total_cmp(&b.re)));
+    Ok(all)
 }
 
 #[cfg(test)]

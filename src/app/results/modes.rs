@@ -31,7 +31,7 @@ pub struct Modes {
     pub t: f64,
     /// Spin of the equilibrium, rad/s.
     pub spin: f64,
-    /// The modes of the lowest |s|, ascending frequencies.
+    /// The modes of the lowest |s|, and others that grow, ascending frequencies.
     pub modes: Vec<SeenMode>,
     /// The same with their shapes.
     pub shapes: Vec<Mode>,
@@ -172,9 +172,14 @@ pub(in crate::app) fn neutral(modes: &[SeenMode]) -> f64 {
     NEUTRAL * largest
 }
 
+/// Whether a mode grows, and not by the round-off of modes of which this is the largest |s|.
+pub(in crate::app) fn grows(re: f64, im: f64, largest: f64) -> bool {
+    re > NEUTRAL * largest && re > DOUBLE * re.hypot(im)
+}
+
 /// The rate of growth of an unstable equilibrium, 1/s; `None` where it is stable, or neutral to round-off.
 pub(in crate::app) fn growth(modes: &[SeenMode]) -> Option<f64> {
-    let neutral = neutral(modes);
-    let grows = |mode: &&SeenMode| mode.re > neutral && mode.re > DOUBLE * mode.re.hypot(mode.im);
-    modes.iter().filter(grows).map(|mode| mode.re).reduce(f64::max)
+    let largest = modes.iter().map(|mode| mode.re.hypot(mode.im)).fold(0.0, f64::max);
+    let growing = modes.iter().filter(|mode| grows(mode.re, mode.im, largest));
+    growing.map(|mode| mode.re).reduce(f64::max)
 }
