@@ -202,8 +202,13 @@ fn execute_equilibria(arguments: &Arguments, kind: Kind, interrupted: impl Fn() 
         arguments.model().name(),
         way(&result.history, result.seconds)
     );
+    let mut failure = failure;
     for line in critical_lines(&result.history.key, &result.critical, report::BUCKLING) {
         head += &format!("\n{line}");
+        // What is passed before a way ends early is told, too.
+        if let Some(failure) = &mut failure {
+            failure.message += &format!("\n{line}");
+        }
     }
     head += &result.envelopes.lines();
     tell(&mut head, result.agreement.as_deref());
