@@ -316,3 +316,56 @@ fn loads_are_whole_along_the_spin() {
     assert!(told.contains("frame `hub` turns in a prescribed way, with 6"), "{told}");
     assert!(spun(6.0).is_ok());
 }
+
+rncf::model! {
+    /// A shaft between two bearings that hold its ends along the axis, too: it stiffens as it bends. Its disc has an unbalance.
+    pub model Jeffcott {
+        param speed = 150 rad/s;
+        material steel { density = 7800 kg/m^3; young = 200 GPa; poisson = 0.3; }
+        section bar = circle(radius = 10 mm);
+        frame rotor = rotating(axis = z, angle = speed * t);
+        body shaft in rotor { spatial; line from [0, 0, 0] m to [0, 0, 0.9] m; section_y [0, 1, 0]; mesh 4 * beam(bar, steel); }
+        joint a = hold(shaft.start.x);
+        joint b = hold(shaft.start.y);
+        joint c = hold(shaft.start.z);
+        joint d = hold(shaft.start.twist);
+        joint e = hold(shaft.end.x);
+        joint f = hold(shaft.end.y);
+        joint g = hold(shaft.end.z);
+        fixture disc on shaft.at(0.45 m) { mass = 12 kg; center = [0, 1 mm, 0]; }
+        output deflection: mm = norm(shaft.at(0.45 m).position - [0, 0, 0.45] m);
+    }
+}
+
+/// Along the spin the deflection grows and grows beyond the critical speed, as on a rope that is swung; beyond it a range begins with the small one.
+#[test]
+fn an_equilibrium_nearer_to_the_undeformed_shape_is_told() {
+    let note = |found: &rncf::app::Equilibria| {
+        let notes = found.warnings.iter();
+        notes
+            .filter(|note| note.contains("is nearer to the undeformed shape"))
+            .count()
+    };
+    let along = steady(&Jeffcott::default(), &EquilibriumSettings::default()).unwrap();
+    let settings = EquilibriumSettings {
+        range: Some(Range {
+            param: 0,
+            from: 130.0,
+            to: 150.0,
+        }),
+        steps: 4,
+        ..EquilibriumSettings::default()
+    };
+    let beyond = steady(&Jeffcott::default(), &settings).unwrap();
+    let last = |found: &rncf::app::Equilibria| found.history.column(0).last().unwrap();
+    assert!(
+        last(&along) > 10.0 * last(&beyond),
+        "{} {}",
+        last(&along),
+        last(&beyond)
+    );
+    assert_eq!([note(&along), note(&beyond)], [1, 0], "{:?}", along.warnings);
+    // A shaft without mass but for the disc: e w^2 / (k / m - w^2), with its own mass a little more.
+    let below = steady(&Jeffcott { speed: 50.0 }, &EquilibriumSettings::default()).unwrap();
+    assert_eq!(note(&below), 0);
+}

@@ -8,6 +8,7 @@
 mod arnoldi;
 mod critical;
 mod dense;
+mod matrices;
 mod mode;
 mod pair;
 mod pencil;
@@ -26,11 +27,12 @@ pub use tracking::{assurance, followed, matched};
 pub use whirl::Whirl;
 
 use crate::equilibrium;
-use crate::error::{SolveError, SolveErrorKind};
+use crate::error::SolveError;
 use crate::linalg::Pattern;
 use crate::model::{Scene, Uniform};
-use crate::system::{State, Tangent};
-use pair::{Failure, Pair};
+use crate::system::State;
+use matrices::{error, pencil, tangent};
+use pair::Pair;
 
 /// Which modes are wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,7 +46,7 @@ pub struct Wanted {
 /// eigenvalue is a double one.
 ///
 /// # Errors
-/// [`SolveErrorKind::NoModes`]: the matrices are singular (naming the unknown or constraint), a value is
+/// [`SolveErrorKind::NoModes`](crate::error::SolveErrorKind::NoModes): the matrices are singular (naming the unknown or constraint), a value is
 /// not finite, a mode was not found to the accuracy of the matrices, or none was found though motions are free.
 pub fn modes(scene: &mut dyn Scene, at: &Uniform, state: &State, wanted: Wanted) -> Result<Vec<Mode>, SolveError> {
     // What the scene knows to have no stiffness needs not be told from round-off.
@@ -62,7 +64,7 @@ pub fn modes(scene: &mut dyn Scene, at: &Uniform, state: &State, wanted: Wanted)
 /// cube of the unknowns.
 ///
 /// # Errors
-/// [`SolveErrorKind::NoModes`] if a value is not finite.
+/// [`SolveErrorKind::NoModes`](crate::error::SolveErrorKind::NoModes) if a value is not finite.
 pub fn unstable_directions(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Result<usize, SolveError> {
     dense::negative_stiffness(&pencil(scene, at, state)).map_err(|failure| error(scene, at, &failure))
 }
@@ -141,47 +143,6 @@ fn form(pattern: &Pattern, values: &[f64], x: &[[f64; 2]]) -> [f64; 2] {
     sum
 }
 
-fn pencil(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Pencil {
-    let tangent = tangent(scene, at, state);
-    with_constraints(scene, state, &tangent)
-}
-
-fn tangent(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Tangent {
-    let zeros = || vec![0.0; scene.pattern().entries()];
-    let mut tangent = Tangent {
-        mass: zeros(),
-        stiffness: zeros(),
-        damping: zeros(),
-    };
-    scene.small_motions(at, state, &mut tangent);
-    tangent
-}
-
-fn with_constraints(scene: &mut dyn Scene, state: &State, tangent: &Tangent) -> Pencil {
-    let mut jacobian = vec![0.0; scene.constraint_pattern().entries()];
-    scene.constraint_jacobian(state, &mut jacobian);
-    Pencil::new(
-        scene.pattern(),
-        tangent,
-        scene.constraint_pattern(),
-        &jacobian,
-        scene.sizes(),
-    )
-}
-
-/// The symmetric part of a matrix on a symmetric pattern.
-fn symmetrise(pattern: &Pattern, values: &mut [f64]) {
-    for column in 0..pattern.columns() {
-        for entry in pattern.starts()[column]..pattern.starts()[column + 1] {
-            let row = pattern.indices()[entry];
-            if let Some(other) = pattern.find(column, row).filter(|_| row < column) {
-                let mean = 0.5 * (values[entry] + values[other]);
-                (values[entry], values[other]) = (mean, mean);
-            }
-        }
-    }
-}
-
 /// The mode in the unknowns and their true sizes.
 fn mode(pencil: &Pencil, sizes: &[f64], Pair { s, mut x }: Pair) -> Mode {
     for (value, (scale, size)) in x.iter_mut().zip(pencil.scales().iter().zip(sizes)) {
@@ -196,62 +157,6 @@ fn mode(pencil: &Pencil, sizes: &[f64], Pair { s, mut x }: Pair) -> Mode {
         re: s.re,
         im: s.im,
         shape: shape.collect(),
-    }
-}
-
-fn error(scene: &dyn Scene, at: &Uniform, failure: &Failure) -> SolveError {
-    let n = scene.unknowns();
-    let (text, worst) = match *failure {
-        Failure::Singular(row) => {
-            let worst = row.map(|row| {
-                if row < n {
-                    scene.describe_unknown(row)
-                } else {
-                    scene.describe_constraint(row - n)
-                }
-            });
-            let text = "a motion has neither inertia nor stiffness, or constraints depend on each other";
-            (text.to_string(), worst)
-        }
-        Failure::NotFinite => (
-            "a matrix of small motions is not finite: a parameter is unphysical".to_string(),
-            None,
-        ),
-        Failure::NotFound => (
-            "the eigenvalues of a full matrix were not found: look for values out of the range of numbers".to_string(),
-            None,
-        ),
-        Failure::Slow(found) => (
-            format!(
-                "the search did not converge beyond {found} modes: ask for fewer, or for other numbers of elements"
-            ),
-            None,
-        ),
-        Failure::Nothing(free) => (
-            format!(
-                "no mode was found though {free} motions are free, so that nothing is known of the stability: look for masses or stiffnesses that lie too many orders apart"
-            ),
-            None,
-        ),
-        Failure::Lost(found) => (
-            format!(
-                "beyond {found} modes some are lost to round-off: masses or stiffnesses lie too many orders apart; ask for at most {found}"
-            ),
-            None,
-        ),
-        Failure::Inexact(index) => (
-            format!(
-                "mode {} does not satisfy its equations to round-off: ask for at most {index}",
-                index + 1
-            ),
-            None,
-        ),
-    };
-    SolveError {
-        kind: SolveErrorKind::NoModes(text),
-        t: at.t,
-        h: 0.0,
-        worst,
     }
 }
 

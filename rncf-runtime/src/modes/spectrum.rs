@@ -1,9 +1,10 @@
 //! The lowest eigenpairs of a pencil: found, refined, and one mode for every motion.
 
+use super::arnoldi;
+use super::dense;
 use super::pair::{CLOSE, Failure, Pair, SLOW};
 use super::pencil::Pencil;
 use super::refinement::Refinement;
-use super::{arnoldi, dense};
 use crate::linalg::c64;
 
 /// Unknowns up to which full matrices are used, and up to which they are if many modes are wanted.

@@ -1,6 +1,7 @@
 //! The values of the co-rotating stiffness next to zero: each that passes zero along a parameter is a critical one.
 
-use super::{error, spectrum, symmetrise, tangent, with_constraints};
+use super::matrices::{error, symmetrise, tangent, with_constraints};
+use super::spectrum;
 use crate::error::SolveError;
 use crate::linalg::c64;
 use crate::model::{Scene, Uniform};

@@ -6,6 +6,7 @@ use std::ops::ControlFlow;
 use super::buckling::buckling;
 use super::continuation::{EquilibriumProgress, Found, Line, Station};
 use super::finer;
+use super::nearer::nearer;
 use super::way::at_the_end;
 use crate::app::judged::finer::Judging;
 use crate::app::judged::marks::round_off;
@@ -132,6 +133,10 @@ pub fn equilibria(
             Kind::Steady => grows(&mut station, settings),
         };
     }
+    let nearer = match (&incomplete, kind) {
+        (None, Kind::Steady) => nearer(&mut station, &history),
+        _ => None,
+    };
     let cautions = at_the_end(model, settings).cautions(0.0);
     let mut warnings = cautions::sentences(model, &cautions);
     warnings.extend(cautions::texts(station.scene.warnings(station.state)));
@@ -139,6 +144,7 @@ pub fn equilibria(
     warnings.extend(envelopes.warning());
     let coarse = coarse::of_equilibrium(station.scene, &station.at, station.state);
     warnings.extend(leaps);
+    warnings.extend(nearer);
     warnings.extend(unstable);
     let mut result = Equilibria {
         kind,

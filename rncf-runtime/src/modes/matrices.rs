@@ -1,0 +1,105 @@
+//! The matrices of small motions about a uniform one, and what is said where their modes are not found.
+
+use super::pair::Failure;
+use super::pencil::Pencil;
+use crate::error::{SolveError, SolveErrorKind};
+use crate::linalg::Pattern;
+use crate::model::{Scene, Uniform};
+use crate::system::{State, Tangent};
+
+pub(super) fn pencil(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Pencil {
+    let tangent = tangent(scene, at, state);
+    with_constraints(scene, state, &tangent)
+}
+
+pub(super) fn tangent(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Tangent {
+    let zeros = || vec![0.0; scene.pattern().entries()];
+    let mut tangent = Tangent {
+        mass: zeros(),
+        stiffness: zeros(),
+        damping: zeros(),
+    };
+    scene.small_motions(at, state, &mut tangent);
+    tangent
+}
+
+pub(super) fn with_constraints(scene: &mut dyn Scene, state: &State, tangent: &Tangent) -> Pencil {
+    let mut jacobian = vec![0.0; scene.constraint_pattern().entries()];
+    scene.constraint_jacobian(state, &mut jacobian);
+    Pencil::new(
+        scene.pattern(),
+        tangent,
+        scene.constraint_pattern(),
+        &jacobian,
+        scene.sizes(),
+    )
+}
+
+/// The symmetric part of a matrix on a symmetric pattern.
+pub(super) fn symmetrise(pattern: &Pattern, values: &mut [f64]) {
+    for column in 0..pattern.columns() {
+        for entry in pattern.starts()[column]..pattern.starts()[column + 1] {
+            let row = pattern.indices()[entry];
+            if let Some(other) = pattern.find(column, row).filter(|_| row < column) {
+                let mean = 0.5 * (values[entry] + values[other]);
+                (values[entry], values[other]) = (mean, mean);
+            }
+        }
+    }
+}
+
+pub(super) fn error(scene: &dyn Scene, at: &Uniform, failure: &Failure) -> SolveError {
+    let n = scene.unknowns();
+    let (text, worst) = match *failure {
+        Failure::Singular(row) => {
+            let worst = row.map(|row| {
+                if row < n {
+                    scene.describe_unknown(row)
+                } else {
+                    scene.describe_constraint(row - n)
+                }
+            });
+            let text = "a motion has neither inertia nor stiffness, or constraints depend on each other";
+            (text.to_string(), worst)
+        }
+        Failure::NotFinite => (
+            "a matrix of small motions is not finite: a parameter is unphysical".to_string(),
+            None,
+        ),
+        Failure::NotFound => (
+            "the eigenvalues of a full matrix were not found: look for values out of the range of numbers".to_string(),
+            None,
+        ),
+        Failure::Slow(found) => (
+            format!(
+                "the search did not converge beyond {found} modes: ask for fewer, or for other numbers of elements"
+            ),
+            None,
+        ),
+        Failure::Nothing(free) => (
+            format!(
+                "no mode was found though {free} motions are free, so that nothing is known of the stability: look for masses or stiffnesses that lie too many orders apart"
+            ),
+            None,
+        ),
+        Failure::Lost(found) => (
+            format!(
+                "beyond {found} modes some are lost to round-off: masses or stiffnesses lie too many orders apart; ask for at most {found}"
+            ),
+            None,
+        ),
+        Failure::Inexact(index) => (
+            format!(
+                "mode {} does not satisfy its equations to round-off: ask for at most {index}",
+                index + 1
+            ),
+            None,
+        ),
+    };
+    SolveError {
+        kind: SolveErrorKind::NoModes(text),
+        t: at.t,
+        h: 0.0,
+        worst,
+    }
+}

@@ -1,0 +1,54 @@
+//! Whether another relative equilibrium is nearer to the undeformed shape than that at which a way along the spin or a param ends: an unbalanced shaft that stiffens as
+//! it bends goes on, beyond its critical speed, as a rope that is swung, and runs as quietly as below it besides.
+
+use super::continuation::Station;
+use crate::app::results::history::History;
+use crate::app::writing::numbers::digits;
+use crate::equilibrium::{self, continue_from, goes_back};
+
+/// Part of an output by which both must differ.
+const APART: f64 = 0.01;
+
+/// That there is one, with the output that differs most.
+pub(super) fn nearer(station: &mut Station<'_>, history: &History) -> Option<String> {
+    let (scene, at, state) = (&mut *station.scene, &station.at, station.state);
+    // What nothing ties is at no certain place.
+    if !scene.neutral_motions(at, state).is_empty() || !equilibrium::untied(scene, at, state).is_empty() {
+        return None;
+    }
+    let start = scene.uniform_guess(at);
+    if goes_back(scene, at, &start, state) != Some(false) {
+        return None;
+    }
+    let other = continue_from(scene, at, &start).ok()?;
+    let [mut here, mut there] = [vec![0.0; scene.output_columns()], vec![0.0; scene.output_columns()]];
+    scene.uniform_outputs(at, state, &mut here);
+    scene.uniform_outputs(at, &other.state, &mut there);
+    let part = |column: usize| {
+        let size = here[column].abs().max(there[column].abs());
+        if size > 0.0 {
+            (here[column] - there[column]).abs() / size
+        } else {
+            0.0
+        }
+    };
+    let most = (0..here.len()).max_by(|&a, &b| part(a).total_cmp(&part(b)))?;
+    if part(most) <= APART {
+        return None;
+    }
+    let output = &history.columns[most];
+    let unit = if output.unit == "1" {
+        String::new()
+    } else {
+        format!(" {}", output.unit)
+    };
+    Some(format!(
+        "at {} = {} {} another equilibrium is nearer to the undeformed shape, with `{}` = {}{unit} and not {}{unit}: this way came along as a slow change without losses does. For the other one begin where there is no second one, as beyond a critical speed (a range of a param), or look at `modes`, which take it",
+        history.key.name,
+        digits(station.key, 6),
+        history.key.unit,
+        output.name,
+        digits(there[most], 4),
+        digits(here[most], 4),
+    ))
+}
