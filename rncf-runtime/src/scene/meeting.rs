@@ -21,12 +21,12 @@ impl MeshScene {
                 .ends
                 .map(|(body, at_end)| self.initial_vectors(body, f64::from(u8::from(at_end)))[0]);
             let lengths = spec.ends.map(|(body, _)| specs[body].line.length());
-            let Some(what) = misplaced(at, lengths[0].min(lengths[1]), spec.smooth) else {
+            let Some((what, cure)) = misplaced(at, lengths[0].min(lengths[1]), spec.smooth) else {
                 continue;
             };
             let specs: Vec<BodySpec> = specs.iter().map(|&spec| spec.clone()).collect();
             return Err(ModelError::new(format!(
-                "{} {what}: let the bodies' lines or initial shapes meet there",
+                "{} {what}: {cure}",
                 shared.describe(index, &specs)
             )));
         }
@@ -34,11 +34,15 @@ impl MeshScene {
     }
 }
 
-/// How two ends that are one differ at the start, in words; vectors in the order of [`VECTORS`].
-fn misplaced([first, second]: [[Vector; 4]; 2], length: f64, smooth: bool) -> Option<String> {
+/// Why ends do not meet along their axes, and across them.
+const LINES: &str = "let the bodies' lines or initial shapes meet there";
+const SECTIONS: &str = "their sections are turned about the axis, by `section_y` or `twist`: let these meet there";
+
+/// How two ends that are one differ at the start, in words, and what cures it; vectors in the order of [`VECTORS`].
+fn misplaced([first, second]: [[Vector; 4]; 2], length: f64, smooth: bool) -> Option<(String, &'static str)> {
     let gap = (first[0] - second[0]).norm();
     if gap > APART * length {
-        return Some(format!("has ends that start {gap:.3e} m apart"));
+        return Some((format!("has ends that start {gap:.3e} m apart"), LINES));
     }
     let directions = (1..VECTORS.len()).filter(|_| smooth);
     directions.into_iter().find_map(|place| {
@@ -46,10 +50,12 @@ fn misplaced([first, second]: [[Vector; 4]; 2], length: f64, smooth: bool) -> Op
         let angle = a.cross(&b).norm().atan2(a.dot(&b));
         (angle > TURNED).then(|| {
             let name = VECTORS[place].2;
-            format!(
+            let what = format!(
                 "has ends whose {name} differs by {:.1} degrees at the start, and they would be one",
                 angle.to_degrees()
-            )
+            );
+            // The slope comes first: where it fits, the axes do.
+            (what, if place == 1 { LINES } else { SECTIONS })
         })
     })
 }

@@ -371,8 +371,13 @@ impl MeshScene {
         if what != SectionQuantity::Stress || self.knows_stress(body) {
             return Ok(());
         }
+        let why = if self.section_spec(body, 0.0).area > 0.0 {
+            "whose section does not say where its outermost fibres are: give `extent_y` and in space `extent_z`"
+        } else {
+            "whose section is given in numbers, from which no stress follows: read what it carries (`axial_force`, `moment`, ..), or give it a shape, or an `area` and a material"
+        };
         Err(ModelError::new(format!(
-            "an output reads the stress of body `{}`, whose section does not say where its outermost fibres are: give `extent_y` and in space `extent_z`",
+            "an output reads the stress of body `{}`, {why}",
             self.bodies[body].spec.label()
         )))
     }
