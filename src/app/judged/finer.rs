@@ -19,8 +19,6 @@ pub(in crate::app) const FINER: usize = 2;
 /// Tolerance that suffices for the parts that are told, of most motions. The error of Radau is more than ten times less with a tenth of it.
 const RTOL: f64 = 1e-4;
 const TEN: f64 = 10.0;
-/// The errors of what joints exert, and of accelerations, fall with the root of the tolerance: a difference of 2.16 errors of the run at ten times it.
-const OF_FORCES: f64 = 0.334;
 /// Part of the iterations of the run, times unknowns, that all of it may take,
 const SHARE: f64 = 1.0;
 /// or these: half a second of cables, some seconds of elements with sections;
@@ -185,12 +183,13 @@ impl<'r> Kind<'r> {
         let looser = rtol / self.run.options.rtol;
         if !is_exact && is_last || is_exact && looser < 2.0 * TEN {
             // The error of the run is at most so much less than that of larger steps.
-            let less = match (is_exact, self.is_of_motion) {
-                (true, true) => looser.max(1.0),
-                (true, false) => looser.max(1.0).powf(OF_FORCES),
-                (false, _) => 1.0,
+            let is_looser = is_exact && looser > 1.0;
+            // What joints exert, and accelerations, have errors that fall with the root of the tolerance: a difference of about twice those of the run.
+            let (less, far) = match (is_looser, self.is_of_motion) {
+                (true, true) => (looser, FAR),
+                _ => (1.0, TOLD),
             };
-            self.is_far |= less > 1.0 && largest(&steps) > FAR;
+            self.is_far |= is_looser && largest(&steps) > far;
             steps.iter_mut().for_each(|off| off.part /= less);
             if largest(&steps) > TOLD {
                 self.steps = (rtol, steps.clone());

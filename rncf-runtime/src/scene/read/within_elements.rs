@@ -8,8 +8,8 @@ use crate::scene::MeshScene;
 /// Points of an element.
 const POINTS: usize = 5;
 /// Places of a body that are looked at, and of an element at least; those of the rows of its tables beside them.
-const PLACES: usize = 1024;
-const LEAST: usize = 16;
+const PLACES: usize = 512;
+const LEAST: usize = 8;
 /// Part of a property, or of its inverse, summed along the axis, from which on it is told that points miss it.
 const TOLD: f64 = 0.01;
 
