@@ -6987,20 +6987,52 @@ pub mod nrel5mw_blade_equations {
         ) -> ::std::vec::Vec<&'static ::rncf::emitted::Table> {
             ::std::vec::Vec::from([&TABLE_SECTIONS, &TABLE_POINTS])
         }
-        fn properties(&self, body: usize, x: f64) -> ::std::vec::Vec<f64> {
+        fn properties(&self, body: usize, x: f64, length: f64) -> ::std::vec::Vec<f64> {
             let model = &self.model;
-            let length = ::rncf::emitted::Line::Straight {
-                from: [0.0, 0.0, 1.5],
-                to: [0.0, 0.0, 63.0],
-            }
-                .length();
-            along_blade(&self.model, x, length)
-                .map_or_else(
-                    |_| ::std::vec::Vec::new(),
-                    |(coefficients, masses)| {
-                        coefficients.into_iter().chain(masses).collect()
-                    },
-                )
+            ::std::vec::Vec::from([
+                TABLE_SECTIONS.at(12, x, length),
+                TABLE_SECTIONS.at(3, x, length),
+                TABLE_SECTIONS.at(8, x, length),
+                TABLE_SECTIONS.at(15, x, length),
+                TABLE_SECTIONS.at(13, x, length),
+                TABLE_SECTIONS.at(14, x, length),
+                TABLE_SECTIONS.at(1, x, length),
+                TABLE_SECTIONS.at(2, x, length),
+                TABLE_SECTIONS.at(6, x, length),
+                TABLE_SECTIONS.at(4, x, length),
+                TABLE_SECTIONS.at(5, x, length),
+                TABLE_SECTIONS.at(7, x, length),
+                TABLE_SECTIONS.at(11, x, length),
+                TABLE_SECTIONS.at(9, x, length),
+                TABLE_SECTIONS.at(10, x, length),
+                TABLE_SECTIONS.at(21, x, length),
+                TABLE_SECTIONS.at(18, x, length),
+                TABLE_SECTIONS.at(20, x, length),
+                TABLE_SECTIONS.at(16, x, length),
+                TABLE_SECTIONS.at(17, x, length),
+                TABLE_SECTIONS.at(19, x, length),
+                TABLE_SECTIONS.at(33, x, length),
+                TABLE_SECTIONS.at(24, x, length),
+                TABLE_SECTIONS.at(29, x, length),
+                TABLE_SECTIONS.at(36, x, length),
+                TABLE_SECTIONS.at(34, x, length),
+                TABLE_SECTIONS.at(35, x, length),
+                TABLE_SECTIONS.at(22, x, length),
+                TABLE_SECTIONS.at(23, x, length),
+                TABLE_SECTIONS.at(27, x, length),
+                TABLE_SECTIONS.at(25, x, length),
+                TABLE_SECTIONS.at(26, x, length),
+                TABLE_SECTIONS.at(28, x, length),
+                TABLE_SECTIONS.at(32, x, length),
+                TABLE_SECTIONS.at(30, x, length),
+                TABLE_SECTIONS.at(31, x, length),
+                TABLE_SECTIONS.at(42, x, length),
+                TABLE_SECTIONS.at(39, x, length),
+                TABLE_SECTIONS.at(41, x, length),
+                TABLE_SECTIONS.at(37, x, length),
+                TABLE_SECTIONS.at(38, x, length),
+                TABLE_SECTIONS.at(40, x, length),
+            ])
         }
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {
             mass.copy_from_slice(&self.mass_blade[element]);

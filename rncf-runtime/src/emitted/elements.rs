@@ -67,8 +67,8 @@ pub trait Bodies {
     fn varies(&self, body: usize) -> bool;
     /// Tables that a body reads along its axis.
     fn tables(&self, body: usize) -> Vec<&'static Table>;
-    /// Coefficients and masses per length of a body whose elements differ at an arclength, m, of its axis, in SI; nothing of others.
-    fn properties(&self, body: usize, x: f64) -> Vec<f64>;
+    /// Those properties of a body's section and material that vary along its axis, at an arclength, m, of its length, m, in SI; nothing of others.
+    fn properties(&self, body: usize, x: f64, length: f64) -> Vec<f64>;
     /// Mass matrix of the vectors of an element (scalars, rows first).
     fn mass(&self, body: usize, element: usize, mass: &mut [f64]);
     /// Strain energy of one element, J.
@@ -148,7 +148,7 @@ impl<T: WithoutBodies> Bodies for T {
     fn varies(&self, _body: usize) -> bool {
         false
     }
-    fn properties(&self, _body: usize, _x: f64) -> Vec<f64> {
+    fn properties(&self, _body: usize, _x: f64, _length: f64) -> Vec<f64> {
         Vec::new()
     }
     fn tables(&self, _body: usize) -> Vec<&'static Table> {

@@ -182,6 +182,7 @@ impl MeshScene {
             observed: parts.observed().into(),
             settled: Vec::new(),
             remarks: Vec::new(),
+            missed: OnceLock::new(),
             in_modes: false,
             buffers: Buffers::new(layout.components(), motions),
             layout,

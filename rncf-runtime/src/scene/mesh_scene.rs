@@ -1,5 +1,7 @@
 //! The scene of a model: what it consists of, sizes, and places on bodies.
 
+use std::sync::OnceLock;
+
 use crate::emitted::{JointSpec, LoadKind, LoadSpec, ObservedSpec, Parts, Place, label};
 use crate::error::ModelError;
 use crate::model::{Formulation, Joints, Warning};
@@ -39,6 +41,8 @@ pub struct MeshScene {
     pub(crate) settled: Vec<Vec<f64>>,
     /// What is to be told of how the scene starts.
     pub(crate) remarks: Vec<Warning>,
+    /// What elements miss of properties along an axis, once it was asked for.
+    pub(crate) missed: OnceLock<Vec<Warning>>,
     /// Whether inertia and elasticity of bodies with modes are left to the modes.
     pub(crate) in_modes: bool,
     pub(crate) layout: Layout,

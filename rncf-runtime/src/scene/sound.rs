@@ -10,6 +10,8 @@ const MOST_ELEMENTS: usize = 10_000_000;
 
 /// Parts of an element over which turns are summed; a prime, so that no winding of a coil hides in one.
 const PARTS: usize = 31;
+/// The same of a twist.
+const FEW: usize = 11;
 
 /// A joint may tie a body to its own free frame; everything else between free frames is a constraint.
 pub(crate) fn check_joint(
@@ -74,17 +76,20 @@ pub(crate) fn check_body(spec: &BodySpec) -> Result<(), ModelError> {
     let angle: f64 = match spec.line {
         Line::Arc { angle, .. } => angle,
         Line::Straight { .. } | Line::Nodes(_) => 0.0,
-        Line::Curve(_) => summed(spec, &|from, to| {
-            let [before, after] = [from, to].map(|u| spec.line.at(u).1);
-            before.dot(&after).clamp(-1.0, 1.0).acos()
+        Line::Curve(_) => summed(spec, PARTS, &|u| spec.line.at(u).1, &|before, after| {
+            before.dot(after).clamp(-1.0, 1.0).acos()
         }),
     };
     check_stations(spec)?;
     spec.check_directions()?;
     // Twist may swing within an element and come back.
     let twist = match spec.has_turning_section() {
-        true => summed(spec, &|from, to| spec.turn_about_axis(from, to)),
-        false => summed(spec, &|from, to| (spec.twist.at(to) - spec.twist.at(from)).abs()),
+        true => summed(spec, PARTS, &|u| spec.directed(u), &|before, after| {
+            before.turn_to(after)
+        }),
+        false => summed(spec, FEW, &|u| spec.twist.at(u), &|before, after| {
+            (after - before).abs()
+        }),
     };
     for (angle, what) in [(angle, "bent"), (twist, "twisted")] {
         let each = angle.abs() / spec.count as f64;
@@ -102,12 +107,13 @@ pub(crate) fn check_body(spec: &BodySpec) -> Result<(), ModelError> {
     Ok(())
 }
 
-/// The sum over the parts of an element of a turn between two fractions of the axis, rad: the largest one, times the number of elements.
-fn summed(spec: &BodySpec, turn: &dyn Fn(f64, f64) -> f64) -> f64 {
+/// The sum over the parts of an element of the turns, rad, between what is at their ends: the largest one, times the number of elements.
+fn summed<T>(spec: &BodySpec, parts: usize, at: &dyn Fn(f64) -> T, turn: &dyn Fn(&T, &T) -> f64) -> f64 {
     let of_element = |element: usize| {
         let [start, end] = [element, element + 1].map(|node| spec.fraction(node, 0));
-        let at = |part: usize| start + part as f64 / PARTS as f64 * (end - start);
-        (0..PARTS).map(|part| turn(at(part), at(part + 1))).sum::<f64>()
+        let place = |part: usize| start + part as f64 / parts as f64 * (end - start);
+        let ends: Vec<T> = (0..=parts).map(|part| at(place(part))).collect();
+        ends.windows(2).map(|ends| turn(&ends[0], &ends[1])).sum::<f64>()
     };
     (0..spec.count).map(of_element).fold(0.0, f64::max) * spec.count as f64
 }

@@ -206,7 +206,8 @@ impl Scene for MeshScene {
         warnings.extend(self.overstretched(&stretched));
         warnings.extend(self.strained_fixtures());
         warnings.extend(self.between_points(state.t));
-        warnings.extend(self.missed_within_elements());
+        let missed = self.missed.get_or_init(|| self.missed_within_elements());
+        warnings.extend(missed.iter().cloned());
         warnings.extend(self.apart_from_fibres());
         warnings
     }

@@ -342,25 +342,29 @@ impl Parts<'_> {
     /// What bodies have at a place of their axes.
     pub(super) fn properties_along(&self) -> String {
         if !self.model.bodies.iter().any(Body::varies) {
-            return "fn properties(&self, body: usize, x: f64) -> ::std::vec::Vec<f64> { ::std::vec::Vec::new() }\n"
+            return "fn properties(&self, body: usize, x: f64, length: f64) -> ::std::vec::Vec<f64> { ::std::vec::Vec::new() }\n"
                 .to_string();
         }
         let kind = self.kind();
         let arms = self.by_body(|_, body| {
-            if !body.varies() {
+            let values = body
+                .properties
+                .values()
+                .chain(body.law.iter().flat_map(|law| law.fields.values()));
+            let along = values.filter(|value| fold::has_arclength(value));
+            let along: Vec<String> = along.map(|value| self.expr(value)).collect();
+            if along.is_empty() {
                 return "::std::vec::Vec::new()".to_string();
             }
             format!(
-                "{}let length = {}.length();\n\
-                 along_{}(&self.model, x, length{}).map_or_else(|_| ::std::vec::Vec::new(), |(coefficients, masses)| coefficients.into_iter().chain(masses).collect())",
+                "{}{}::std::vec::Vec::from([{}])",
                 self.index(body),
-                self.line(body),
-                body.identifier(),
-                repetition(body)
+                self.along_whole(body),
+                along.join(", ")
             )
         });
         format!(
-            "fn properties(&self, body: usize, x: f64) -> ::std::vec::Vec<f64> {{\nlet model = &self.model;\n{kind}{arms}}}\n"
+            "fn properties(&self, body: usize, x: f64, length: f64) -> ::std::vec::Vec<f64> {{\nlet model = &self.model;\n{kind}{arms}}}\n"
         )
     }
 

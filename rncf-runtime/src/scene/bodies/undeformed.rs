@@ -43,15 +43,12 @@ impl BodySpec {
         self.dimension() == 3 && self.has_section() && matches!(self.line, Line::Curve(_))
     }
 
-    /// Angle, rad, not negative, by which the section turns about the axis from one fraction of it to another one next to it.
-    pub(crate) fn turn_about_axis(&self, from: f64, to: f64) -> f64 {
-        let [before, after] = [from, to].map(|u| self.line.at(u).1);
-        let [y, wanted] = [from, to].map(|u| self.section(u)[0]);
-        // Carried along the axis without turning about it.
-        let turn = before.cross(&after);
-        let carried = y + turn.cross(&y) + turn.cross(&turn.cross(&y)) / (1.0 + before.dot(&after));
-        let sine = after.cross(&carried).dot(&wanted);
-        sine.atan2(carried.dot(&wanted)).abs()
+    /// Tangent and section's y axis at a fraction of the axis.
+    pub(crate) fn directed(&self, u: f64) -> Directed {
+        Directed {
+            tangent: self.line.at(u).1,
+            y: self.section(u)[0],
+        }
     }
 
     /// Unit normal of the plane of a planar body, frame axes.
@@ -97,7 +94,7 @@ impl BodySpec {
             let mut places = (0..=LOOKS * self.count).map(|place| place as f64 / (LOOKS * self.count) as f64);
             let turns_over = |u: f64| {
                 let next = (u + 1.0 / (LOOKS * self.count) as f64).min(1.0);
-                self.across(self.line.at(u).1).is_none() || self.turn_about_axis(u, next) > FRAC_PI_2
+                self.across(self.line.at(u).1).is_none() || self.directed(u).turn_to(&self.directed(next)) > FRAC_PI_2
             };
             if let Some(u) = places.find(|&u| turns_over(u)) {
                 return Err(ModelError::new(format!(
@@ -146,4 +143,22 @@ impl BodySpec {
 
 fn unit(vector: Vector) -> Vector {
     1.0 / vector.norm() * vector
+}
+
+/// How a section stands on its axis: unit vectors, frame axes.
+pub(crate) struct Directed {
+    tangent: Vector,
+    y: Vector,
+}
+
+impl Directed {
+    /// Angle, rad, not negative, by which the section turns about the axis up to a place next to it.
+    pub fn turn_to(&self, next: &Self) -> f64 {
+        // Carried along the axis without turning about it.
+        let turn = self.tangent.cross(&next.tangent);
+        let carried =
+            self.y + turn.cross(&self.y) + turn.cross(&turn.cross(&self.y)) / (1.0 + self.tangent.dot(&next.tangent));
+        let sine = next.tangent.cross(&carried).dot(&next.y);
+        sine.atan2(carried.dot(&next.y)).abs()
+    }
 }

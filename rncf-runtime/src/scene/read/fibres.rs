@@ -11,6 +11,9 @@ use crate::space::Vector;
 /// Part of the stiffness of torsion from which on it is told that it is left out.
 const TOLD: f64 = 0.02;
 
+/// Elements of a body that are looked at, about: the first one in any case, where most pulls.
+const LOOKS: usize = 8;
+
 /// What fibres add to the stiffness of torsion.
 struct Added {
     /// Of the stiffness; negative under pressure.
@@ -58,11 +61,19 @@ impl MeshScene {
     /// What the fibres of a body add most, in the middle of one of its elements; nothing where its material or torsion is not known.
     fn added_by_fibres(&self, index: usize) -> Option<Added> {
         let (spec, connectivity) = (&self.bodies[index].spec, &self.bodies[index].connectivity);
+        let length = spec.line.length();
+        let is_even = !self.parts.varies(index);
+        let mut section = self.section_of(index).spec;
+        if section.young_over_shear == 0.0 {
+            return None;
+        }
         let mut weights = vec![0.0; spec.nodal.len()];
         let mut most: Option<Added> = None;
-        for element in 0..spec.count {
-            let x = spec.arclength(element, 0.5);
-            let section = self.section_spec(index, x);
+        for element in (0..spec.count).step_by((spec.count / LOOKS).max(1)) {
+            let x = spec.arclength_of(length, element, 0.5);
+            if !is_even {
+                section = self.parts.section(index, x, length);
+            }
             if !(section.young_over_shear > 0.0 && section.torsion_constant > 0.0) {
                 return None;
             }
@@ -77,11 +88,14 @@ impl MeshScene {
                 [Vector::from(weighted(&self.buffers.q, components, 3, &weights)), free]
             };
             let slope = fields(Interpolant::Position, 1);
-            let [y, z] =
-                [Interpolant::SectionY, Interpolant::SectionZ].map(|axis| [0, 1].map(|order| fields(axis, order)));
-            // Of the state and of the stress-free shape.
-            let twist = [0, 1].map(|which| 0.5 * (y[1][which].dot(&z[0][which]) - z[1][which].dot(&y[0][which])));
             let strain = slope[0].norm() / slope[1].norm() - 1.0;
+            let mut twist = [0.0; 2];
+            if let SectionShape::Rectangle { .. } = section.shape {
+                let [y, z] =
+                    [Interpolant::SectionY, Interpolant::SectionZ].map(|axis| [0, 1].map(|order| fields(axis, order)));
+                // Of the state and of the stress-free shape.
+                twist = [0, 1].map(|which| 0.5 * (y[1][which].dot(&z[0][which]) - z[1][which].dot(&y[0][which])));
+            }
             let part = added(&section, strain, twist);
             if most.as_ref().is_none_or(|most| part.abs() > most.part.abs()) {
                 most = Some(Added { part, x });
@@ -96,14 +110,8 @@ impl MeshScene {
 fn added(section: &SectionSpec, strain: f64, [twist, free]: [f64; 2]) -> f64 {
     let polar: f64 = section.second_moments.iter().sum();
     let beyond = match section.shape {
-        // Of a shape that is not known, at least nothing.
-        SectionShape::General { .. } => 0.0,
-        SectionShape::Circle { radius } => section.area * radius.powi(4) / 12.0,
-        SectionShape::Tube { radius, thickness } => {
-            let inner = radius - thickness;
-            let square = radius.powi(2) - inner.powi(2);
-            section.area * square.powi(2) / 12.0
-        }
+        // Of a shape that is not known, at least nothing; of what is round, next to nothing.
+        SectionShape::General { .. } | SectionShape::Circle { .. } | SectionShape::Tube { .. } => 0.0,
         SectionShape::Rectangle { sizes: [b, t] } => section.area * (b.powi(4) + t.powi(4)) / 180.0,
     };
     let fibres = polar * strain + 0.5 * beyond * (twist * twist - free * free);

@@ -354,7 +354,7 @@ impl MeshScene {
     }
 
     /// The same at the start of a body, kept.
-    fn section_of(&self, body: usize) -> &Section {
+    pub(crate) fn section_of(&self, body: usize) -> &Section {
         self.bodies[body]
             .section
             .get_or_init(|| Section::new(self.section_spec(body, 0.0)))

@@ -45,8 +45,11 @@ impl MeshScene {
     /// The property of a body of which most is missed.
     fn missed_of(&self, body: usize) -> Option<Missed> {
         let spec = &self.bodies[body].spec;
-        let at = |x: f64| self.parts.properties(body, x);
         let length = spec.line.length();
+        let at = |x: f64| self.parts.properties(body, x, length);
+        if at(0.0).is_empty() {
+            return None;
+        }
         let rows = self.parts.tables(body).into_iter().flat_map(|table| {
             let unit = if table.is_relative { length } else { 1.0 };
             table.places.iter().map(move |place| place * unit)
@@ -57,7 +60,7 @@ impl MeshScene {
         let places = (PLACES / spec.count.max(1)).max(LEAST);
         let elements: Vec<Element> = (0..spec.count)
             .map(|element| {
-                let [from, to] = [0.0, 1.0].map(|xi| spec.arclength(element, xi));
+                let [from, to] = [0.0, 1.0].map(|xi| spec.arclength_of(length, element, xi));
                 let points = rule.iter().map(|&(xi, weight)| (at(from + xi * (to - from)), weight));
                 let inside = rows.iter().copied().filter(|row| (from..to).contains(row));
                 let even = (0..=places).map(|place| from + (to - from) * place as f64 / places as f64);
