@@ -7178,7 +7178,7 @@ pub mod nrel5mw_blade_equations {
                 second_moments: [0.0, 0.0],
                 torsion_constant: 0.0,
                 young_over_shear: 0.0,
-                softness_of_curves: 0.0,
+                softness_of_curves: 2.0,
                 yield_stress: None,
                 material: "",
             }

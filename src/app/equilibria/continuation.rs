@@ -102,7 +102,6 @@ impl<'m> Line<'m> {
         let mut leaps = Vec::new();
         let mut iterations = 0;
         let mut place = 0;
-        let mut begins_balanced = true;
         let mut unmeasured = None;
         let mut ask = |scene: &mut dyn Scene, at: &Uniform, found: &Continued| {
             directions::at_rest(scene, at, found).unwrap_or_else(|error| {
@@ -111,7 +110,12 @@ impl<'m> Line<'m> {
             })
         };
         let mut rest = scene.uniform_guess(&at);
-        let is_followed = settings.range.is_some() || is_loaded(scene.as_mut(), &at, &rest);
+        let is_along_spin = settings.range.is_none() && kind == Kind::Steady;
+        let mut begins_balanced = settings.range.is_some() || is_balanced(scene.as_mut(), &at, &rest);
+        // Loads move what is undeformed at rest; a declared initial shape is none of theirs.
+        let is_loaded = is_along_spin && !begins_balanced && is_balanced(scene.as_mut(), &at.scaled(0.0), &rest);
+        let is_followed = settings.range.is_some() || is_loaded;
+        begins_balanced |= is_loaded;
         let (state, measured) = if is_followed {
             let mut found = follow(scene.as_mut(), &at, 1.0, |_, _| ());
             // Where there is no equilibrium at the first value, as of hinged blades at rest, it begins at a later one.
@@ -140,7 +144,6 @@ impl<'m> Line<'m> {
                 None => (rest, None),
             }
         } else {
-            begins_balanced = is_balanced(scene.as_mut(), &at, &rest);
             scene.uniform_state(&at, &mut rest);
             let near = (kind == Kind::Static && begins_balanced).then(|| unloaded(scene.as_mut(), &at));
             let measured = near
@@ -464,12 +467,6 @@ impl<'m> Line<'m> {
             measured,
         })
     }
-}
-
-/// Whether a way along the spin begins where loads move what is undeformed at rest.
-fn is_loaded(scene: &mut dyn Scene, at: &Uniform, rest: &State) -> bool {
-    let is_along_spin = at.kind == Kind::Steady && at.spinning == 0.0;
-    is_along_spin && is_balanced(scene, &at.scaled(0.0), rest) && !is_balanced(scene, at, rest)
 }
 
 /// The equilibrium near a guess that is carried back to t = 0.

@@ -168,8 +168,12 @@ pub(in crate::app) fn is_round(modes: &[SeenMode]) -> bool {
 
 /// Rates of growth up to this are round-off beside these modes, 1/s.
 pub(in crate::app) fn neutral(modes: &[SeenMode]) -> f64 {
-    let largest = modes.iter().map(|mode| mode.re.hypot(mode.im)).fold(0.0, f64::max);
-    NEUTRAL * largest
+    NEUTRAL * largest(modes)
+}
+
+/// The largest |s|, 1/s.
+fn largest(modes: &[SeenMode]) -> f64 {
+    modes.iter().map(|mode| mode.re.hypot(mode.im)).fold(0.0, f64::max)
 }
 
 /// Whether a mode grows, and not by the round-off of modes of which this is the largest |s|.
@@ -179,7 +183,7 @@ pub(in crate::app) fn grows(re: f64, im: f64, largest: f64) -> bool {
 
 /// The rate of growth of an unstable equilibrium, 1/s; `None` where it is stable, or neutral to round-off.
 pub(in crate::app) fn growth(modes: &[SeenMode]) -> Option<f64> {
-    let largest = modes.iter().map(|mode| mode.re.hypot(mode.im)).fold(0.0, f64::max);
+    let largest = largest(modes);
     let growing = modes.iter().filter(|mode| grows(mode.re, mode.im, largest));
     growing.map(|mode| mode.re).reduce(f64::max)
 }

@@ -7,7 +7,7 @@ use super::parts::Parts;
 use crate::elements::Interpolant;
 use crate::lower::camel_case;
 use crate::lower::elastic::kept;
-use crate::model::{Between, Body, Law, Model, Piece, Stations, Table, fold};
+use crate::model::{Between, Body, Expr, Law, Model, Piece, Stations, Table, fold};
 use crate::units::Dimension;
 use crate::vocabulary::{CENTRES, DAMPINGS, MASS_ENTRIES, MASSES, STIFFNESS_ENTRIES};
 
@@ -77,6 +77,12 @@ fn form(table: &Table) -> String {
 /// The index as the last argument of the function along the axis of a body that depends on it.
 fn repetition(body: &Body) -> &'static str {
     if body.differs() { ", index" } else { "" }
+}
+
+/// The properties of a body's section and material.
+fn given(body: &Body) -> impl Iterator<Item = &Expr> {
+    let fields = body.law.iter().flat_map(|law| law.fields.values());
+    body.properties.values().chain(fields)
 }
 
 impl Parts<'_> {
@@ -206,11 +212,7 @@ impl Parts<'_> {
 
     /// The tables that a body reads.
     fn tables_of(&self, body: &Body) -> Vec<usize> {
-        let values = body
-            .properties
-            .values()
-            .chain(body.law.iter().flat_map(|law| law.fields.values()));
-        let mut tables: Vec<usize> = values
+        let mut tables: Vec<usize> = given(body)
             .chain([&body.twist])
             .flat_map(fold::tables)
             .map(|table| table.0)
@@ -347,11 +349,7 @@ impl Parts<'_> {
         }
         let kind = self.kind();
         let arms = self.by_body(|_, body| {
-            let values = body
-                .properties
-                .values()
-                .chain(body.law.iter().flat_map(|law| law.fields.values()));
-            let along = values.filter(|value| fold::has_arclength(value));
+            let along = given(body).filter(|value| fold::has_arclength(value));
             let along: Vec<String> = along.map(|value| self.expr(value)).collect();
             if along.is_empty() {
                 return "::std::vec::Vec::new()".to_string();

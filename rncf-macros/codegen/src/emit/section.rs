@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use super::number::number;
 use super::parts::Parts;
-use crate::elements::Coefficient;
+use crate::elements::{Coefficient, Interpolant};
 use crate::model::fold;
 use crate::model::{Body, Expr, SectionShape, Space};
 use crate::vocabulary::{DERIVED, Derived, MATERIAL, Property, Range, SECTION};
@@ -185,7 +185,7 @@ impl Parts<'_> {
 
     /// How much more a moment turns a curved axis than a thin beam's, in parts `I curvature^2 / A`: bending that is measured by `r_x x r_xx` or `r_x . r_y'`
     /// grows with the stretch, which on a curved axis couples both (docs/elements.md, curved axes).
-    fn softness_of_curves(&self, index: usize, body: &Body) -> f64 {
+    fn softness_of_curves(&self, index: usize) -> f64 {
         let variant = &self.variant(index).variant;
         let element = variant.declaration(self.library);
         let chosen = |name: &str| {
@@ -193,10 +193,11 @@ impl Parts<'_> {
             let (option, &value) = options.find(|(option, _)| option.name == name)?;
             option.values.get(value).copied()
         };
-        match element.names[0] {
-            _ if !element.is_of_library => 0.0,
-            "cable" if chosen("bending") == Some("polynomial") => 4.0,
-            "beam" | "full_beam" if body.law.is_none() && variant.material.is_none() => 2.0,
+        let has_section = element.vectors.iter().any(|vector| vector.of != Interpolant::Position);
+        match chosen("bending") {
+            // Of a section in numbers second moments are not known, and nothing is told.
+            _ if has_section => 2.0,
+            Some("polynomial") if element.is_of_library => 4.0,
             _ => 0.0,
         }
     }
@@ -236,7 +237,7 @@ impl Parts<'_> {
             property(&["second_moment_y", "second_moment"]),
             property(&["second_moment_z", "second_moment"]),
             property(&["torsion_constant"]),
-            number(self.softness_of_curves(index, body)),
+            number(self.softness_of_curves(index)),
             body.material_name
         )
     }

@@ -91,12 +91,15 @@ impl BodySpec {
         }
         // On a curve every section has this direction by itself.
         if let (Some(wanted), Line::Curve(_)) = (self.section_y, &self.line) {
-            let mut places = (0..=LOOKS * self.count).map(|place| place as f64 / (LOOKS * self.count) as f64);
-            let turns_over = |u: f64| {
-                let next = (u + 1.0 / (LOOKS * self.count) as f64).min(1.0);
-                self.across(self.line.at(u).1).is_none() || self.directed(u).turn_to(&self.directed(next)) > FRAC_PI_2
-            };
-            if let Some(u) = places.find(|&u| turns_over(u)) {
+            let count = LOOKS * self.count;
+            let mut before: Option<Directed> = None;
+            let lost = (0..=count).map(|place| place as f64 / count as f64).find(|&u| {
+                let is_along = self.across(self.line.at(u).1).is_none();
+                let here = self.directed(u);
+                let last = before.replace(here);
+                is_along || last.is_some_and(|last| last.turn_to(&here) > FRAC_PI_2)
+            });
+            if let Some(u) = lost {
                 return Err(ModelError::new(format!(
                     "body `{name}`: `section_y` {wanted:?} has no part across the axis at x = {:.6} m, or next to it: give a direction that is nowhere along it",
                     u * self.line.length()
@@ -146,6 +149,7 @@ fn unit(vector: Vector) -> Vector {
 }
 
 /// How a section stands on its axis: unit vectors, frame axes.
+#[derive(Clone, Copy)]
 pub(crate) struct Directed {
     tangent: Vector,
     y: Vector,

@@ -14,18 +14,19 @@ impl MeshScene {
     pub(crate) fn thick_sections(&self) -> Vec<Warning> {
         [too_thick, too_curved]
             .into_iter()
-            .flat_map(|find| self.one_of_each_name(find))
+            .flat_map(|find| self.one_of_each_name(|body| find(&self.bodies[body].spec, &self.section_spec(body, 0.0))))
             .collect()
     }
 
-    fn one_of_each_name(&self, find: fn(&BodySpec, &SectionSpec) -> Option<Warning>) -> Vec<Warning> {
+    /// What is found of bodies, by their numbers; of one body of each name.
+    pub(crate) fn one_of_each_name(&self, find: impl Fn(usize) -> Option<Warning>) -> Vec<Warning> {
         let mut told: Vec<&str> = Vec::new();
         let mut warnings = Vec::new();
         for (index, body) in self.bodies.iter().enumerate() {
             if told.contains(&body.spec.name) {
                 continue;
             }
-            if let Some(warning) = find(&body.spec, &self.section_spec(index, 0.0)) {
+            if let Some(warning) = find(index) {
                 told.push(body.spec.name);
                 warnings.push(warning);
             }

@@ -16,18 +16,10 @@ const TOLD: f64 = 0.01;
 impl MeshScene {
     /// Bodies whose elements miss some of their properties.
     pub(crate) fn missed_within_elements(&self) -> Vec<Warning> {
-        let mut told: Vec<&str> = Vec::new();
-        let mut warnings = Vec::new();
-        for (index, body) in self.bodies.iter().enumerate() {
-            let spec = &body.spec;
-            if !self.parts.varies(index) || told.contains(&spec.name) {
-                continue;
-            }
-            let Some(missed) = self.missed_of(index) else {
-                continue;
-            };
-            told.push(spec.name);
-            warnings.push(Warning {
+        self.one_of_each_name(|body| {
+            let missed = self.missed_of(body)?;
+            let spec = &self.bodies[body].spec;
+            Some(Warning {
                 text: format!(
                     "body `{}`: its section or material changes between the points at which elements look at it: near x = {:.4} m of {:.4} m, and {:.1} % of a property or of its inverse, summed along the axis, are missed. \
                      Take more elements in `mesh`, nodes where it changes (`stations`, `mesh at`), or a `fixture` or body of its own for what is narrow",
@@ -37,9 +29,8 @@ impl MeshScene {
                     100.0 * missed.part,
                 ),
                 weight: missed.part,
-            });
-        }
-        warnings
+            })
+        })
     }
 
     /// The property of a body of which most is missed.
