@@ -1,6 +1,7 @@
 //! Continuation of equilibria from the start, in the scale of the motion or of the loads.
 
-use super::newton::{Failure, Negative, Newton, Patience};
+use super::negative::Negative;
+use super::newton::{Failure, Newton, Patience};
 use crate::error::{Short, SolveError, SolveErrorKind};
 use crate::model::{Kind, Scene, Uniform};
 use crate::space::product;

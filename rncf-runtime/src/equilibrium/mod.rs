@@ -4,6 +4,7 @@
 
 mod continuation;
 mod critical;
+mod negative;
 mod newton;
 mod untied;
 
@@ -12,7 +13,7 @@ pub use continuation::{
     CUTS, Continued, Equilibrium, continue_from, follow, goes_back, settle, static_load, steady, unloaded,
 };
 pub use critical::{Critical, critical_factor};
-pub use newton::Negative;
+pub use negative::Negative;
 pub use untied::untied;
 pub(crate) use untied::untied_directions;
 

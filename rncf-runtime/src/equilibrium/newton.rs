@@ -1,6 +1,7 @@
 //! Newton's iteration for equilibria with the whole matrix `[[K, C_x^T, p], [C_x, 0, 0], [p^T, 0, 0]]`:
 //! K alone may be singular, and phase conditions p hold what is neutral.
 
+use super::negative::Negative;
 use crate::linalg::{Lu, Pattern, symmetric_eigen};
 use crate::model::{Kind, Scene, Uniform};
 use crate::system::{ConstraintLevel, State, Tangent};
@@ -84,24 +85,6 @@ impl Failure {
                 Some(row),
             ),
         }
-    }
-}
-
-/// Negative eigenvalues of the stiffness on what constraints and phase conditions leave free.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Negative {
-    /// Their number.
-    Counted(usize),
-    /// That their number is even, or odd: no more is known where the stiffness is large or not symmetric.
-    Even,
-    /// As [`Negative::Even`].
-    Odd,
-}
-
-impl Negative {
-    /// Whether there is one for certain.
-    pub(super) fn is_any(self) -> bool {
-        !matches!(self, Negative::Counted(0) | Negative::Even)
     }
 }
 
