@@ -1138,12 +1138,12 @@ pub mod pinned_pipe_equations {
             let model = &self.model;
             ::std::vec::Vec::from([
                 ::rncf::emitted::ObservedSpec::Marker {
-                    marker: 18,
+                    marker: 19,
                     derivative: 0,
                     component: 1,
                 },
                 ::rncf::emitted::ObservedSpec::Marker {
-                    marker: 16,
+                    marker: 17,
                     derivative: 0,
                     component: 1,
                 },
@@ -1218,6 +1218,9 @@ pub mod pinned_pipe_equations {
                 ::rncf::emitted::MarkerSpec::Point {
                     frame: 0,
                     at: [0.0, 0.0, 0.0],
+                },
+                ::rncf::emitted::MarkerSpec::Turn {
+                    frame: 0,
                 },
                 ::rncf::emitted::MarkerSpec::BodyPoint {
                     body: 0,
@@ -1593,63 +1596,63 @@ pub mod pinned_pipe_equations {
                 },
                 ::rncf::emitted::ForceSpec {
                     name: "support_1",
-                    markers: &[2, 3],
+                    markers: &[3, 4],
                     conservative: true,
                     of_differences: true,
                     branches: 0,
                 },
                 ::rncf::emitted::ForceSpec {
                     name: "support_2",
-                    markers: &[4, 5],
+                    markers: &[5, 6],
                     conservative: true,
                     of_differences: true,
                     branches: 0,
                 },
                 ::rncf::emitted::ForceSpec {
                     name: "support_3",
-                    markers: &[6, 7],
+                    markers: &[7, 8],
                     conservative: true,
                     of_differences: true,
                     branches: 0,
                 },
                 ::rncf::emitted::ForceSpec {
                     name: "support_4",
-                    markers: &[8, 9],
+                    markers: &[9, 10],
                     conservative: true,
                     of_differences: true,
                     branches: 0,
                 },
                 ::rncf::emitted::ForceSpec {
                     name: "support_5",
-                    markers: &[10, 11],
+                    markers: &[11, 12],
                     conservative: true,
                     of_differences: true,
                     branches: 0,
                 },
                 ::rncf::emitted::ForceSpec {
                     name: "support_6",
-                    markers: &[12, 13],
+                    markers: &[13, 14],
                     conservative: true,
                     of_differences: true,
                     branches: 0,
                 },
                 ::rncf::emitted::ForceSpec {
                     name: "support_7",
-                    markers: &[14, 15],
+                    markers: &[15, 16],
                     conservative: true,
                     of_differences: true,
                     branches: 0,
                 },
                 ::rncf::emitted::ForceSpec {
                     name: "support_8",
-                    markers: &[16, 17],
+                    markers: &[17, 18],
                     conservative: true,
                     of_differences: true,
                     branches: 0,
                 },
                 ::rncf::emitted::ForceSpec {
                     name: "shake",
-                    markers: &[18],
+                    markers: &[19],
                     conservative: false,
                     of_differences: true,
                     branches: 0,

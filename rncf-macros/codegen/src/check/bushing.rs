@@ -1,37 +1,101 @@
-//! Bushings: springs and dampers between two points along the axes of the second one's frame.
+//! Bushings: springs and dampers between two places along and about the axes of the second one.
 
-use super::expr::Scope;
+use super::matrix::{Matrix, is_symmetric};
+use super::place::Hold;
 use super::quantity::Wanted;
 use super::spring::Acting;
-use super::{Check, Shape, fold, say};
-use crate::joints::Builder;
-use crate::joints::algebra::{self, add, both, cross, dot, multiply, negate, number, observed, scale, subtract};
-use crate::model::{Expr as Value, FrameId, Marker, MarkerId};
-use crate::parse::tree::{Call, Expr};
+use super::{Arguments, Check, Shape, say};
+use crate::joints::algebra::{
+    self, Vector, add, both, cross, dot, multiply, negate, number, observed, scale, subtract,
+};
+use crate::joints::{Builder, Tilt};
+use crate::model::{Expr as Value, MarkerId};
+use crate::parse::tree::Call;
 
-const STIFFNESS: Wanted = Wanted {
-    what: "the stiffness of a bushing",
-    dimension: [0, 1, -2, 0, 0, 0],
-    unit: "N/m",
-};
-const DAMPING: Wanted = Wanted {
-    what: "the damping of a bushing",
-    dimension: [0, 1, -1, 0, 0, 0],
-    unit: "N*s/m",
-};
+/// A wanted quantity.
+const fn wanted(what: &'static str, dimension: [i8; 6], unit: &'static str) -> Wanted {
+    Wanted { what, dimension, unit }
+}
+
+const STIFFNESS: Wanted = wanted("the stiffness of a bushing", [0, 1, -2, 0, 0, 0], "N/m");
+const DAMPING: Wanted = wanted("the damping of a bushing", [0, 1, -1, 0, 0, 0], "N*s/m");
+const TURNING: Wanted = wanted("the rotational stiffness of a bushing", [2, 1, -2, 0, 0, 0], "N*m/rad");
+const FRICTION: Wanted = wanted("the rotational damping of a bushing", [2, 1, -1, 0, 0, 0], "N*m*s/rad");
+const COUPLING: Wanted = wanted("the coupling of a bushing", [1, 1, -2, 0, 0, 0], "N/rad");
+
+const WORDS: [&str; 5] = [
+    "stiffness",
+    "damping",
+    "rotational_stiffness",
+    "rotational_damping",
+    "coupling",
+];
 const BUSHING: Shape = Shape {
     positional: 2,
-    named: &["stiffness", "damping"],
-    required: &["stiffness"],
+    named: &WORDS,
+    required: &[],
     usage: "bushing(shaft.end, inertial.at([1, 0, 0] m), stiffness = [0, 3e6, 3e6] N/m)",
 };
 
+/// What a bushing is given: forces by ways and their rates, moments by angles and theirs, and forces by angles.
+struct Given {
+    stiffness: Option<Matrix>,
+    damping: Option<Matrix>,
+    turning: Option<Matrix>,
+    friction: Option<Matrix>,
+    coupling: Option<Matrix>,
+}
+
+impl Given {
+    fn turns(&self) -> bool {
+        [&self.turning, &self.friction, &self.coupling]
+            .iter()
+            .any(|matrix| matrix.is_some())
+    }
+
+    /// Whether its forces are the derivative of a potential.
+    fn has_potential(&self) -> bool {
+        let is_damped = self.damping.is_some() || self.friction.is_some();
+        let mut own = [&self.stiffness, &self.turning].into_iter().flatten();
+        !is_damped && own.all(is_symmetric)
+    }
+
+    /// How much of the force along, or moment about, one axis belongs to a way or angle, and to its rate.
+    fn entries(&self, of: &Motion, by: &Motion) -> [Value; 2] {
+        let entry = |matrix: &Option<Matrix>, row: usize, column: usize| match matrix {
+            Some(matrix) => matrix[row][column].clone(),
+            None => number(0.0),
+        };
+        let (row, column) = (of.axis, by.axis);
+        match (of.is_angle, by.is_angle) {
+            (false, false) => [&self.stiffness, &self.damping].map(|matrix| entry(matrix, row, column)),
+            (true, true) => [&self.turning, &self.friction].map(|matrix| entry(matrix, row, column)),
+            (false, true) => [entry(&self.coupling, row, column), number(0.0)],
+            (true, false) => [entry(&self.coupling, column, row), number(0.0)],
+        }
+    }
+}
+
+/// A way along an axis of B, or an angle about it.
+struct Motion {
+    axis: usize,
+    is_angle: bool,
+    value: Value,
+    rate: Value,
+    /// Direction of the force or moment that does work on it, inertial axes.
+    direction: Vector,
+}
+
 impl<'a> Check<'a> {
-    /// `bushing(A, B, stiffness = [..], damping = [..])`: on A acts `-(k d + c d')` with the components d
-    /// of A - B in the axes of B's frame. The opposite acts on B's frame at the place of A, so that both
-    /// together have no moment and the power is that of the potential `k d^2 / 2`.
+    /// `bushing(A, B, stiffness = K, ..)`: on A acts `-(K d + C d')` with the components d of A - B in the axes of B. The
+    /// opposite acts on B at the place of A, so that both together have no moment, and the power is that of the potential
+    /// `d K d / 2`. In the same way a moment acts by the angles of A in B, and a coupling by both.
     pub(super) fn bushing(&mut self, call: &'a Call) -> Option<Acting> {
         let arguments = self.arguments(call, &BUSHING)?;
+        if arguments.named.is_empty() {
+            self.errors.at(call.area, say::BUSHING_OF_NOTHING);
+            return None;
+        }
         let (a, b) = (
             self.hold_on(arguments.positional[0]),
             self.hold_on(arguments.positional[1]),
@@ -39,71 +103,118 @@ impl<'a> Check<'a> {
         let holds = [a?, b?];
         self.are_two(&holds)?;
         let plane = self.common_plane([&holds[0], &holds[1]]);
-        let stiffness = self.three(arguments.named["stiffness"], STIFFNESS);
-        let damping = match arguments.named.get("damping") {
-            Some(expr) => self.three(expr, DAMPING).map(Some),
+        let given = self.bushing_given(&arguments);
+        if holds[1].is_line() {
+            self.errors.at(holds[1].area, say::BUSHING_AXES);
+        }
+        let (plane, given) = (plane?, given?);
+        let have_axes = holds[1].frame().is_some() || holds[1].is_section();
+        if !have_axes || given.turns() && !holds.iter().all(|hold| self.turns_something(hold)) {
+            return None;
+        }
+        let is_free = holds.each_ref().map(|hold| match hold.frame() {
+            Some(frame) => self.is_free(frame),
+            None => true,
+        });
+        let parties = [holds[0].party(), holds[1].party()];
+        let mut joint = Builder::new(&mut self.model.markers, parties, plane);
+        let points = joint.origins();
+        let way = joint.between([points[1], points[0]]);
+        let mut motions = ways(&mut joint, points);
+        let turns = match given.turns() {
+            true => [0, 1].map(|party| joint.turn(party)),
+            false => [None, joint.turn(1)],
+        };
+        if given.turns() {
+            motions.extend(Tilt::all(&mut joint).into_iter().map(|tilt| Motion {
+                axis: tilt.axis,
+                is_angle: true,
+                rate: tilt.rate(turns),
+                value: tilt.value,
+                direction: tilt.arm,
+            }));
+        }
+
+        let (mut pull, mut moment) = (algebra::numbers([0.0; 3]), algebra::numbers([0.0; 3]));
+        let mut energy = number(0.0);
+        for motion in &motions {
+            let mut part = number(0.0);
+            let mut lost = number(0.0);
+            for other in &motions {
+                let [stiffness, damping] = given.entries(motion, other);
+                part = add(part, multiply(stiffness, other.value.clone()));
+                lost = add(lost, multiply(damping, other.rate.clone()));
+            }
+            energy = add(
+                energy,
+                multiply(multiply(number(0.5), part.clone()), motion.value.clone()),
+            );
+            let acting = if motion.is_angle { &mut moment } else { &mut pull };
+            *acting = both(acting, &scale(&add(part, lost), &motion.direction), add);
+        }
+
+        let mut forces = vec![(points[0], pull.clone().map(negate))];
+        if let (true, Some(turn)) = (is_free[0], turns[0]) {
+            forces.push((turn, moment.clone().map(negate)));
+        }
+        if let (true, Some(turn)) = (is_free[1], turns[1]) {
+            // At the place of A.
+            forces.push((turn, both(&cross(&way, &pull), &moment, add)));
+            forces.push((points[1], pull));
+        }
+        Some((forces, given.has_potential().then_some(energy)))
+    }
+
+    fn bushing_given(&mut self, arguments: &Arguments<'a>) -> Option<Given> {
+        let mut read = |word: &str, wanted: Wanted| match arguments.named.get(word) {
+            Some(expr) => self.with_lookups(|check| check.matrix(expr, wanted)).map(Some),
             None => Some(None),
         };
-        let Some(frame) = holds[1].frame() else {
-            self.errors.at(holds[1].area, say::BUSHING_AXES);
-            return None;
-        };
-        if self.is_point_mass(frame) {
+        let (stiffness, damping) = (read(WORDS[0], STIFFNESS), read(WORDS[1], DAMPING));
+        let (turning, friction) = (read(WORDS[2], TURNING), read(WORDS[3], FRICTION));
+        let coupling = read(WORDS[4], COUPLING);
+        Some(Given {
+            stiffness: stiffness?,
+            damping: damping?,
+            turning: turning?,
+            friction: friction?,
+            coupling: coupling?,
+        })
+    }
+
+    /// Whether axes turn with a place; otherwise this is said.
+    fn turns_something(&mut self, hold: &Hold) -> bool {
+        if let Some(frame) = hold.frame()
+            && self.is_point_mass(frame)
+        {
             let name = self.model.frames[frame.0].name.clone();
-            self.errors.at(holds[1].area, say::point_mass_turns(&name));
-            return None;
+            self.errors.at(hold.area, say::point_mass_turns(&name));
+            return false;
         }
-        let (plane, stiffness, damping) = (plane?, stiffness?, damping?);
-        let parties = [holds[0].party(), holds[1].party()];
-        let points = Builder::new(&mut self.model.markers, parties, plane).origins();
-        let apart = |order| {
-            let [a, b] = points.map(|point| observed(point, order, plane));
-            both(&a, &b, subtract)
-        };
-        let (way, rate) = (apart(0), apart(1));
-        let mut pull = algebra::numbers([0.0; 3]);
-        let mut energy = number(0.0);
-        for axis in (0..3).filter(|axis| Some(*axis) != plane) {
-            let along = self.frame_axis(frame, axis, 0, plane);
-            let d = dot(&along, &way);
-            let mut part = multiply(stiffness[axis].clone(), d.clone());
-            energy = add(energy, multiply(multiply(number(0.5), part.clone()), d));
-            if let Some(damping) = &damping {
-                let turning = self.frame_axis(frame, axis, 1, plane);
-                let rate = add(dot(&turning, &way), dot(&along, &rate));
-                part = add(part, multiply(damping[axis].clone(), rate));
-            }
-            pull = both(&pull, &scale(&part, &along), add);
+        if hold.is_line() {
+            self.errors.at(hold.area, say::BUSHING_ANGLES);
         }
-        let mut forces = vec![(points[0], pull.clone().map(negate))];
-        forces.extend(self.carried_back(frame, &way, pull, points[1]));
-        Some((forces, damping.is_none().then_some(energy)))
+        hold.frame().is_some() || hold.is_section()
     }
+}
 
-    /// The force on B's frame at the place of A, which is `way` from B.
-    fn carried_back(
-        &mut self,
-        frame: FrameId,
-        way: &algebra::Vector,
-        force: algebra::Vector,
-        point: MarkerId,
-    ) -> Vec<(MarkerId, algebra::Vector)> {
-        if !self.is_free(frame) {
-            return Vec::new();
+/// The ways of A from B along the axes of B; in a plane those in it.
+fn ways(joint: &mut Builder, points: [MarkerId; 2]) -> Vec<Motion> {
+    let plane = joint.normal;
+    let apart = |order| {
+        let [a, b] = points.map(|point| observed(point, order, plane));
+        both(&a, &b, subtract)
+    };
+    let (way, rate) = (apart(0), apart(1));
+    let along = joint.axes().iter().map(|&axis| {
+        let [direction, moving] = joint.own_axis(1, axis);
+        Motion {
+            axis,
+            is_angle: false,
+            value: dot(&direction, &way),
+            rate: add(dot(&moving, &way), dot(&direction, &rate)),
+            direction,
         }
-        let turn = self.marker(Marker::Turn { frame });
-        vec![(turn, cross(way, &force)), (point, force)]
-    }
-
-    /// Three components that are not negative.
-    fn three(&mut self, expr: &'a Expr, wanted: Wanted) -> Option<[Value; 3]> {
-        let vector = self.vector(expr, Scope::Parameter, wanted)?;
-        for (value, area) in vector.values.iter().zip(vector.areas) {
-            if fold::constant(value).is_some_and(|value| value < 0.0) {
-                self.errors.at(area, say::not_negative(wanted.what));
-                return None;
-            }
-        }
-        Some(vector.values)
-    }
+    });
+    along.collect()
 }

@@ -88,8 +88,9 @@ pub const RIGID_SLOPE: &str = "only flexible bodies have a slope: use a directio
 pub const NOTHING_CONSTRAINED: &str =
     "nothing that moves freely stands in this: a constraint ties positions, directions or angles";
 pub const SPRING_LENGTH: &str = "this spring needs its length without force: `length = 1 m`";
-pub const BUSHING_AXES: &str =
-    "the second place of a bushing gives the axes: use a frame or rigid body, e.g. `inertial.at([1, 0, 0] m)`";
+pub const BUSHING_AXES: &str = "the second place of a bushing gives the axes, and a centre line has none: use a frame, a rigid body or a body with cross-sections, e.g. `inertial.at([1, 0, 0] m)`";
+pub const BUSHING_ANGLES: &str = "a centre line has no angles for this bushing: use a body with cross-sections, or leave out `rotational_stiffness`, `rotational_damping` and `coupling`";
+pub const BUSHING_OF_NOTHING: &str = "this bushing does nothing: give it e.g. `stiffness = [0, 3e6, 3e6] N/m` or `rotational_stiffness = [0, 200, 200] N*m/rad`";
 pub const TORSIONAL_EXPECTED: &str =
     "the name of a joint with an angle, or of a planar or hinged frame, is expected here";
 pub const FORCE_ON_PRESCRIBED: &str = "this place moves in a prescribed way: a load on it would do nothing";
@@ -238,6 +239,7 @@ messages! {
     quantity_as_modes(name) = "`{name}` is a quantity; modes need a count: declare `param {name}: count = 4;`";
     positive(what) = "{what} must be greater than zero";
     not_negative(what) = "{what} must not be negative";
+    matrix_rows(what, unit) = "{what} has three numbers along the axes, `[a, b, c] {unit}`, or three rows of three, `[[a, b, c], [d, e, f], [g, h, i]] {unit}`";
     missing_statement(body, what) = "body `{body}` lacks {what}";
     not_imported(word, body) = "`{word}` says how a body of elements lies, and body `{body}` comes from a file: leave it out";
     import_without_modes(body) = "body `{body}` comes from a file and has no elements: say how many modes describe it, `modal(6);` or `small(6);`, or `rigid;`";

@@ -32,6 +32,7 @@ mod load;
 mod loose;
 mod marker;
 mod material;
+mod matrix;
 mod mesh;
 mod messages;
 mod messages_along;

@@ -16,6 +16,13 @@ pub fn numbers(values: [f64; 3]) -> Vector {
     values.map(Expr::Number)
 }
 
+/// A unit vector along an axis.
+pub fn unit(axis: usize) -> [f64; 3] {
+    let mut unit = [0.0; 3];
+    unit[axis] = 1.0;
+    unit
+}
+
 fn is(expr: &Expr, value: f64) -> bool {
     matches!(expr, Expr::Number(number) if *number == value)
 }

@@ -126,6 +126,22 @@ impl<'m> Builder<'m> {
         intern(self.markers, Marker::Direction { frame, along })
     }
 
+    /// An axis of a party's frame, or of its body's declared one at t = 0 and then turning with the section, and its rate.
+    pub fn own_axis(&mut self, party: usize, axis: usize) -> [Vector; 2] {
+        let still = algebra::numbers([0.0; 3]);
+        if self.normal == Some(axis) || self.frame(party) == Some(crate::model::INERTIAL) {
+            return [algebra::numbers(algebra::unit(axis)), still];
+        }
+        let start = self.direction(party, algebra::unit(axis));
+        let own = self.fixed(party, start);
+        let along = self.value(own);
+        let rate = match (self.frame(party), self.turn(party)) {
+            (None, Some(turn)) => cross(&observed(turn, 1, None), &along),
+            _ => observed(own, 1, self.normal),
+        };
+        [along, rate]
+    }
+
     /// The direction fixed in a party that is another one at t = 0.
     pub fn fixed(&mut self, party: usize, start: MarkerId) -> MarkerId {
         if let (Marker::Direction { frame: own, .. }, Some(frame)) = (&self.markers[start.0], self.frame(party))

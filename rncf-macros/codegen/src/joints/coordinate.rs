@@ -1,8 +1,8 @@
 //! Relative coordinates of joints: angles and slides, of the second party in the first.
 
-use super::algebra::{self, Vector, angle, both, dot, multiply, observed, scale, subtract};
+use super::algebra::{self, Vector, angle, both, dot, multiply, observed, scale, subtract, unit};
 use super::builder::{Builder, Party};
-use super::kinds::{behind, unit};
+use super::kinds::behind;
 use crate::model::{Expr, Marker, MarkerId};
 
 /// An angle and what moves with it.

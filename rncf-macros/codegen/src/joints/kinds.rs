@@ -1,6 +1,6 @@
 //! The kinds of joints, and what each of them fixes.
 
-use super::algebra::{self, call, cross, divide, dot, multiply, norm, number, subtract};
+use super::algebra::{self, call, cross, divide, dot, multiply, norm, number, subtract, unit};
 use super::builder::{Builder, Party};
 use crate::model::{Expr, Function, Held, INERTIAL, Marker, MarkerId};
 
@@ -344,13 +344,6 @@ pub fn hold_twist(joint: &mut Builder) {
     let turned = |own: MarkerId, start: MarkerId| dot(&joint.value(own), &joint.value(start));
     let row = subtract(turned(own_y, start_z), turned(own_z, start_y));
     joint.row("twist", multiply(number(0.5), row));
-}
-
-/// A unit vector along an axis.
-pub fn unit(axis: usize) -> [f64; 3] {
-    let mut unit = [0.0; 3];
-    unit[axis] = 1.0;
-    unit
 }
 
 /// `sin(a - f)` from the sine and cosine of a.

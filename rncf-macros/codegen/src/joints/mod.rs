@@ -9,7 +9,10 @@ pub mod algebra;
 mod builder;
 mod coordinate;
 mod kinds;
+mod tilt;
 
+pub use algebra::unit;
 pub use builder::{Builder, Party, Rows};
 pub use coordinate::{Angle, Slide, Turned};
-pub use kinds::{Arguments, Axis, KINDS, Kind, clamp, corner, hold, hold_twist, unit};
+pub use kinds::{Arguments, Axis, KINDS, Kind, clamp, corner, hold, hold_twist};
+pub use tilt::Tilt;

@@ -62,7 +62,7 @@ pub const UNITS: &[Unit] = &[
     unit("K", TEMPERATURE, 0), unit("A", CURRENT, 0), unit("mA", CURRENT, -3),
     unit("rad", ANGLE, 0), unit("mrad", ANGLE, -3), times("deg", ANGLE, PI / 180.0), times("rev", ANGLE, 2.0 * PI),
     times("rpm", SPIN, PI / 30.0), unit("Hz", FREQUENCY, 0), unit("kHz", FREQUENCY, 3),
-    unit("N", FORCE, 0), unit("kN", FORCE, 3), unit("MN", FORCE, 6), unit("mN", FORCE, -3), unit("uN", FORCE, -6),
+    unit("N", FORCE, 0), unit("kN", FORCE, 3), unit("MN", FORCE, 6), unit("GN", FORCE, 9), unit("mN", FORCE, -3), unit("uN", FORCE, -6),
     unit("Pa", PRESSURE, 0), unit("kPa", PRESSURE, 3), unit("MPa", PRESSURE, 6), unit("GPa", PRESSURE, 9),
     unit("bar", PRESSURE, 5),
     times("lb", MASS, 0.453_592_37), times("lbf", FORCE, 4.448_221_615_260_5), times("psi", PRESSURE, 6_894.757_293_168_361),

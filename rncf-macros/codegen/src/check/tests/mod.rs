@@ -1,4 +1,5 @@
 mod along;
+mod bushings;
 mod density;
 mod distributed;
 mod elements;

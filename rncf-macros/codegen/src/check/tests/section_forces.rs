@@ -6,7 +6,7 @@ use super::world::{STEP, Vec3, World, add, cross, dot, first_body, scale, still,
 use crate::model::{Expr, Force, LoadKind, Location, Marker};
 
 /// Power of the forces on markers.
-fn power(force: &Force, world: &World) -> f64 {
+pub fn power(force: &Force, world: &World) -> f64 {
     let each = force.markers.iter().zip(&force.components);
     each.map(|(marker, force)| {
         let rate = world.rate(*marker);
