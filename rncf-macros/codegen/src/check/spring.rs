@@ -146,6 +146,12 @@ impl<'a> Check<'a> {
             }
         };
         let (line, stiffness, damping, length) = (line?, stiffness?, damping?, length?);
+        if damping.is_none() && fold::constant(&length) == Some(0.0) {
+            // Also where the ends meet, and no line between them has a direction.
+            let square = multiply(number(0.5), dot(&line.apart, &line.apart));
+            let towards = algebra::scale(&stiffness, &line.apart);
+            return Some((towards_each_other(&line, towards), Some(multiply(stiffness, square))));
+        }
         let stretch = subtract(line.length.clone(), length);
         let energy = damping.is_none().then(|| energy(&stiffness, &stretch));
         let mut force = multiply(stiffness, stretch);
@@ -268,7 +274,10 @@ fn energy(stiffness: &Value, stretch: &Value) -> Value {
 
 /// Forces of a pull on both points towards each other.
 fn pull(line: &Line, force: Value) -> Vec<(MarkerId, Vector)> {
-    let towards = algebra::scale(&divide(force, line.length.clone()), &line.apart);
+    towards_each_other(line, algebra::scale(&divide(force, line.length.clone()), &line.apart))
+}
+
+fn towards_each_other(line: &Line, towards: Vector) -> Vec<(MarkerId, Vector)> {
     let back = towards.clone().map(algebra::negate);
     vec![(line.points[0], towards), (line.points[1], back)]
 }

@@ -139,6 +139,7 @@ impl Law<'_> {
     fn tangent(&self) -> Option<Kernel> {
         let mut marked = Marked::values_and_rates(self.model, self.count);
         let force = self.in_graph(&mut marked);
+        marked.time.graph.guard_roots(&force);
         let (z, velocity) = (marked.symbols[0].clone(), marked.symbols[1].clone());
         let mut outputs = derivatives(&mut marked.time.graph, &force, &z, "by_value");
         outputs.extend(derivatives(&mut marked.time.graph, &force, &velocity, "by_velocity"));

@@ -160,12 +160,21 @@ impl Graph {
                 self.subtract(one, square)
             }
             Function::Exp => value,
-            Function::Ln => self.divide(one, a),
+            Function::Ln => {
+                let slope = self.divide(one, a);
+                match self.guards.of_root(a) {
+                    true => self.unless_zero(a, slope),
+                    false => slope,
+                }
+            }
             Function::Sqrt => {
                 let two = self.number(2.0);
                 let double = self.multiply(two, value);
                 let slope = self.divide(one, double);
-                self.unless_zero(value, slope)
+                match self.guards.of_root(value) {
+                    true => self.unless_zero(value, slope),
+                    false => slope,
+                }
             }
             Function::Abs => {
                 let zero = self.zero();
@@ -178,9 +187,9 @@ impl Graph {
         }
     }
 
-    /// A derivative that has no value where something that is never negative is zero: zero there, where the graph guards zeros.
+    /// A derivative that has no value where something that is never negative is zero: zero there.
     fn unless_zero(&mut self, value: Id, derivative: Id) -> Id {
-        if !self.guards_zeros || self.is_zero(derivative) {
+        if self.is_zero(derivative) {
             return derivative;
         }
         let zero = self.zero();
@@ -198,7 +207,10 @@ impl Graph {
                 let (left, right) = (self.multiply(b, da), self.multiply(a, db));
                 let numerator = self.subtract(left, right);
                 let slope = self.divide(numerator, norm);
-                self.unless_zero(norm, slope)
+                match self.guards.of_angle() {
+                    true => self.unless_zero(norm, slope),
+                    false => slope,
+                }
             }
             // Nothing that is differentiated depends on the index of a repetition.
             Function::Remainder => da,

@@ -8,6 +8,7 @@ mod array;
 mod cost;
 mod differentiate;
 mod evaluate;
+mod guards;
 mod invariants;
 pub mod linear;
 mod time;
@@ -16,6 +17,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use crate::model::{Comparison, Function, Table};
+use guards::Guards;
 
 pub use array::Array;
 pub use cost::Cost;
@@ -79,9 +81,7 @@ pub struct Graph {
     /// Arrays of constants that generated code reads, and where it reads a number.
     arrays: Vec<Array>,
     places_of_numbers: HashMap<Id, String>,
-    /// Whether the derivatives of roots and angles of what is zero are zero: right where they are multiplied with it, as in
-    /// `abs(v) v`.
-    guards_zeros: bool,
+    guards: Guards,
 }
 
 impl Graph {
@@ -375,11 +375,6 @@ impl Graph {
             };
         }
         self.intern(Node::Select(comparison, [left, right, then, otherwise]))
-    }
-
-    /// Takes derivatives of roots and angles of what is zero as zero.
-    pub fn guard_zeros(&mut self) {
-        self.guards_zeros = true;
     }
 
     /// A column of a table at a place among its rows.
