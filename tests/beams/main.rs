@@ -11,6 +11,7 @@ mod motor;
 mod motor_runs;
 mod narrow_properties;
 mod own_curves;
+mod partial_loads;
 mod roll_up;
 mod runs;
 mod scenes;

@@ -20,6 +20,28 @@ const VECTORS: [PlaceVector; 4] = [
     PlaceVector::SectionZ,
 ];
 
+/// Part of an element below which nothing is integrated on its own.
+const SHORTEST: f64 = 1e-9;
+
+/// A rule of an element that is cut where a load has steps: with its points on every part.
+fn cut(rule: &[(f64, f64)], steps: impl Iterator<Item = f64>) -> Vec<(f64, f64)> {
+    let mut ends: Vec<f64> = steps.filter(|xi| (SHORTEST..1.0 - SHORTEST).contains(xi)).collect();
+    ends.push(1.0);
+    ends.sort_unstable_by(f64::total_cmp);
+    let mut points = Vec::with_capacity(ends.len() * rule.len());
+    let mut from = 0.0;
+    for to in ends {
+        if to - from > SHORTEST {
+            points.extend(
+                rule.iter()
+                    .map(|&(xi, weight)| (from + (to - from) * xi, (to - from) * weight)),
+            );
+            from = to;
+        }
+    }
+    points
+}
+
 /// Most points of an element that masses stand at: they have its moments up to the third along the axis.
 const MOST_POINTS: usize = 4;
 
@@ -48,7 +70,8 @@ impl MeshScene {
             let rule = legendre(spec.points);
             for element in 0..spec_of.count {
                 let [from, to] = [0.0, 1.0].map(|xi| spec_of.arclength(element, xi));
-                for &(xi, weight) in &rule {
+                let steps = spec.tables.iter().flat_map(|table| table.steps(length));
+                for (xi, weight) in cut(&rule, steps.map(|fraction| (fraction * length - from) / (to - from))) {
                     let point = point_of(&*self.parts, spec_of, spec.body, element, xi);
                     let law = Law::Distributed {
                         load,
