@@ -30,9 +30,12 @@ pub(in crate::app) fn of_equilibria(outputs: &[Output], off: &[Off], critical: O
 }
 
 /// The same of frequencies: the largest part by which one is off, and the number of its mode.
-pub(in crate::app) fn of_modes(most: f64, mode: usize) -> String {
+pub(in crate::app) fn of_modes((most, mode): (f64, usize), damping: Option<(f64, usize)>) -> String {
+    let damping = damping.map_or(String::new(), |(most, mode)| {
+        format!(", dampings by at most {:.1e} (mode {mode})", most.max(LEAST))
+    });
     format!(
-        "Compared with twice as many elements, frequencies differ by at most {:.1e} of them (mode {mode}).",
+        "Compared with twice as many elements, frequencies differ by at most {:.1e} of them (mode {mode}){damping}.",
         most.max(LEAST)
     )
 }

@@ -1,6 +1,6 @@
 //! Meshes that are too coarse for what their bodies do: the energy of the error of their elements, as the scene estimates it.
 
-use super::marks::percent;
+use super::marks::{MORE, percent};
 use crate::archive::{Archive, Keep};
 use crate::equilibrium::Uniform;
 use crate::model::{MeshError, SectionBody};
@@ -134,9 +134,6 @@ pub(in crate::app) fn of_modes(scene: &dyn Scene, errors: &[Vec<f64>]) -> Option
         listed(names, "more bodies")?
     ))
 }
-
-/// What to do.
-const MORE: &str = "Take more elements in `mesh`: twice as many make it some ten times less";
 
 fn named(body: &SectionBody) -> String {
     let elements = body.elements;

@@ -9,7 +9,7 @@
 use std::cell::Cell;
 
 use super::accumulated::Ended;
-use super::marks::{Again, Marks, Off, TOLD, again, is_of_motion, largest, sorted, told};
+use super::marks::{Again, MORE, Marks, Off, TOLD, again, is_of_motion, largest, sorted, told};
 use crate::app::writing::numbers::digits;
 use crate::model::{DescribedBody, Fidelity};
 use crate::{Method, Options, Output, Scene, State, StepSize};
@@ -592,6 +592,6 @@ pub(in crate::app) fn on_meshes(bodies: &[DescribedBody], (what, until): (&str, 
     let Meshes { names, too, how, more } = Meshes::of(bodies);
     let until = until.map_or(String::new(), |t| format!(" until {} s", time(t)));
     format!(
-        "The mesh is too coarse for {what}{too}: with twice as many elements{how} in {names} outputs differ{until} by parts of their largest change or value, {outputs}. Take more elements in `mesh` (twice as many make it some ten times less){more}."
+        "The mesh is too coarse for {what}{too}: with twice as many elements{how} in {names} outputs differ{until} by parts of their largest change or value, {outputs}. {MORE}{more}."
     )
 }

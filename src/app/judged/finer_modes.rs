@@ -4,12 +4,12 @@
 
 use super::agreement;
 use super::finer::{Judging, Meshes};
-use super::marks::{TOLD, percent};
+use super::marks::{MORE, TOLD, percent};
 use crate::Scene;
 use crate::app::writing::sentences::listed;
 
-/// Most unknowns of a system that has its modes found again, unless all is asked for: those of the finer one take a second.
-const AFFORDED: usize = 120;
+/// Most unknowns of a system that has its modes found again, unless all is asked for: those of the finer one take some tenths of a second.
+const AFFORDED: usize = 400;
 /// Most modes in the sentence.
 const MOST: usize = 4;
 
@@ -28,27 +28,70 @@ pub(in crate::app) fn is_asked(judged: Judging, unknowns: usize) -> bool {
     }
 }
 
-/// How far frequencies are off: ascending ones of vibrations, with the numbers of their modes, beside those of a finer one. Stiffness that a mesh adds
-/// raises every one of them, so that they are compared by their places. `None` without any.
-pub(in crate::app) fn compare(scene: &dyn Scene, own: &[(usize, f64)], there: &[(usize, f64)]) -> Option<Found> {
-    let mut off: Vec<(usize, f64)> = own
+/// Part of the damping that is told, as [`TOLD`] of what a run finds: it is off by a few times as much as the frequency.
+const TOLD_OF_DAMPING: f64 = 2.0 * TOLD;
+/// Damping ratio below which there is none but round-off.
+const UNDAMPED: f64 = 1e-7;
+
+/// Number of a mode from 0, its rate of growth (1/s) and angular frequency (rad/s).
+pub(in crate::app) type Vibration = (usize, [f64; 2]);
+
+/// How far a mode is off: number, part of the frequency, part of the damping where there is some.
+struct Off {
+    mode: usize,
+    frequency: f64,
+    damping: f64,
+}
+
+/// How far frequencies and dampings are off: vibrations, ascending, with the numbers of their modes, rates of growth and frequencies, beside those of a finer
+/// one. Stiffness that a mesh adds raises every frequency, so that they are compared by their places. `None` without any.
+pub(in crate::app) fn compare(scene: &dyn Scene, own: &[Vibration], there: &[Vibration]) -> Option<Found> {
+    let off: Vec<Off> = own
         .iter()
         .zip(there)
-        .map(|(&(mode, own), &(_, there))| (mode + 1, (own - there).abs() / there))
+        .map(|(&(mode, own), &(_, there))| off(mode + 1, own, there))
         .collect();
-    let &(worst, most) = off.iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
-    if most <= 0.5 * TOLD {
-        return Some(Found::Little(agreement::of_modes(most, worst)));
-    }
-    off.retain(|of| of.1 > 0.5 * TOLD);
-    let named: Vec<String> = off
+    let worst = off.iter().max_by(|a, b| a.frequency.total_cmp(&b.frequency))?;
+    let damped = off
         .iter()
-        .map(|&(mode, part)| format!("of mode {mode} by {}", percent(part)))
-        .collect();
+        .max_by(|a, b| a.damping.total_cmp(&b.damping))
+        .filter(|of| of.damping > 0.0);
+    let is_much = |of: &Off| [of.frequency > 0.5 * TOLD, of.damping > 0.5 * TOLD_OF_DAMPING];
+    if !off.iter().any(|of| is_much(of).contains(&true)) {
+        let damping = damped.map(|of| (of.damping, of.mode));
+        return Some(Found::Little(agreement::of_modes(
+            (worst.frequency, worst.mode),
+            damping,
+        )));
+    }
+    let all = |which: usize, part: fn(&Off) -> f64| {
+        let named: Vec<String> = off
+            .iter()
+            .filter(|of| is_much(of)[which])
+            .map(|of| format!("of mode {} by {}", of.mode, percent(part(of))))
+            .collect();
+        listed(&named, MOST)
+    };
+    let frequencies =
+        all(0, |of| of.frequency).map(|named| format!("frequencies differ by parts of them, that {named}"));
+    let dampings = all(1, |of| of.damping).map(|named| format!("the damping differs by parts of it, that {named}"));
+    let told: Vec<String> = frequencies.into_iter().chain(dampings).collect();
     let Meshes { too, how, more, names } = Meshes::of(&scene.bodies());
-    listed(&named, MOST).map(|named| {
-        Found::Much(format!(
-            "The mesh is too coarse for these modes{too}: with twice as many elements{how} in {names} frequencies differ by parts of them, that {named}. Take more elements in `mesh` (twice as many make it some ten times less){more}."
-        ))
-    })
+    Some(Found::Much(format!(
+        "The mesh is too coarse for these modes{too}: with twice as many elements{how} in {names} {}. {MORE}{more}.",
+        told.join("; ")
+    )))
+}
+
+fn off(mode: usize, [re, im]: [f64; 2], [re_there, im_there]: [f64; 2]) -> Off {
+    let is_damped = (re / im).abs().max((re_there / im_there).abs()) > UNDAMPED;
+    Off {
+        mode,
+        frequency: (im - im_there).abs() / im_there,
+        damping: if is_damped {
+            (re - re_there).abs() / re_there.abs().max(UNDAMPED * im_there)
+        } else {
+            0.0
+        },
+    }
 }

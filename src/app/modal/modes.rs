@@ -96,9 +96,9 @@ fn on_finer_meshes(
         .ok()
         .filter(|there| there.scene.unknowns() != unknowns)?;
     // Those of a motion that creeps have no frequency.
-    let vibrating = |modes: &[SeenMode]| -> Vec<(usize, f64)> {
+    let vibrating = |modes: &[SeenMode]| -> Vec<finer_modes::Vibration> {
         let all = modes.iter().enumerate().filter(|(_, mode)| mode.im > mode.re.abs());
-        all.map(|(index, mode)| (index, mode.im)).collect()
+        all.map(|(index, mode)| (index, [mode.re, mode.im])).collect()
     };
     finer_modes::compare(scene, &vibrating(modes), &vibrating(&there.modes))
 }
