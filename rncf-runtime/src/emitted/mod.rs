@@ -27,6 +27,7 @@ mod repeated;
 mod section_energy;
 mod section_spec;
 mod spline;
+mod stations;
 mod table;
 mod table_file;
 
@@ -65,6 +66,7 @@ pub use relaxed::{StrainEnergy, resisting};
 pub use repeated::{DensitySpec, Reduction, ShareSpec, StartSpec, declared, firsts, instance, reduce, repetitions};
 pub use section_energy::{Section, SectionPoint};
 pub use section_spec::{SectionQuantity, SectionShape, SectionSpec};
+pub use stations::stations_at;
 pub use table::{Between, Table};
 pub use table_file::{FileColumn, TableFile, TableForm};
 

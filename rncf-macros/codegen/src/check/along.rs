@@ -6,7 +6,7 @@ use std::collections::HashSet;
 use super::curve::Curve;
 use super::{Check, fold, say};
 use crate::errors::Area;
-use crate::model::{Body, Expr as Value, Line, Model, SectionShape, Space, Table};
+use crate::model::{Body, Expr as Value, Line, Model, SectionShape, Space, Stations, Table};
 use crate::parse::tree::{Fields, Item, ItemKind, Keyword, Name, Statement};
 use crate::symbolic::path_of;
 use crate::vocabulary::{BOTH_AXES, LAW, MATERIAL, Range, SECTION};
@@ -175,8 +175,8 @@ impl<'a> Check<'a> {
                         Statement::Mesh {
                             stations: Some(name), ..
                         },
-                        Some(stations),
-                    ) => read.push((&self.model.tables[stations.table.0], name.span.into())),
+                        Some(Stations::Rows { table, .. }),
+                    ) => read.push((&self.model.tables[table.0], name.span.into())),
                     _ => {}
                 }
             }

@@ -110,7 +110,7 @@ impl<'a> Check<'a> {
         let spans = self.model.tables[table.0].stations() - 1;
         Mesh {
             count: multiply(Value::Number(spans as f64), count.clone()),
-            stations: Some(Stations { table, each: count }),
+            stations: Some(Stations::Rows { table, each: count }),
             ..mesh
         }
     }

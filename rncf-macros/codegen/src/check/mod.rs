@@ -36,6 +36,7 @@ mod matrix;
 mod mesh;
 mod messages;
 mod messages_along;
+mod nodes;
 mod observe;
 mod output;
 mod param;
@@ -136,7 +137,8 @@ pub fn check_with_elements(tree: &Tree, library: &Library, errors: &mut Errors) 
     if tree.complete && check.errors.len() == before {
         check.ties();
     }
-    let model = std::mem::take(&mut check.model);
+    let mut model = std::mem::take(&mut check.model);
+    nodes::stand_where_something_acts(&mut model);
     let library = Arc::clone(&check.library);
     (tree.complete && errors.len() == before).then_some((model, library))
 }

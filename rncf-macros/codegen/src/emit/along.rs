@@ -90,12 +90,21 @@ impl Parts<'_> {
     pub(super) fn stations(&self, body: &Body) -> String {
         match &body.stations {
             None => "::std::vec::Vec::new()".to_string(),
-            Some(Stations { table, each }) => format!(
+            Some(Stations::Rows { table, each }) => format!(
                 "{}.stations({}.length(), {})",
                 self.model.tables[table.0].reference(),
                 self.line(body),
                 self.count(each)
             ),
+            Some(Stations::Places(places)) => {
+                let places: Vec<String> = places.iter().map(|place| self.expr(place)).collect();
+                format!(
+                    "::rncf::emitted::stations_at({}.length(), {}, &[{}])",
+                    self.line(body),
+                    self.count(&body.count),
+                    places.join(", ")
+                )
+            }
         }
     }
 
@@ -217,7 +226,10 @@ impl Parts<'_> {
             .flat_map(fold::tables)
             .map(|table| table.0)
             .collect();
-        tables.extend(body.stations.iter().map(|stations| stations.table.0));
+        tables.extend(body.stations.iter().filter_map(|stations| match stations {
+            Stations::Rows { table, .. } => Some(table.0),
+            Stations::Places(_) => None,
+        }));
         tables.sort_unstable();
         tables.dedup();
         tables

@@ -198,13 +198,18 @@ impl Table {
     }
 }
 
-/// Nodes of a body at the rows of a table.
+/// Where a body has nodes.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Stations {
-    /// The table.
-    pub table: TableId,
-    /// Elements from one row to the next.
-    pub each: Expr,
+pub enum Stations {
+    /// At the rows of a table.
+    Rows {
+        /// The table.
+        table: TableId,
+        /// Elements from one row to the next.
+        each: Expr,
+    },
+    /// At places where something acts, m of arclength.
+    Places(Vec<Expr>),
 }
 
 /// A straight piece of an axis with corners: what varies along the axis does so along all of it.
