@@ -418,3 +418,54 @@ fn modes_that_are_equal_at_rest_are_followed_from_there() {
         }
     }
 }
+
+rncf::model! {
+    /// A flexible arm on a hub that turns freely in a bearing.
+    pub model Arm {
+        param speed = 3 rad/s;
+        material alloy { density = 2700 kg/m^3; young = 70 GPa; }
+        section wire { area = 1e-4 m^2; second_moment = 1e-10 m^4; }
+        rigid hub { plane xy; mass = 10 kg; inertia = 1 kg*m^2; speed = speed; }
+        joint bearing = revolute(inertial.at([0, 0, 0] m), hub.at([0, 0, 0] m));
+        body arm in hub { planar xy; line from [0.2, 0, 0] m to [1.2, 0, 0] m; mesh 4 * cable(wire, alloy); }
+        joint root = clamp(arm.start, hub);
+        output tip = arm.end.y;
+        run { t_end = 1 s; every = 10 ms; }
+    }
+}
+
+rncf::model! {
+    /// A hub on equal springs with two blades on lag hinges, all of which turn freely.
+    pub model Pair {
+        param speed = 1 rad/s;
+        rigid hub { plane xy; mass = 8 kg; inertia = 10 kg*m^2; speed = speed; }
+        spring soft = bushing(hub, inertial, stiffness = [100, 100, 0] N/m);
+        for k in 0..2 {
+            rigid blade[k] { plane xy; mass = 1 kg; inertia = 0.05 kg*m^2; center = [1, 0, 0] m; origin = [0.2 m * cos(k * pi), 0 m, 0]; angle = k * pi; speed = speed; velocity = [0 [m/s], 0.2 m * speed * cos(k * pi), 0 [m/s]]; }
+            joint lag[k] = revolute(hub.at([0.2 m * cos(k * pi), 0 m, 0]), blade[k].at([0, 0, 0] m));
+            spring coil[k] = torsional(lag[k], stiffness = 2 N*m/rad, angle = k * pi);
+        }
+        output angle = blade[0].angle;
+        output x = hub.x;
+        run { t_end = 10 s; every = 50 ms; }
+    }
+}
+
+/// The free turn has no stiffness, and the sign of its round-off is no critical speed. Along the blades nothing but the springs holds 10 kg; across
+/// them the hinges yield: `k - (m + 2 m_b) w^2 - 2 (m_b l w^2)^2 / K = 0` with the stiffness `K = 2 N m + m_b l e w^2` of a hinge.
+#[test]
+fn what_turns_freely_has_no_critical_speeds_of_its_own() {
+    for steps in [7, 29] {
+        assert!(over_speed(&Arm::default(), [1.0, 30.0], steps, 4).critical.is_empty());
+        let found = over_speed(&Pair::default(), [1.0, 8.0], steps, 4).critical;
+        let values: Vec<f64> = found.iter().map(|critical| critical.value).collect();
+        println!("{values:?}");
+        assert!(
+            found.len() == 2 && (values[1] - 10_f64.sqrt()).abs() < 1e-6,
+            "{values:?}"
+        );
+        let square = values[0] * values[0];
+        let rest = 100.0 - 10.0 * square - 2.0 * square * square / (2.0 + 0.2 * square);
+        assert!(rest.abs() < 1e-4, "{rest}");
+    }
+}

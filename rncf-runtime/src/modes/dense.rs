@@ -94,7 +94,7 @@ fn moving(k: usize, mut mass: Vec<f64>) -> Result<usize, Failure> {
 }
 
 /// Number of negative eigenvalues of the symmetric part of K on the null space of the constraints, from
-/// the signature of the bordered matrix.
+/// the signature of the bordered matrix; motions that are known to have no stiffness are none.
 pub(super) fn negative_stiffness(pencil: &Pencil) -> Result<usize, Failure> {
     let (n, m) = (pencil.unknowns(), pencil.constraints());
     let size = n + m;
@@ -108,6 +108,14 @@ pub(super) fn negative_stiffness(pencil: &Pencil) -> Result<usize, Failure> {
     // Constraints as large as the stiffness: the signature is the same, the pivots are better.
     let largest = whole.iter().fold(0.0f64, |largest, value| largest.max(value.abs()));
     let weight = if largest > 0.0 { largest } else { 1.0 };
+    // What changes nothing has the sign of round-off.
+    for motion in pencil.known_still() {
+        for i in 0..n {
+            for j in 0..n {
+                whole[i * size + j] += weight * motion[i].re * motion[j].re;
+            }
+        }
+    }
     for (constraint, row) in pencil.constraint_rows().iter().enumerate() {
         for (unknown, value) in row.iter().enumerate() {
             whole[(n + constraint) * size + unknown] = weight * value;

@@ -50,9 +50,7 @@ pub struct Wanted {
 /// not finite, a mode was not found to the accuracy of the matrices, or none was found though motions are free.
 pub fn modes(scene: &mut dyn Scene, at: &Uniform, state: &State, wanted: Wanted) -> Result<Vec<Mode>, SolveError> {
     // What the scene knows to have no stiffness needs not be told from round-off.
-    let mut still = scene.neutral_motions(at, state);
-    still.extend(equilibrium::untied_directions(scene, at, state));
-    let pencil = pencil(scene, at, state).without_stiffness_along(still);
+    let pencil = beside_still(scene, at, state);
     let sizes = scene.sizes().to_vec();
     let pairs = spectrum::lowest(&pencil, wanted.count).map_err(|failure| error(scene, at, &failure))?;
     Ok(pairs.into_iter().map(|pair| mode(&pencil, &sizes, pair)).collect())
@@ -66,7 +64,15 @@ pub fn modes(scene: &mut dyn Scene, at: &Uniform, state: &State, wanted: Wanted)
 /// # Errors
 /// [`SolveErrorKind::NoModes`](crate::error::SolveErrorKind::NoModes) if a value is not finite.
 pub fn unstable_directions(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Result<usize, SolveError> {
-    dense::negative_stiffness(&pencil(scene, at, state)).map_err(|failure| error(scene, at, &failure))
+    let pencil = beside_still(scene, at, state);
+    dense::negative_stiffness(&pencil).map_err(|failure| error(scene, at, &failure))
+}
+
+/// The pencil that knows the motions without stiffness.
+fn beside_still(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Pencil {
+    let mut still = scene.neutral_motions(at, state);
+    still.extend(equilibrium::untied_directions(scene, at, state));
+    pencil(scene, at, state).without_stiffness_along(still)
 }
 
 /// Whether circulatory forces act, the skew part of the stiffness: then an equilibrium may be unstable in growing vibrations
