@@ -10,6 +10,7 @@ mod fibres;
 mod motor;
 mod motor_runs;
 mod narrow_properties;
+mod nodes;
 mod own_curves;
 mod partial_loads;
 mod roll_up;

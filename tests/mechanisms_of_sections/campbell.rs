@@ -469,3 +469,60 @@ fn what_turns_freely_has_no_critical_speeds_of_its_own() {
         assert!(rest.abs() < 1e-4, "{rest}");
     }
 }
+
+rncf::model! {
+    /// A hub with two arms that nothing holds.
+    pub model Loose {
+        param speed = 25 rad/s;
+        material alloy { density = 2700 kg/m^3; young = 70 GPa; }
+        section wire { area = 1e-4 m^2; second_moment = 1e-9 m^4; }
+        rigid hub { plane xy; mass = 10 kg; inertia = 1 kg*m^2; speed = speed; }
+        body right in hub { planar xy; line from [0.2, 0, 0] m to [1.2, 0, 0] m; mesh 4 * cable(wire, alloy); }
+        body left in hub { planar xy; line from [-0.2, 0, 0] m to [-1.2, 0, 0] m; mesh 4 * cable(wire, alloy); }
+        joint right_root = clamp(right.start, hub);
+        joint left_root = clamp(left.start, hub);
+        output tip = right.end.y;
+        run { t_end = 1 s; every = 10 ms; }
+    }
+}
+
+rncf::model! {
+    /// A mass that is damped critically along two axes.
+    pub model Settling {
+        param damping = 2 N*s/m;
+        rigid mass { plane xy; mass = 1 kg; inertia = 1 kg*m^2; }
+        spring turn = torsional(mass, stiffness = 9 N*m/rad);
+        spring mount = bushing(mass, inertial, stiffness = [1, 1, 0] N/m, damping = [damping, damping, 0 [N*s/m]]);
+        output x = mass.x;
+        run { t_end = 10 s; every = 0.1 s; }
+    }
+}
+
+/// An eigenvalue that is there twice with one motion is as exact as any other: the drift `i w` of what nothing holds, seen from turning axes,
+/// and what is damped critically. Round-off decided whether `modes` failed.
+#[test]
+fn motions_that_are_there_twice_are_found() {
+    for speed in [15.84375, 20.0, 25.0, 30.0] {
+        let found = modes(&Loose { speed }, &EquilibriumSettings::default()).unwrap().modes;
+        let drift = found.iter().filter(|mode| (mode.im - speed).abs() < 1e-6 * speed);
+        assert!(drift.count() >= 1, "{found:?}");
+        assert!(found.iter().all(|mode| mode.re.abs() < 1e-5), "{found:?}");
+    }
+    let found = modes(&Settling::default(), &EquilibriumSettings::default())
+        .unwrap()
+        .modes;
+    let settling = found
+        .iter()
+        .filter(|mode| mode.im == 0.0 && (mode.re + 1.0).abs() < 1e-9);
+    assert_eq!(settling.count(), 2, "{found:?}");
+    let settings = EquilibriumSettings {
+        range: Some(Range {
+            param: 0,
+            from: 0.0,
+            to: 4.0,
+        }),
+        steps: 4,
+        ..EquilibriumSettings::default()
+    };
+    assert!(campbell(&Settling::default(), &settings).is_ok());
+}

@@ -17,7 +17,7 @@ rncf::model! {
         param snow = 0 N/m;
         /// Force on the rope at a place of it, across it.
         param poke = 0 N;
-        param poked_at = 0.3 m;
+        param poked_at = 0.5 m;
         /// Where sections are read.
         param place = 0.5 m;
         /// Number of elements of each blade.

@@ -49,8 +49,8 @@ impl<'a> Refinement<'a> {
             return group.into_iter().map(|pair| self.refined(pair)).collect();
         }
         let mean = group.iter().map(|pair| pair.s).sum::<c64>() / size as f64;
-        let refined: Option<Vec<Pair>> = group.into_iter().map(|pair| self.refined(pair)).collect();
-        let apart = refined.map(independent).unwrap_or_default();
+        let refined = group.into_iter().filter_map(|pair| self.refined(pair)).collect();
+        let apart = independent(refined);
         if apart.len() == size {
             return Some(apart);
         }
@@ -61,21 +61,28 @@ impl<'a> Refinement<'a> {
             for (place, value) in image.iter_mut().enumerate() {
                 *value = products.damping[place] + 2.0 * mean * products.mass[place];
             }
-        })?;
+        });
+        // There is none where all that it starts from vanishes, as of what is damped critically by itself.
+        let vectors = vectors.unwrap_or_default();
         let mut pairs = independent(vectors.into_iter().map(|x| Pair { s: mean, x }).collect());
         pairs.truncate(size);
         if pairs.len() == size {
-            return pairs.into_iter().map(|pair| self.refined(pair)).collect();
-        }
-        if pairs.len() < apart.len() {
-            // Inverse iteration prefers what drifts to what does not.
-            pairs = apart.into_iter().map(|Pair { x, .. }| Pair { s: mean, x }).collect();
+            let refined: Vec<Pair> = pairs.iter().filter_map(|pair| self.refined(pair.clone())).collect();
+            if refined.len() == size {
+                return Some(refined);
+            }
         }
         let exact = |pair: &Pair| {
             let lambda = self.multipliers(pair);
             self.is_exact(pair.s, &pair.x, &lambda, ACCEPTED_MULTIPLE)
         };
-        pairs.iter().all(exact).then_some(pairs)
+        pairs.retain(exact);
+        if pairs.len() >= apart.len() {
+            return (!pairs.is_empty()).then_some(pairs);
+        }
+        // Inverse iteration prefers what drifts to what does not. These satisfy their equations beside the mean, which alone knows their growth.
+        let at = |s: c64| c64::new(mean.re, s.im);
+        Some(apart.into_iter().map(|Pair { s, x }| Pair { s: at(s), x }).collect())
     }
 
     /// Motions with the eigenvalue zero, at most `count` of them: the null vectors of K.

@@ -119,7 +119,9 @@ fn one_of_conjugates(Pair { s, x }: Pair) -> Vec<Pair> {
         s: c64::new(s.re, 0.0),
         x: x.iter().map(|value| c64::new(part(value), 0.0)).collect(),
     };
-    vec![real(|value| value.re), real(|value| value.im)]
+    let both = [real(|value| value.re), real(|value| value.im)];
+    let is_some = |pair: &Pair| pair.x.iter().any(|value| value.re != 0.0);
+    both.into_iter().filter(is_some).collect()
 }
 
 fn order(a: c64, b: c64) -> std::cmp::Ordering {
