@@ -268,7 +268,7 @@ impl Envelopes {
         let line = |envelope: &&BodyEnvelope| {
             let peak = envelope.stress?;
             Some(format!(
-                "\n{}: {} {}, {}, x = {} of {} m",
+                "\n{}: {} of all rows {}, {}, x = {} of {} m",
                 envelope.body.name,
                 envelope.stress_name(),
                 with_prefix(peak.value, "Pa"),
