@@ -88,3 +88,73 @@ fn a_disc_between_equal_elements_has_a_node() {
     }
     assert!(told.unwrap().starts_with("Compared with twice as many elements"));
 }
+
+rncf::model! {
+    /// Discs of a loop whose number is a param, between equal elements of one shaft, and on shafts of another loop.
+    pub model Discs {
+        param n: count = 8;
+        param k: count = 3;
+        material steel { density = 7850 kg/m^3; young = 211 GPa; poisson = 0.3; }
+        section round = circle(radius = 25 mm);
+        body shaft { planar xy; line from [0, 0, 0] m to [1.2, 0, 0] m; mesh n * cable(round, steel); }
+        joint left = clamp(shaft.start, inertial);
+        for i in 0..k {
+            fixture disc[i] on shaft.at(0.23 m + i * 0.31 m) { mass = 30 kg; gyration = 80 mm; }
+        }
+        for j in 0..k {
+            body rod[j] { planar xy; line from [0 m, 1 m + j * 1 m, 0 m] to [1.2 m, 1 m + j * 1 m, 0 m]; mesh n * cable(round, steel); }
+            joint root[j] = clamp(rod[j].start, inertial);
+            fixture lump[j] on rod[j].at(0.23 m + j * 0.31 m) { mass = 30 kg; gyration = 80 mm; }
+        }
+        output y = shaft.end.y;
+        output z = rod[0].end.y;
+        run { t_end = 1 s; every = 10 ms; }
+    }
+}
+
+rncf::model! {
+    /// The same, written out, with nodes at rows of tables.
+    pub model Written {
+        param n: count = 2;
+        table all { x = [0, 0.23, 0.54, 0.85, 1.2] m; }
+        table first { x = [0, 0.23, 1.2] m; }
+        table second { x = [0, 0.54, 1.2] m; }
+        table third { x = [0, 0.85, 1.2] m; }
+        material steel { density = 7850 kg/m^3; young = 211 GPa; poisson = 0.3; }
+        section round = circle(radius = 25 mm);
+        body shaft { planar xy; line from [0, 0, 0] m to [1.2, 0, 0] m; mesh n at all * cable(round, steel); }
+        body _rod_a { planar xy; line from [0, 1, 0] m to [1.2, 1, 0] m; mesh n at first * cable(round, steel); }
+        body _rod_b { planar xy; line from [0, 2, 0] m to [1.2, 2, 0] m; mesh n at second * cable(round, steel); }
+        body _rod_c { planar xy; line from [0, 3, 0] m to [1.2, 3, 0] m; mesh n at third * cable(round, steel); }
+        joint left = clamp(shaft.start, inertial);
+        joint a = clamp(_rod_a.start, inertial);
+        joint b = clamp(_rod_b.start, inertial);
+        joint c = clamp(_rod_c.start, inertial);
+        fixture disc_a on shaft.at(0.23 m) { mass = 30 kg; gyration = 80 mm; }
+        fixture disc_b on shaft.at(0.54 m) { mass = 30 kg; gyration = 80 mm; }
+        fixture disc_c on shaft.at(0.85 m) { mass = 30 kg; gyration = 80 mm; }
+        fixture lump_a on _rod_a.at(0.23 m) { mass = 30 kg; gyration = 80 mm; }
+        fixture lump_b on _rod_b.at(0.54 m) { mass = 30 kg; gyration = 80 mm; }
+        fixture lump_c on _rod_c.at(0.85 m) { mass = 30 kg; gyration = 80 mm; }
+        output y = shaft.end.y;
+        run { t_end = 1 s; every = 10 ms; }
+    }
+}
+
+/// A loop over a param that holds nothing but fixtures did not compile.
+#[test]
+fn places_of_loops_are_nodes() {
+    let settings = EquilibriumSettings {
+        count: 8,
+        ..EquilibriumSettings::default()
+    };
+    let of = |model: &dyn AnyModel| -> Vec<f64> {
+        let found = modes(model, &settings).unwrap().modes;
+        found.iter().map(|mode| mode.im).collect()
+    };
+    let (looped, written) = (of(&Discs::default()), of(&Written { n: 6 }));
+    assert_eq!(looped.len(), 8);
+    for (a, b) in looped.iter().zip(&written) {
+        assert!((a - b).abs() < 5e-4 * b, "{looped:?} {written:?}");
+    }
+}

@@ -7,7 +7,7 @@ pub mod fold;
 mod moving;
 mod repeated;
 
-pub use along::{Between, Column, Law, Piece, Stations, Table};
+pub use along::{Between, Column, Law, NodeAt, Piece, Stations, Table};
 pub use expression::{
     About, BalanceQuantity, Binary, Comparison, ElementQuantity, Expr, Function, Location, Observable, Owner,
     PointQuantity, Reduction, SectionQuantity,

@@ -2,10 +2,14 @@
 //! converges with the first power of the elements' length, and with nodes as the rest does.
 
 use super::start::Start;
-use crate::model::{Body, BodyId, Expr, Fidelity, Line, LoadKind, Location, Marker, MarkerId, Model, Stations, fold};
+use crate::model::{
+    Body, BodyId, Expr, Fidelity, Line, LoadKind, Location, Marker, MarkerId, Model, NodeAt, RepeatId, Stations, fold,
+};
 
 /// Part of an element by which a place may miss a node for round-off.
 const ROUND_OFF: f64 = 1e-9;
+/// Repetitions of a loop that are looked at.
+const LOOKED_AT: usize = 100;
 
 /// Lets nodes stand at the places where something acts, of bodies that say nothing else of their nodes. Places that are nodes
 /// of equal elements with the defaults of params stay what they are.
@@ -18,9 +22,17 @@ pub fn stand_where_something_acts(model: &mut Model) {
         let places = places(model, BodyId(index));
         let start = Start::new(model);
         let (length, count) = (start.length(BodyId(index)), start.value(&body.count));
-        let is_within = |place: &Expr| {
-            let at = start.value(place) / length * count;
+        let misses = |place: f64| {
+            let at = place / length * count;
             at.is_finite() && (at - at.round()).abs() > ROUND_OFF * count
+        };
+        let is_within = |of: &NodeAt| {
+            let times = match of.over.or(body.repeat).filter(|_| fold::has_index(&of.place)) {
+                Some(repeat) => start.value(&model.repeats[repeat.0].count) as usize,
+                None => 1,
+            };
+            let value = |index: usize| fold::of_repetition(model, &of.place, 0.0, index as f64);
+            (0..times.min(LOOKED_AT)).filter_map(value).any(misses)
         };
         if places.iter().any(is_within) {
             model.bodies[index].stations = Some(Stations::Places(places));
@@ -35,11 +47,15 @@ fn is_free_to_choose(body: &Body) -> bool {
     body.stations.is_none() && body.piece.is_none() && deforms && is_meshed
 }
 
-/// Where something acts on a body between its ends, each place once; those that differ between repetitions are left out.
-fn places(model: &Model, body: BodyId) -> Vec<Expr> {
-    let fixtures = model.fixtures.iter().map(|fixture| (fixture.body, &fixture.at));
+/// Where something acts on a body between its ends, each place once.
+fn places(model: &Model, body: BodyId) -> Vec<NodeAt> {
+    let own = model.bodies[body.0].repeat;
+    let fixtures = model
+        .fixtures
+        .iter()
+        .map(|fixture| (fixture.body, &fixture.at, fixture.repeat));
     let loads = model.loads.iter().filter_map(|load| match &load.kind {
-        LoadKind::Force { body, at, .. } | LoadKind::Moment { body, at, .. } => Some((*body, at)),
+        LoadKind::Force { body, at, .. } | LoadKind::Moment { body, at, .. } => Some((*body, at, None)),
         _ => None,
     });
     let zero = |components: &[Expr; 3]| components.iter().all(|part| *part == Expr::Number(0.0));
@@ -54,26 +70,38 @@ fn places(model: &Model, body: BodyId) -> Vec<Expr> {
         .iter()
         .flat_map(|constraint| constraint.markers.iter().copied());
     let marked = forces.chain(tied).filter_map(|marker| on_body(model, marker));
-    let mut places: Vec<Expr> = Vec::new();
-    for (of, at) in fixtures.chain(loads).chain(marked) {
-        if let (true, Location::At(place)) = (of == body, at.place())
-            && !fold::has_index(place)
-            && !places.contains(place)
-        {
-            places.push((**place).clone());
+    let mut places: Vec<NodeAt> = Vec::new();
+    for (of, at, repeat) in fixtures.chain(loads).chain(marked) {
+        let Location::At(place) = at.place() else { continue };
+        if of != body {
+            continue;
+        }
+        let over = match (fold::has_index(place), own, repeat) {
+            (false, ..) => None,
+            (true, None, Some(repeat)) => Some(repeat),
+            (true, Some(own), Some(repeat)) if own == repeat => None,
+            // Those that differ between repetitions for another reason are left out.
+            (true, ..) => continue,
+        };
+        let place = NodeAt {
+            place: (**place).clone(),
+            over,
+        };
+        if !places.contains(&place) {
+            places.push(place);
         }
     }
     places
 }
 
 /// The body and the place of a marker on one.
-fn on_body(model: &Model, marker: MarkerId) -> Option<(BodyId, &Location)> {
+fn on_body(model: &Model, marker: MarkerId) -> Option<(BodyId, &Location, Option<RepeatId>)> {
     match &model.markers[marker.0] {
         Marker::BodyPoint { body, at }
         | Marker::BodySlope { body, at }
         | Marker::BodySection { body, at, .. }
         | Marker::InSection { body, at, .. }
-        | Marker::SectionTurn { body, at } => Some((*body, at)),
+        | Marker::SectionTurn { body, at } => Some((*body, at, None)),
         _ => None,
     }
 }

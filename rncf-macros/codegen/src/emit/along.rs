@@ -7,7 +7,7 @@ use super::parts::Parts;
 use crate::elements::Interpolant;
 use crate::lower::camel_case;
 use crate::lower::elastic::kept;
-use crate::model::{Between, Body, Expr, Law, Model, Piece, Stations, Table, fold};
+use crate::model::{Between, Body, Expr, Law, Model, NodeAt, Piece, Stations, Table, fold};
 use crate::units::Dimension;
 use crate::vocabulary::{CENTRES, DAMPINGS, MASS_ENTRIES, MASSES, STIFFNESS_ENTRIES};
 
@@ -97,14 +97,38 @@ impl Parts<'_> {
                 self.count(each)
             ),
             Some(Stations::Places(places)) => {
-                let places: Vec<String> = places.iter().map(|place| self.expr(place)).collect();
                 format!(
-                    "::rncf::emitted::stations_at({}.length(), {}, &[{}])",
+                    "::rncf::emitted::stations_at({}.length(), {}, &{})",
                     self.line(body),
                     self.count(&body.count),
-                    places.join(", ")
+                    self.places(places)
                 )
             }
+        }
+    }
+
+    /// A list of places, those of loops once for each repetition.
+    fn places(&self, places: &[NodeAt]) -> String {
+        let single = places.iter().filter(|of| of.over.is_none());
+        let single: Vec<String> = single.map(|of| self.expr(&of.place)).collect();
+        let mut lists = vec![format!("[{}]", single.join(", "))];
+        for of in places {
+            if let Some(repeat) = of.over {
+                lists.push(format!(
+                    "(0..self.counts[{}]).map(|instance| {{\nlet index = instance as f64;\n{}\n}}).collect::<::std::vec::Vec<f64>>()",
+                    repeat.0,
+                    self.expr(&of.place)
+                ));
+            }
+        }
+        match &lists[..] {
+            [list] => list.clone(),
+            [_, repeated @ ..] => format!(
+                "[::std::vec::Vec::from({}), {}].concat()",
+                lists[0],
+                repeated.join(", ")
+            ),
+            [] => "[]".to_string(),
         }
     }
 

@@ -14,9 +14,9 @@ fn firsts(counts: &[String]) -> String {
 }
 
 impl Parts<'_> {
-    /// Whether a loop repeats any body: then global numbers are not those of declarations.
+    /// Whether there are loops: then global numbers need not be those of declarations.
     pub(super) fn has_loops(&self) -> bool {
-        self.model.bodies.iter().any(|body| body.repeat.is_some())
+        !self.model.repeats.is_empty()
     }
 
     /// Fields of the equations that tell declarations and repetitions apart.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Body, Expr, TableId, fold};
+use super::{Body, Expr, RepeatId, TableId, fold};
 use crate::import::spline;
 use crate::vocabulary::DAMPINGS;
 
@@ -208,8 +208,17 @@ pub enum Stations {
         /// Elements from one row to the next.
         each: Expr,
     },
-    /// At places where something acts, m of arclength.
-    Places(Vec<Expr>),
+    /// At places where something acts.
+    Places(Vec<NodeAt>),
+}
+
+/// A place where a body has a node.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NodeAt {
+    /// m of arclength.
+    pub place: Expr,
+    /// The loop over whose repetitions it stands on one body; `None` of a body that stands in the loop itself.
+    pub over: Option<RepeatId>,
 }
 
 /// A straight piece of an axis with corners: what varies along the axis does so along all of it.
