@@ -369,3 +369,47 @@ fn an_equilibrium_nearer_to_the_undeformed_shape_is_told() {
     let below = steady(&Jeffcott { speed: 50.0 }, &EquilibriumSettings::default()).unwrap();
     assert_eq!(note(&below), 0);
 }
+
+rncf::model! {
+    /// Forty equal bars, hinged at both ends, that stand under their weight: every value of the stiffness is there forty times.
+    pub model Bars {
+        param pull = 100 m/s^2;
+        param count: count = 40;
+        material steel { density = 7850 kg/m^3; young = 210 GPa; }
+        section rod { area = 1e-4 m^2; second_moment = 1e-9 m^4; }
+        for i in 0..count {
+            body bar[i] { planar xy; line from [0 m, i * 1 m, 0 m] to [1 m, i * 1 m, 0 m]; mesh 4 * cable(rod, steel); }
+            joint foot[i] = pin(bar[i].start, inertial);
+            joint guide[i] = hold(bar[i].end.y);
+        }
+        load weight = gravity([-pull, 0 [m/s^2], 0 [m/s^2]]);
+        output shortening: um = bar[0].end.x - 1 m;
+    }
+}
+
+/// Directions of equal stiffness are counted by the signature, where a search for values did not end: "not known", and 1.5 s a step.
+#[test]
+fn equal_bars_buckle_together() {
+    let settings = EquilibriumSettings {
+        steps: 5,
+        ..EquilibriumSettings::default()
+    };
+    // q L^3 = 18.5687 E I (Timoshenko and Gere)
+    let buckling = 18.5687 * 210.0 / 0.785;
+    for (pull, is_beyond) in [(1000.0, false), (6000.0, true)] {
+        let found = static_equilibria(
+            &Bars {
+                pull,
+                ..Bars::default()
+            },
+            &settings,
+        )
+        .unwrap();
+        let unknown = found.warnings.iter().find(|note| note.contains("not known"));
+        assert!(unknown.is_none(), "{unknown:?}");
+        assert_eq!(found.critical.len(), usize::from(is_beyond), "{:?}", found.critical);
+        for critical in &found.critical {
+            assert!((critical.value * pull / buckling - 1.0).abs() < 1e-3, "{critical:?}");
+        }
+    }
+}

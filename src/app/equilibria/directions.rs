@@ -9,6 +9,8 @@ use crate::{Scene, SolveError, State};
 /// Most unknowns for which the negative directions of the stiffness are counted with full matrices, which is
 /// quicker than to look for its values.
 const LARGEST: usize = 800;
+/// The same at rest, where they are asked for at every step of what has many equal values.
+const LARGEST_AT_REST: usize = 2000;
 /// Values of the stiffness that are looked at.
 const NEXT_TO_ZERO: usize = 4;
 
@@ -41,6 +43,16 @@ pub(in crate::app) fn at_rest(
             negative,
             values: Vec::new(),
         })),
+        // Without circulatory forces the signature tells as much, and does not mind many equal values, as of the bars of a truss.
+        Some(Negative::Even | Negative::Odd)
+            if found.state.x.len() <= LARGEST_AT_REST && !modes::is_circulatory(scene, at, &found.state) =>
+        {
+            let negative = modes::unstable_directions(scene, at, &found.state)?;
+            Ok(Some(Measured {
+                negative,
+                values: Vec::new(),
+            }))
+        }
         Some(Negative::Even | Negative::Odd) => whole(scene, at, &found.state).map(Some),
     }
 }

@@ -46,6 +46,7 @@ pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Mod
     warnings.extend(crate::equilibrium::untied(scene, &at, &state));
     let of_equilibrium = coarse::of_equilibrium(scene, &at, &state);
     let seconds = clock.seconds();
+    warnings.extend(fewer(scene, &modes, settings.count));
     let mut agreement = None;
     match on_finer_meshes(model.as_ref(), settings, scene, &modes) {
         Some(Found::Much(told)) => warnings.extend(of_equilibrium.into_iter().chain([told])),
@@ -76,6 +77,17 @@ pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Mod
         warnings,
         agreement,
         seconds,
+    })
+}
+
+/// That fewer modes are found than were asked for, where motions are left.
+fn fewer(scene: &dyn Scene, modes: &[SeenMode], asked: usize) -> Option<String> {
+    let free = scene.unknowns().saturating_sub(scene.constraints());
+    let (found, wanted) = (modes.len(), asked.min(free));
+    (found < wanted).then(|| {
+        format!(
+            "{found} of the {wanted} modes that were asked for are found: the others have no inertia, or are lost beside masses, dampings or stiffnesses many orders larger"
+        )
     })
 }
 

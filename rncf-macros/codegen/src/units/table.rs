@@ -79,7 +79,10 @@ const SPELLINGS: &[(&str, &str)] = &[
     ("gram", "g"), ("ton", "t"), ("tonne", "t"), ("degree", "deg"), ("degrees", "deg"), ("radian", "rad"),
     ("radians", "rad"), ("hertz", "Hz"), ("newton", "N"), ("newtons", "N"), ("pascal", "Pa"), ("Nm", "N*m"),
     ("kNm", "kN*m"), ("in", "inch"), ("lbs", "lb"), ("kgs", "kg"), ("hr", "h"), ("hrs", "h"), ("feet", "ft"), ("foot", "ft"), ("inches", "inch"), ("turn", "rev"), ("RPM", "rpm"),
-    ("volt", "V"), ("watt", "W"), ("joule", "J"), ("kelvin", "K"), ("degC", "K"), ("kmh", "km/h"), ("kph", "km/h"), ("ampere", "A"), ("au", "AU"),
+    ("volt", "V"), ("watt", "W"), ("joule", "J"), ("kelvin", "K"), ("kmh", "km/h"), ("kph", "km/h"), ("ampere", "A"), ("au", "AU"),
+    ("degC", "K`, 273.15 more than `degC"), ("kgf", "9.80665 N"), ("kip", "4448.2216152605 N"), ("ksi", "6894757.293168361 Pa"), ("mil", "0.0254 mm"),
+    ("thou", "0.0254 mm"), ("mph", "0.44704 m/s"), ("hp", "745.6998715822702 W"), ("slug", "14.593902937206365 kg"), ("dyn", "1e-5 N"),
+    ("cP", "1e-3 Pa*s"), ("yr", "365.25 day"), ("year", "365.25 day"), ("oz", "0.028349523125 kg"), ("yd", "0.9144 m"), ("mile", "1609.344 m"),
 ];
 
 /// Prefixes of the SI, and their powers of ten.

@@ -118,12 +118,15 @@ fn what_is_no_unit_is_never_taken_for_another_one() {
         ("rads", "rad"),
         ("sec", "s"),
         ("lbs", "lb"),
+        ("kgf", "9.80665 N"),
+        ("mil", "0.0254 mm"),
+        ("mph", "0.44704 m/s"),
     ];
     for (word, wanted) in expected {
         assert_eq!(meant(word).as_deref(), Some(wanted), "{word}");
     }
     // Of these the case is wrong, or nothing is known.
-    for word in ["KPa", "Gpa", "mil", "foo", "1", ""] {
+    for word in ["KPa", "Gpa", "foo", "1", ""] {
         assert_eq!(meant(word), None, "{word}");
     }
 }
