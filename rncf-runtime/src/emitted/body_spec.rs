@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::line::{Line, Twist};
+use super::stations::go_on;
 
 /// Degrees of freedom of the largest element.
 pub(crate) const MAX_SIZE: usize = 32;
@@ -217,13 +218,13 @@ impl BodySpec {
             return false;
         }
         self.fidelity = Fidelity::Full;
-        let part = |pair: &[f64], part: usize| pair[0] + (pair[1] - pair[0]) * part as f64 / times as f64;
-        let ends = self.stations.last().copied();
-        let within = self
-            .stations
-            .windows(2)
-            .flat_map(|pair| (0..times).map(move |own| part(pair, own)));
-        self.stations = within.chain(ends).collect();
+        if let [first, ends @ ..] = &self.stations[..] {
+            let mut finer = vec![*first];
+            for &end in ends {
+                go_on(&mut finer, end, times);
+            }
+            self.stations = finer;
+        }
         self.count *= times;
         true
     }

@@ -3,6 +3,13 @@
 /// Part of an element of equal ones below which a place is no place of its own: it is within the element beside it.
 const NEAR: f64 = 0.02;
 
+/// Goes on from the last of some nodes to another one in equal parts.
+pub(super) fn go_on(stations: &mut Vec<f64>, end: f64, parts: usize) {
+    let start = stations[stations.len() - 1];
+    let within = (1..parts).map(|at| start + (end - start) * at as f64 / parts as f64);
+    stations.extend(within.chain([end]));
+}
+
 /// Fractions of an axis (m) at the nodes of at least `count` elements, with a node at each of the places (m of arclength). Between
 /// places elements are of equal length, and each next one goes where they are longest.
 ///
@@ -36,9 +43,8 @@ pub fn stations_at(length: f64, count: usize, places: &[f64]) -> Vec<f64> {
         }
     }
     let mut stations = vec![0.0];
-    for (from, to, count) in parts {
-        let within = (1..count).map(|at| from + (to - from) * at as f64 / count as f64);
-        stations.extend(within.chain([to]));
+    for (_, to, count) in parts {
+        go_on(&mut stations, to, count);
     }
     stations
 }

@@ -1,6 +1,7 @@
 //! Tables of numbers along an axis.
 
 use super::curve::Curve;
+use super::stations::go_on;
 use crate::course::{Interval, Lookup};
 use crate::error::ModelError;
 use crate::import::spline;
@@ -230,9 +231,7 @@ impl Table {
         rows.retain(|&place| place > ROUND_OFF && place < 1.0 - ROUND_OFF);
         rows.dedup();
         for end in rows.into_iter().chain([1.0]) {
-            let start = stations[stations.len() - 1];
-            let part = |at: usize| start + (end - start) * at as f64 / each as f64;
-            stations.extend((1..each).map(part).chain([end]));
+            go_on(&mut stations, end, each);
         }
         stations
     }

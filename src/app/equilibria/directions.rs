@@ -23,6 +23,14 @@ pub(in crate::app) struct Measured {
 }
 
 impl Measured {
+    /// Their number alone.
+    fn counted(negative: usize) -> Self {
+        Self {
+            negative,
+            values: Vec::new(),
+        }
+    }
+
     fn of(values: Vec<f64>) -> Self {
         Self {
             negative: values.iter().filter(|&&value| value < 0.0).count(),
@@ -39,19 +47,12 @@ pub(in crate::app) fn at_rest(
 ) -> Result<Option<Measured>, SolveError> {
     match found.negative {
         None => Ok(None),
-        Some(Negative::Counted(negative)) => Ok(Some(Measured {
-            negative,
-            values: Vec::new(),
-        })),
+        Some(Negative::Counted(negative)) => Ok(Some(Measured::counted(negative))),
         // Without circulatory forces the signature tells as much, and does not mind many equal values, as of the bars of a truss.
         Some(Negative::Even | Negative::Odd)
             if found.state.x.len() <= LARGEST_AT_REST && !modes::is_circulatory(scene, at, &found.state) =>
         {
-            let negative = modes::unstable_directions(scene, at, &found.state)?;
-            Ok(Some(Measured {
-                negative,
-                values: Vec::new(),
-            }))
+            modes::unstable_directions(scene, at, &found.state).map(|negative| Some(Measured::counted(negative)))
         }
         Some(Negative::Even | Negative::Odd) => whole(scene, at, &found.state).map(Some),
     }

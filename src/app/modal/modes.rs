@@ -44,17 +44,19 @@ pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Mod
         .collect();
     let mut warnings = cautions::cautioned(model.as_ref(), scene.warnings(&state));
     warnings.extend(crate::equilibrium::untied(scene, &at, &state));
-    let of_equilibrium = coarse::of_equilibrium(scene, &at, &state);
     let seconds = clock.seconds();
+    let found = on_finer_meshes(model.as_ref(), settings, scene, &modes);
+    // Where frequencies agree, what the equilibrium is off by does not count: it may be the swelling of sections beside discs alone.
+    if !matches!(found, Some(Found::Little(_))) {
+        warnings.extend(coarse::of_equilibrium(scene, &at, &state));
+    }
     warnings.extend(fewer(scene, &modes, settings.count));
     let mut agreement = None;
-    match on_finer_meshes(model.as_ref(), settings, scene, &modes) {
-        Some(Found::Much(told)) => warnings.extend(of_equilibrium.into_iter().chain([told])),
-        // Where frequencies agree, what the equilibrium is off by does not count: it may be the swelling of sections beside discs alone.
+    match found {
+        Some(Found::Much(told)) => warnings.push(told),
         Some(Found::Little(told)) => agreement = Some(told),
         // Less than the frequencies themselves say the energies of the modes.
         None => {
-            warnings.extend(of_equilibrium);
             let errors = modes::mesh_errors(scene, &at, &state, &shapes);
             warnings.extend(coarse::of_modes(scene, &errors));
         }

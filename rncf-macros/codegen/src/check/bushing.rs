@@ -12,16 +12,11 @@ use crate::joints::{Builder, Tilt};
 use crate::model::{Expr as Value, MarkerId};
 use crate::parse::tree::Call;
 
-/// A wanted quantity.
-const fn wanted(what: &'static str, dimension: [i8; 6], unit: &'static str) -> Wanted {
-    Wanted { what, dimension, unit }
-}
-
-const STIFFNESS: Wanted = wanted("the stiffness of a bushing", [0, 1, -2, 0, 0, 0], "N/m");
-const DAMPING: Wanted = wanted("the damping of a bushing", [0, 1, -1, 0, 0, 0], "N*s/m");
-const TURNING: Wanted = wanted("the rotational stiffness of a bushing", [2, 1, -2, 0, 0, 0], "N*m/rad");
-const FRICTION: Wanted = wanted("the rotational damping of a bushing", [2, 1, -1, 0, 0, 0], "N*m*s/rad");
-const COUPLING: Wanted = wanted("the coupling of a bushing", [1, 1, -2, 0, 0, 0], "N/rad");
+const STIFFNESS: Wanted = Wanted::new("the stiffness of a bushing", [0, 1, -2, 0, 0, 0], "N/m");
+const DAMPING: Wanted = Wanted::new("the damping of a bushing", [0, 1, -1, 0, 0, 0], "N*s/m");
+const TURNING: Wanted = Wanted::new("the rotational stiffness of a bushing", [2, 1, -2, 0, 0, 0], "N*m/rad");
+const FRICTION: Wanted = Wanted::new("the rotational damping of a bushing", [2, 1, -1, 0, 0, 0], "N*m*s/rad");
+const COUPLING: Wanted = Wanted::new("the coupling of a bushing", [1, 1, -2, 0, 0, 0], "N/rad");
 
 const WORDS: [&str; 5] = [
     "stiffness",
@@ -120,7 +115,7 @@ impl<'a> Check<'a> {
         let mut joint = Builder::new(&mut self.model.markers, parties, plane);
         let points = joint.origins();
         let way = joint.between([points[1], points[0]]);
-        let mut motions = ways(&mut joint, points);
+        let mut motions = ways(&mut joint, points, &way);
         let turns = match given.turns() {
             true => [0, 1].map(|party| joint.turn(party)),
             false => [None, joint.turn(1)],
@@ -184,35 +179,27 @@ impl<'a> Check<'a> {
 
     /// Whether axes turn with a place; otherwise this is said.
     fn turns_something(&mut self, hold: &Hold) -> bool {
-        if let Some(frame) = hold.frame()
-            && self.is_point_mass(frame)
-        {
-            let name = self.model.frames[frame.0].name.clone();
-            self.errors.at(hold.area, say::point_mass_turns(&name));
-            return false;
+        if let Some(frame) = hold.frame() {
+            return self.has_orientation(frame, hold.area);
         }
         if hold.is_line() {
             self.errors.at(hold.area, say::BUSHING_ANGLES);
         }
-        hold.frame().is_some() || hold.is_section()
+        hold.is_section()
     }
 }
 
 /// The ways of A from B along the axes of B; in a plane those in it.
-fn ways(joint: &mut Builder, points: [MarkerId; 2]) -> Vec<Motion> {
-    let plane = joint.normal;
-    let apart = |order| {
-        let [a, b] = points.map(|point| observed(point, order, plane));
-        both(&a, &b, subtract)
-    };
-    let (way, rate) = (apart(0), apart(1));
+fn ways(joint: &mut Builder, points: [MarkerId; 2], way: &Vector) -> Vec<Motion> {
+    let [a, b] = points.map(|point| observed(point, 1, joint.normal));
+    let rate = both(&a, &b, subtract);
     let along = joint.axes().iter().map(|&axis| {
         let [direction, moving] = joint.own_axis(1, axis);
         Motion {
             axis,
             is_angle: false,
-            value: dot(&direction, &way),
-            rate: add(dot(&moving, &way), dot(&direction, &rate)),
+            value: dot(&direction, way),
+            rate: add(dot(&moving, way), dot(&direction, &rate)),
             direction,
         }
     });

@@ -150,9 +150,7 @@ impl<'a> Check<'a> {
             let (first, second) = (self.turned(*first, normal, area)?, self.turned(*second, normal, area)?);
             return Some(Angle::Counted { first, second });
         }
-        if let Some(frame) = frames.into_iter().find(|frame| self.is_point_mass(*frame)) {
-            let message = say::point_mass_turns(&self.model.frames[frame.0].name);
-            self.errors.at(area, message);
+        if !frames.into_iter().all(|frame| self.has_orientation(frame, area)) {
             return None;
         }
         let markers = &mut self.model.markers;

@@ -2,8 +2,8 @@
 
 use super::place::Spot;
 use super::plane::normal;
-use super::{Check, fold};
-use crate::errors::Errors;
+use super::{Check, fold, say};
+use crate::errors::{Area, Errors};
 use crate::joints::algebra::{self, Vector, add, both, dot, intern, observed, subtract};
 use crate::joints::unit;
 use crate::model::{Expr as Value, FrameId, INERTIAL, Marker, MarkerId, Motions, Space};
@@ -152,6 +152,16 @@ impl Check<'_> {
             self.motions_of(frame),
             Some(Motions::Shifting | Motions::ShiftingPlanar { .. })
         )
+    }
+
+    /// Whether axes turn with a frame; that a point mass has none is said.
+    pub(super) fn has_orientation(&mut self, frame: FrameId, area: Area) -> bool {
+        let is_point = self.is_point_mass(frame);
+        if is_point {
+            let message = say::point_mass_turns(&self.model.frames[frame.0].name);
+            self.errors.at(area, message);
+        }
+        !is_point
     }
 
     /// The angle of a prescribed frame that turns about one inertial axis.

@@ -5,7 +5,6 @@ use super::quantity::Wanted;
 use super::{Check, fold, say};
 use crate::model::Expr as Value;
 use crate::parse::tree::{Expr, ExprKind};
-use crate::units::Dimension;
 
 /// Rows.
 pub type Matrix = [[Value; 3]; 3];
@@ -46,45 +45,27 @@ impl<'a> Check<'a> {
         let ExprKind::Vector { components, unit } = &expr.kind else {
             return None;
         };
-        let of_all = match unit {
-            None => None,
-            Some(unit) => {
-                let compound = self.unit(unit)?;
-                let (asked, found) = (Dimension::of(wanted.dimension), Dimension::of(compound.dimension));
-                if asked != found {
-                    let [kind, found] = [(asked, wanted.dimension[5]), (found, compound.dimension[5])]
-                        .map(|(dimension, angle)| dimension.describe(angle != 0));
-                    self.errors
-                        .at(unit.area, say::wrong_dimension(wanted.what, &kind, &found));
-                    return None;
-                }
-                Some(compound)
-            }
-        };
+        let of_all = self.unit_behind(unit.as_ref(), wanted)?;
         let mut rows = Vec::new();
         for row in components {
             let parts = match (&row.kind, of_all) {
-                (ExprKind::Vector { components, unit: None }, Some(compound)) => components
-                    .iter()
-                    .map(|part| self.scaled_literal(part, compound))
-                    .collect::<Option<Vec<_>>>()?,
-                (ExprKind::Vector { .. }, None) => self.components(row, Scope::Parameter, wanted)?.0,
-                _ => {
-                    self.errors.at(row.area, say::matrix_rows(wanted.what, wanted.unit));
-                    return None;
+                (ExprKind::Vector { components, unit: None }, Some(_)) => {
+                    self.in_unit(components, of_all, Scope::Parameter, wanted)?
                 }
+                (ExprKind::Vector { .. }, None) => self.components(row, Scope::Parameter, wanted)?.0,
+                _ => Vec::new(),
             };
-            let Ok(parts) = <[Value; 3]>::try_from(parts) else {
-                self.errors.at(row.area, say::matrix_rows(wanted.what, wanted.unit));
-                return None;
-            };
-            rows.push(parts);
+            rows.push(self.three(parts, row, wanted)?);
         }
-        let rows = rows.try_into().ok();
-        if rows.is_none() {
+        self.three(rows, expr, wanted)
+    }
+
+    fn three<T>(&mut self, parts: Vec<T>, expr: &Expr, wanted: Wanted) -> Option<[T; 3]> {
+        let three = parts.try_into().ok();
+        if three.is_none() {
             self.errors.at(expr.area, say::matrix_rows(wanted.what, wanted.unit));
         }
-        rows
+        three
     }
 }
 

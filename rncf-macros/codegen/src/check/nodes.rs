@@ -2,9 +2,7 @@
 //! converges with the first power of the elements' length, and with nodes as the rest does.
 
 use super::start::Start;
-use crate::model::{
-    Body, BodyId, Expr, Fidelity, Line, LoadKind, Location, Marker, MarkerId, Model, NodeAt, RepeatId, Stations, fold,
-};
+use crate::model::{Body, BodyId, Expr, Fidelity, Line, LoadKind, Location, Model, NodeAt, Stations, fold};
 
 /// Part of an element by which a place may miss a node for round-off.
 const ROUND_OFF: f64 = 1e-9;
@@ -69,7 +67,10 @@ fn places(model: &Model, body: BodyId) -> Vec<NodeAt> {
         .constraints
         .iter()
         .flat_map(|constraint| constraint.markers.iter().copied());
-    let marked = forces.chain(tied).filter_map(|marker| on_body(model, marker));
+    let marked = forces.chain(tied).filter_map(|marker| {
+        let (body, at) = model.markers[marker.0].on_body()?;
+        Some((body, at, None))
+    });
     let mut places: Vec<NodeAt> = Vec::new();
     for (of, at, repeat) in fixtures.chain(loads).chain(marked) {
         let Location::At(place) = at.place() else { continue };
@@ -92,16 +93,4 @@ fn places(model: &Model, body: BodyId) -> Vec<NodeAt> {
         }
     }
     places
-}
-
-/// The body and the place of a marker on one.
-fn on_body(model: &Model, marker: MarkerId) -> Option<(BodyId, &Location, Option<RepeatId>)> {
-    match &model.markers[marker.0] {
-        Marker::BodyPoint { body, at }
-        | Marker::BodySlope { body, at }
-        | Marker::BodySection { body, at, .. }
-        | Marker::InSection { body, at, .. }
-        | Marker::SectionTurn { body, at } => Some((*body, at, None)),
-        _ => None,
-    }
 }

@@ -173,9 +173,7 @@ impl<'a> Check<'a> {
         self.is_pushed(hold)?;
         match hold.spot.clone() {
             Spot::Rigid { frame, .. } => {
-                if self.is_point_mass(frame) {
-                    let message = say::point_mass_turns(&self.model.frames[frame.0].name);
-                    self.errors.at(hold.area, message);
+                if !self.has_orientation(frame, hold.area) {
                     return None;
                 }
                 Some(vec![(self.marker(Marker::Turn { frame }), moment)])

@@ -4,8 +4,8 @@ use super::expr::Scope;
 use super::{Check, fold, say};
 use crate::errors::Area;
 use crate::model;
-use crate::parse::tree::{Expr, ExprKind, ItemKind};
-use crate::units::Dimension;
+use crate::parse::tree::{Expr, ExprKind, ItemKind, UnitText};
+use crate::units::{Compound, Dimension};
 
 /// A resolved expression and what it is.
 #[derive(Clone, Debug)]
@@ -122,6 +122,13 @@ pub struct Wanted {
     pub unit: &'static str,
 }
 
+impl Wanted {
+    /// A field of this dimension.
+    pub const fn new(what: &'static str, dimension: [i8; 6], unit: &'static str) -> Self {
+        Self { what, dimension, unit }
+    }
+}
+
 /// A vector and where its components stand.
 #[derive(Clone, Debug)]
 pub struct Vector {
@@ -163,7 +170,7 @@ pub fn behind_number(unit: &str) -> String {
 }
 
 /// Exponent of hertz in a unit.
-pub fn hertz(unit: &crate::parse::tree::UnitText) -> i8 {
+pub fn hertz(unit: &UnitText) -> i8 {
     let of = |exponent: i32| i8::try_from(exponent).unwrap_or_default();
     let factors = unit.factors.iter().filter(|(name, _)| name.text.ends_with("Hz"));
     factors.fold(0, |sum, (_, exponent)| sum.saturating_add(of(*exponent)))
@@ -268,28 +275,40 @@ impl<'a> Check<'a> {
         if self.split_vector(expr) {
             return None;
         }
-        let values: Vec<Option<model::Expr>> = match unit {
-            None => components
-                .iter()
-                .map(|component| self.component(component, scope, wanted))
-                .collect(),
-            Some(unit) => {
-                let compound = self.unit(unit)?;
-                if Dimension::of(compound.dimension) != Dimension::of(wanted.dimension) {
-                    let kind = Dimension::of(wanted.dimension).describe(wanted.dimension[5] != 0);
-                    let found = Dimension::of(compound.dimension).describe(compound.dimension[5] != 0);
-                    self.errors
-                        .at(unit.area, say::wrong_dimension(wanted.what, &kind, &found));
-                    return None;
-                }
-                components
-                    .iter()
-                    .map(|component| self.scaled_literal(component, compound))
-                    .collect()
-            }
-        };
+        let unit = self.unit_behind(unit.as_ref(), wanted)?;
+        let values = self.in_unit(components, unit, scope, wanted)?;
         let areas = components.iter().map(|component| component.area).collect();
-        Some((values.into_iter().collect::<Option<_>>()?, areas))
+        Some((values, areas))
+    }
+
+    /// The unit behind a vector or matrix, where there is one: that of the field.
+    pub(super) fn unit_behind(&mut self, unit: Option<&UnitText>, wanted: Wanted) -> Option<Option<Compound>> {
+        let Some(unit) = unit else { return Some(None) };
+        let compound = self.unit(unit)?;
+        if Dimension::of(compound.dimension) != Dimension::of(wanted.dimension) {
+            let kind = Dimension::of(wanted.dimension).describe(wanted.dimension[5] != 0);
+            let found = Dimension::of(compound.dimension).describe(compound.dimension[5] != 0);
+            self.errors
+                .at(unit.area, say::wrong_dimension(wanted.what, &kind, &found));
+            return None;
+        }
+        Some(Some(compound))
+    }
+
+    /// Components with a unit behind them, or with units of their own.
+    pub(super) fn in_unit(
+        &mut self,
+        components: &'a [Expr],
+        unit: Option<Compound>,
+        scope: Scope,
+        wanted: Wanted,
+    ) -> Option<Vec<model::Expr>> {
+        let values = components.iter().map(|component| match unit {
+            None => self.component(component, scope, wanted),
+            Some(unit) => self.scaled_literal(component, unit),
+        });
+        // All mistakes are told at once.
+        values.collect::<Vec<_>>().into_iter().collect()
     }
 
     /// An angular velocity: hertz is refused.
@@ -345,7 +364,7 @@ impl<'a> Check<'a> {
     }
 
     /// A literal times the unit behind the brackets.
-    pub(super) fn scaled_literal(&mut self, expr: &Expr, unit: crate::units::Compound) -> Option<model::Expr> {
+    pub(super) fn scaled_literal(&mut self, expr: &Expr, unit: Compound) -> Option<model::Expr> {
         match &expr.kind {
             ExprKind::Number { text, unit: None } => self.number(text, unit, expr.area).map(model::Expr::Number),
             ExprKind::Negate(inner) => {

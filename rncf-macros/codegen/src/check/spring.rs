@@ -11,18 +11,13 @@ use crate::parse::tree::{Call, Expr, ExprKind, Item, ItemKind, Keyword};
 use crate::suggest;
 use crate::units::Dimension;
 
-/// A wanted quantity.
-const fn wanted(what: &'static str, dimension: [i8; 6], unit: &'static str) -> Wanted {
-    Wanted { what, dimension, unit }
-}
-
-const STIFFNESS: Wanted = wanted("the stiffness of a spring", [0, 1, -2, 0, 0, 0], "N/m");
-const DAMPING: Wanted = wanted("the damping of a spring", [0, 1, -1, 0, 0, 0], "N*s/m");
-const LENGTH: Wanted = wanted("the length of a spring", [1, 0, 0, 0, 0, 0], "m");
-const FORCE: Wanted = wanted("the force of a law", [1, 1, -2, 0, 0, 0], "N");
-const TORSION: Wanted = wanted("the stiffness of a torsional spring", [2, 1, -2, 0, 0, 0], "N*m/rad");
-const FRICTION: Wanted = wanted("the damping of a torsional spring", [2, 1, -1, 0, 0, 0], "N*m*s/rad");
-const MOMENT: Wanted = wanted("the moment of a law", [2, 1, -2, 0, 0, 0], "N*m");
+const STIFFNESS: Wanted = Wanted::new("the stiffness of a spring", [0, 1, -2, 0, 0, 0], "N/m");
+const DAMPING: Wanted = Wanted::new("the damping of a spring", [0, 1, -1, 0, 0, 0], "N*s/m");
+const LENGTH: Wanted = Wanted::new("the length of a spring", [1, 0, 0, 0, 0, 0], "m");
+const FORCE: Wanted = Wanted::new("the force of a law", [1, 1, -2, 0, 0, 0], "N");
+const TORSION: Wanted = Wanted::new("the stiffness of a torsional spring", [2, 1, -2, 0, 0, 0], "N*m/rad");
+const FRICTION: Wanted = Wanted::new("the damping of a torsional spring", [2, 1, -1, 0, 0, 0], "N*m*s/rad");
+const MOMENT: Wanted = Wanted::new("the moment of a law", [2, 1, -2, 0, 0, 0], "N*m");
 
 const LINEAR: Shape = Shape {
     positional: 2,

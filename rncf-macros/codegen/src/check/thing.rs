@@ -395,9 +395,7 @@ impl<'a> Check<'a> {
     }
 
     fn direction(&mut self, frame: FrameId, along: Vector, area: Area) -> Option<Thing<'a>> {
-        if self.is_point_mass(frame) {
-            let message = say::point_mass_turns(&self.model.frames[frame.0].name);
-            self.errors.at(area, message);
+        if !self.has_orientation(frame, area) {
             return None;
         }
         let in_plane = self
@@ -448,9 +446,7 @@ impl<'a> Check<'a> {
     }
 
     fn turning(&mut self, frame: FrameId, field: &Name) -> Option<Thing<'a>> {
-        if self.is_point_mass(frame) {
-            let message = say::point_mass_turns(&self.model.frames[frame.0].name);
-            self.errors.at(field.span, message);
+        if !self.has_orientation(frame, field.span.into()) {
             return None;
         }
         let marker = self.marker(Marker::Turn { frame });

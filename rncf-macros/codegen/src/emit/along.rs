@@ -109,27 +109,22 @@ impl Parts<'_> {
 
     /// A list of places, those of loops once for each repetition.
     fn places(&self, places: &[NodeAt]) -> String {
-        let single = places.iter().filter(|of| of.over.is_none());
-        let single: Vec<String> = single.map(|of| self.expr(&of.place)).collect();
-        let mut lists = vec![format!("[{}]", single.join(", "))];
-        for of in places {
-            if let Some(repeat) = of.over {
-                lists.push(format!(
-                    "(0..self.counts[{}]).map(|instance| {{\nlet index = instance as f64;\n{}\n}}).collect::<::std::vec::Vec<f64>>()",
-                    repeat.0,
-                    self.expr(&of.place)
-                ));
+        let (mut single, mut repeated) = (Vec::new(), Vec::new());
+        for NodeAt { place, over } in places {
+            let place = self.expr(place);
+            match over {
+                None => single.push(place),
+                Some(repeat) => repeated.push(format!(
+                    "(0..self.counts[{}]).map(|instance| {{\nlet index = instance as f64;\n{place}\n}}).collect::<::std::vec::Vec<f64>>()",
+                    repeat.0
+                )),
             }
         }
-        match &lists[..] {
-            [list] => list.clone(),
-            [_, repeated @ ..] => format!(
-                "[::std::vec::Vec::from({}), {}].concat()",
-                lists[0],
-                repeated.join(", ")
-            ),
-            [] => "[]".to_string(),
+        let single = format!("[{}]", single.join(", "));
+        if repeated.is_empty() {
+            return single;
         }
+        format!("[::std::vec::Vec::from({single}), {}].concat()", repeated.join(", "))
     }
 
     /// Of a piece of an axis with corners: the place and the length of the whole axis instead of its own.

@@ -208,6 +208,23 @@ pub struct Fixture {
 }
 
 impl Marker {
+    /// The body and the place on it; none of what is fixed in a frame.
+    pub fn on_body(&self) -> Option<(BodyId, &Location)> {
+        match self {
+            Marker::BodyPoint { body, at }
+            | Marker::BodySlope { body, at }
+            | Marker::BodySection { body, at, .. }
+            | Marker::InSection { body, at, .. }
+            | Marker::SectionTurn { body, at } => Some((*body, at)),
+            Marker::Point { .. }
+            | Marker::Direction { .. }
+            | Marker::Turn { .. }
+            | Marker::Angle { .. }
+            | Marker::Matching { .. }
+            | Marker::Normal { .. } => None,
+        }
+    }
+
     /// The frame that it is fixed in; markers on bodies are in the bodies' frames.
     pub fn frame(&self) -> Option<FrameId> {
         match self {

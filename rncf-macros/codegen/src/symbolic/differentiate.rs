@@ -162,19 +162,13 @@ impl Graph {
             Function::Exp => value,
             Function::Ln => {
                 let slope = self.divide(one, a);
-                match self.guards.of_root(a) {
-                    true => self.unless_zero(a, slope),
-                    false => slope,
-                }
+                self.unless_zero(self.guards.of_root(a), a, slope)
             }
             Function::Sqrt => {
                 let two = self.number(2.0);
                 let double = self.multiply(two, value);
                 let slope = self.divide(one, double);
-                match self.guards.of_root(value) {
-                    true => self.unless_zero(value, slope),
-                    false => slope,
-                }
+                self.unless_zero(self.guards.of_root(value), value, slope)
             }
             Function::Abs => {
                 let zero = self.zero();
@@ -187,9 +181,9 @@ impl Graph {
         }
     }
 
-    /// A derivative that has no value where something that is never negative is zero: zero there.
-    fn unless_zero(&mut self, value: Id, derivative: Id) -> Id {
-        if self.is_zero(derivative) {
+    /// A derivative that has no value where something that is never negative is zero: zero there, where that is guarded.
+    fn unless_zero(&mut self, is_guarded: bool, value: Id, derivative: Id) -> Id {
+        if !is_guarded || self.is_zero(derivative) {
             return derivative;
         }
         let zero = self.zero();
@@ -207,10 +201,7 @@ impl Graph {
                 let (left, right) = (self.multiply(b, da), self.multiply(a, db));
                 let numerator = self.subtract(left, right);
                 let slope = self.divide(numerator, norm);
-                match self.guards.of_angle() {
-                    true => self.unless_zero(norm, slope),
-                    false => slope,
-                }
+                self.unless_zero(self.guards.of_angle(), norm, slope)
             }
             // Nothing that is differentiated depends on the index of a repetition.
             Function::Remainder => da,

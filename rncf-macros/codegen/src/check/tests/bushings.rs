@@ -2,7 +2,7 @@
 
 use super::moving_sections::{Motion, NONE, PLANAR, SCENE, near};
 use super::section_forces::{power, resultant};
-use super::world::{STEP, with};
+use super::world::{STEP, Vec3, with};
 
 /// Places whose axes turn: B a rigid body, or a section.
 const PAIRS: [(&str, &str); 4] = [
@@ -15,6 +15,17 @@ const PAIRS: [(&str, &str); 4] = [
 const FULL: &str = "stiffness = [[3, 1, -2], [1, 4, 0.5], [-2, 0.5, 5]] N/m,
     rotational_stiffness = [[3, 0.5, 1], [0.5, 2, -1], [1, -1, 4]] N*m/rad,
     coupling = [[0.3, -2, 1], [0.5, 0, 3], [1, 2, 0.1]] N/rad";
+
+/// Bodies and sections without strain.
+fn in_space<'m>(shift: &'m dyn Fn(f64) -> Vec3, turn: &'m dyn Fn(f64) -> Vec3) -> Motion<'m> {
+    Motion {
+        shift,
+        turn,
+        small: NONE,
+        is_planar: false,
+        strain: 0.0,
+    }
+}
 
 /// Symmetric matrices and any coupling have a potential; nothing acts on both together.
 #[test]
@@ -29,12 +40,12 @@ fn matrices_have_a_potential() {
     ] {
         for (a, b) in pairs {
             let model = with(scene, &format!("spring s = bushing({a}, {b}, {FULL});"));
-            let motion = Motion {
-                shift: if is_planar { &flat } else { &shift },
-                turn: if is_planar { &about } else { &turn },
-                small: NONE,
-                is_planar,
-                strain: 0.0,
+            let motion = match is_planar {
+                true => Motion {
+                    is_planar,
+                    ..in_space(&flat, &about)
+                },
+                false => in_space(&shift, &turn),
             };
             let potential =
                 |t: f64| motion.world(&model, t, |world| world.value(model.forces[0].energy.as_ref().unwrap()));
@@ -56,13 +67,7 @@ fn a_turn_about_one_axis_is_its_angle() {
     let shift = |_: f64| [0.0; 3];
     for axis in 0..3 {
         let turn = |t: f64| std::array::from_fn(|at| if at == axis { -2.0 * t * t } else { 0.0 });
-        let motion = Motion {
-            shift: &shift,
-            turn: &turn,
-            small: NONE,
-            is_planar: false,
-            strain: 0.0,
-        };
+        let motion = in_space(&shift, &turn);
         // `a` is first, so that axes of the turn are those of B.
         let model = with(
             SCENE,
@@ -85,13 +90,7 @@ fn a_turn_about_one_axis_is_its_angle() {
 fn small_angles_are_those_of_the_rotation_vector() {
     let small = [2e-4, -3e-4, 5e-4];
     let (shift, turn) = (|_: f64| [0.0; 3], |t: f64| small.map(|part| part * t));
-    let motion = Motion {
-        shift: &shift,
-        turn: &turn,
-        small: NONE,
-        is_planar: false,
-        strain: 0.0,
-    };
+    let motion = in_space(&shift, &turn);
     let model = with(
         SCENE,
         "spring s = bushing(rod.end, a, rotational_stiffness = [[1, 2, 3], [2, 5, 6], [3, 6, 9]] MN*m/rad);",
@@ -109,13 +108,7 @@ fn small_angles_are_those_of_the_rotation_vector() {
 fn cross_terms_without_potential() {
     let shift = |t: f64| [0.0, 0.2 * t, -0.3 * t];
     let turn = |_: f64| [0.0; 3];
-    let motion = Motion {
-        shift: &shift,
-        turn: &turn,
-        small: NONE,
-        is_planar: false,
-        strain: 0.0,
-    };
+    let motion = in_space(&shift, &turn);
     let model = with(
         SCENE,
         "spring s = bushing(rod.at(1 m), a.at([0.5, 0.25, -0.125] m),
