@@ -2,7 +2,7 @@
 //! K alone may be singular, and phase conditions p hold what is neutral.
 
 use super::negative::Negative;
-use crate::linalg::{Lu, Pattern, symmetric_eigen};
+use crate::linalg::{Lu, Pattern, negative_eigenvalues};
 use crate::model::{Kind, Scene, Uniform};
 use crate::system::{ConstraintLevel, State, Tangent};
 
@@ -465,10 +465,9 @@ impl Newton {
         let size = pattern.columns();
         let bordering = size - self.inverse_sizes.len();
         if let Some(whole) = self.symmetric().filter(|_| size <= LARGEST_COUNTED)
-            && let Ok((values, _)) = symmetric_eigen(size, &whole)
+            && let Ok(negative) = negative_eigenvalues(size, &whole)
         {
             // Every bordering row has one negative eigenvalue of its own.
-            let negative = values.iter().filter(|&&value| value < 0.0).count();
             return Negative::Counted(negative.saturating_sub(bordering));
         }
         let is_odd = self.lu.is_determinant_negative() == bordering.is_multiple_of(2);
