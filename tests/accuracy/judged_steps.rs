@@ -100,3 +100,28 @@ fn where_steps_do_not_follow_the_tolerance_smaller_ones_tell() {
         );
     }
 }
+
+rncf::model! {
+    /// A body that swings slowly by 10 m, and shivers by 10 um beside it.
+    pub model Shiver {
+        rigid body { plane xy; mass = 1 kg; origin = [10, 0, 0] m; velocity = [0, 1, 0] mm/s; }
+        load springs = force(body, [-10 [mN/m] * body.x, -10 [kN/m] * body.y, 0 N]);
+        output speed = body.velocity;
+        run { t_end = 100 s; every = 0.1 s; }
+    }
+}
+
+/// The shiver is as small as the tolerance of places, and a thousandth of the speeds: with ten times the tolerance, and with a tenth, it is lost as well.
+/// The speed across is `cos(100 t)` mm/s.
+#[test]
+fn small_vibrations_that_the_steps_lose_are_in_the_line_of_agreement() {
+    for rtol in [1e-6, 1e-7] {
+        let found = run(&Shiver {}, &judged(rtol, Judging::Affordable)).unwrap();
+        let across = found.history.keys.iter().zip(found.history.column(1));
+        let error = across.map(|(t, v)| (v - 1e-3 * (100.0 * t).cos()).abs()).fold(0.0, f64::max) / 2.0;
+        let told = found.off_by.first().map_or(0.0, |off| off.1);
+        println!("{rtol}: {error:.1e} {told:.1e} {:?} {:?}", found.agreement, found.warnings);
+        assert!(error > 3e-4, "followed: {error:.1e}");
+        assert!((0.5..5.0).contains(&(told / error)), "off by {error:.1e}, told {told:.1e}");
+    }
+}

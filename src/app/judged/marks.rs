@@ -195,6 +195,22 @@ impl Marks {
         compared.iter().map(is_open).collect()
     }
 
+    /// Outputs that miss swings of such amplitudes, as `differences` tells them.
+    pub fn lost(&self, outputs: &[Output], amplitudes: &[(usize, f64)], rtol: f64) -> Vec<Off> {
+        let compared = self.compared(outputs, &self.rows, &[]);
+        let off = |&(output, amplitude): &(usize, f64)| {
+            let of = compared.get(output)?;
+            let measure = of.measure(false, rtol);
+            Some(Off {
+                output,
+                part: amplitude / measure,
+                nothing: Some(measure).filter(|measure| *measure > of.size),
+                is_open: false,
+            })
+        };
+        sorted(amplitudes.iter().filter_map(off).collect())
+    }
+
     fn compared(&self, outputs: &[Output], here: &[(f64, Vec<f64>)], there: &[Vec<f64>]) -> Vec<Compared> {
         let Some((_, begin)) = self.rows.first() else {
             return Vec::new();

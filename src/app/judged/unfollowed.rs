@@ -5,6 +5,8 @@
 //! nothing damps it in the model, that is off by its amplitude, at the right positions. No estimate of a step's error sees this. So it is looked at: after the run a few
 //! steps with a far smaller tolerance begin at the same start. What swings in them, lasts and is quicker than the steps of the run is missing in its outputs.
 
+use super::marks::{Marks, Off, TOLD};
+use crate::app::writing::numbers::digits;
 use crate::app::writing::sentences::listed;
 use crate::{Integrator, Method, Options, Output, Scene, State, Statistics, Stop};
 
@@ -19,8 +21,6 @@ const SHARE: f64 = 0.2;
 const AFFORDED: usize = 500_000;
 /// Even times at which what was seen is judged.
 const TIMES: usize = 256;
-/// Least amplitude that is told, of the largest value seen.
-const TOLD: f64 = 0.05;
 /// Amplitude that is nothing, in tolerances of what the output is made of.
 const SMALL: f64 = 10.0;
 /// States of which it is looked at what outputs are made of: one of so many.
@@ -56,6 +56,15 @@ struct Missed {
     part: f64,
 }
 
+/// What the steps of a run lose.
+#[derive(Debug, Default)]
+pub(in crate::app) struct Lost {
+    /// One sentence where it is much of an output.
+    pub told: Option<String>,
+    /// How far outputs are off by it.
+    pub off: Vec<Off>,
+}
+
 /// A run that came to its end.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::app) struct Followed<'r> {
@@ -65,17 +74,15 @@ pub(in crate::app) struct Followed<'r> {
     pub statistics: &'r Statistics,
     /// State at the end.
     pub end: &'r State,
-    /// Outputs at times, s.
-    pub rows: &'r [(f64, Vec<f64>)],
+    pub marks: &'r Marks,
 }
 
-/// One sentence where outputs of a run from `start` miss vibrations.
-pub(in crate::app) fn unfollowed(
-    scene: &mut dyn Scene,
-    start: State,
-    run: Followed<'_>,
-    outputs: &[Output],
-) -> Option<String> {
+/// The vibrations that outputs of a run from `start` miss.
+pub(in crate::app) fn unfollowed(scene: &mut dyn Scene, start: State, run: Followed<'_>, outputs: &[Output]) -> Lost {
+    lost(scene, start, run, outputs).unwrap_or_default()
+}
+
+fn lost(scene: &mut dyn Scene, start: State, run: Followed<'_>, outputs: &[Output]) -> Option<Lost> {
     let (rtol, steps) = (run.rtol, run.statistics.steps);
     let step = run.t_end / steps.max(1) as f64;
     let finer = (FINER * rtol).max(LEAST);
@@ -105,20 +112,24 @@ pub(in crate::app) fn unfollowed(
         }
     }
     let mut found = missing(outputs, &rows, &last, &nothing, step);
-    found.retain(|missed| !shows(run.rows, rows[rows.len() - 1].0, missed));
+    found.retain(|missed| !shows(&run.marks.rows, rows[rows.len() - 1].0, missed));
+    let amplitudes: Vec<(usize, f64)> = found.iter().map(|of| (of.output, of.swing.amplitude)).collect();
+    let off = run.marks.lost(outputs, &amplitudes, rtol);
+    found.retain(|missed| off.iter().any(|off| off.output == missed.output && off.part > TOLD));
     found.sort_by(|a, b| b.part.total_cmp(&a.part));
     let told = |missed: &Missed| {
         let name = outputs[missed.output].name;
         format!(
-            "`{name}` by {:.0} % of its largest value, with a period of {:.1e} s",
-            100.0 * missed.part,
+            "`{name}` by {} % of its largest value, with a period of {:.1e} s",
+            digits(100.0 * missed.part, 2),
             missed.swing.period
         )
     };
-    let names = listed(&found.iter().map(told).collect::<Vec<_>>(), MOST)?;
-    Some(format!(
+    let names = listed(&found.iter().map(told).collect::<Vec<_>>(), MOST);
+    let told = names.map(|names| format!(
         "The start sets off vibrations that last and are quicker than the steps of the run ({step:.1e} s in the mean), which lose them: {names} show the mean that they swing about, without the swing. Give `damping` to what vibrates, start in equilibrium (`--start steady`, `start .. = spinning(..)`), or follow them with `--rtol {finer:.0e}`."
-    ))
+    ));
+    Some(Lost { told, off })
 }
 
 /// What ends the look, where it comes first.
@@ -177,7 +188,7 @@ fn missing(outputs: &[Output], rows: &[(f64, Vec<f64>)], last: &[f64], nothing: 
             continue;
         };
         let part = swing.amplitude / sizes[index];
-        if part > TOLD && swing.period < FOLLOWED * step {
+        if swing.period < FOLLOWED * step {
             found.push(Missed {
                 output: index,
                 column,
@@ -284,11 +295,11 @@ mod tests {
             rtol: settings.options.rtol,
             statistics: &result.statistics,
             end: &result.state,
-            rows: &result.marks.rows,
+            marks: &result.marks,
         };
         (
             row[2],
-            unfollowed(scene.as_mut(), start, of_run, AnyModel::outputs(rotor)),
+            unfollowed(scene.as_mut(), start, of_run, AnyModel::outputs(rotor)).told,
         )
     }
 
@@ -354,11 +365,12 @@ mod tests {
         };
         let rows: Vec<(f64, Vec<f64>)> = seen(|t| t).iter().map(|&(t, _)| (t, values(t))).collect();
         let found = missing(&outputs, &rows, &values(1.0), &[1e-5; 3], 0.1);
-        assert!(found.len() == 1 && found[0].output == 0, "{found:?}");
+        let of: Vec<usize> = found.iter().map(|missed| missed.output).collect();
+        assert_eq!(of, [0, 2], "{found:?}");
         assert!(missing(&outputs, &rows, &values(1.0), &[1e-5; 3], 0.01).is_empty());
         // Of small things a small number is all.
         let found = missing(&outputs, &rows, &values(1.0), &[1e-5, 1e-8, 1e-5], 0.1);
-        assert!(found.len() == 2 && found[1].output == 1, "{found:?}");
+        assert!(found.len() == 3 && found[1].output == 1, "{found:?}");
     }
 
     #[test]

@@ -137,11 +137,13 @@ fn look_again(
             rtol: run.options.rtol,
             statistics: &result.statistics,
             end: &result.state,
-            rows: &result.marks.rows,
+            marks: &result.marks,
         };
-        missed = unfollowed(scene, start.clone(), followed, model.outputs());
+        let lost = unfollowed(scene, start.clone(), followed, model.outputs());
         let added = accumulated(scene, start.clone(), run, model.outputs(), &mut goes_on);
-        (added_up, run.is_compared, off) = (added.told, added.is_known, added.off);
+        (added_up, run.is_compared) = (added.told, added.is_known);
+        missed = lost.told;
+        off = [lost.off, added.off].concat();
     }
     let own = Begun {
         scene,
