@@ -118,10 +118,19 @@ fn small_vibrations_that_the_steps_lose_are_in_the_line_of_agreement() {
     for rtol in [1e-6, 1e-7] {
         let found = run(&Shiver {}, &judged(rtol, Judging::Affordable)).unwrap();
         let across = found.history.keys.iter().zip(found.history.column(1));
-        let error = across.map(|(t, v)| (v - 1e-3 * (100.0 * t).cos()).abs()).fold(0.0, f64::max) / 2.0;
+        let error = across
+            .map(|(t, v)| (v - 1e-3 * (100.0 * t).cos()).abs())
+            .fold(0.0, f64::max)
+            / 2.0;
         let told = found.off_by.first().map_or(0.0, |off| off.1);
-        println!("{rtol}: {error:.1e} {told:.1e} {:?} {:?}", found.agreement, found.warnings);
+        println!(
+            "{rtol}: {error:.1e} {told:.1e} {:?} {:?}",
+            found.agreement, found.warnings
+        );
         assert!(error > 3e-4, "followed: {error:.1e}");
-        assert!((0.5..5.0).contains(&(told / error)), "off by {error:.1e}, told {told:.1e}");
+        assert!(
+            (0.5..5.0).contains(&(told / error)),
+            "off by {error:.1e}, told {told:.1e}"
+        );
     }
 }

@@ -2,7 +2,7 @@
 //! hinged blades in closed form.
 
 use rncf::Model;
-use rncf::app::{Campbell, EquilibriumSettings, Inertial, Range, SeenMode, campbell, modes, steady};
+use rncf::app::{Campbell, EquilibriumSettings, Inertial, Judging, Range, SeenMode, campbell, modes, steady};
 use rncf::modes::{Motion, Whirl};
 
 rncf::model! {
@@ -141,6 +141,51 @@ fn critical_speeds_of_a_shaft_balanced_or_not() {
             assert!((value / exact - 1.0).abs() < 2e-4, "{value} {exact}");
         }
     }
+}
+
+/// What finer meshes make of critical speeds and frequencies is told: the energy in sections that swell beside discs says nothing of either.
+#[test]
+fn meshes_of_diagrams_are_judged() {
+    let settings = EquilibriumSettings {
+        range: Some(Range {
+            param: 0,
+            from: 5.0,
+            to: 400.0,
+        }),
+        steps: 9,
+        count: 4,
+        judged: Judging::Affordable,
+        ..EquilibriumSettings::default()
+    };
+    let found = campbell(&Shaft::default(), &settings).unwrap();
+    assert!(found.warnings.is_empty(), "{:?}", found.warnings);
+    let told = found.agreement.expect("compared");
+    let values = told
+        .split("critical values by ")
+        .nth(1)
+        .and_then(|rest| rest.split(' ').next());
+    let part: f64 = values
+        .and_then(|number| number.parse().ok())
+        .unwrap_or_else(|| panic!("{told}"));
+    let errors = found
+        .critical
+        .iter()
+        .zip(FORWARD)
+        .map(|(own, exact)| own.value / exact - 1.0);
+    let error = errors.map(f64::abs).fold(0.0, f64::max);
+    println!("{error:.1e}, {told}");
+    assert!((0.5..2.0).contains(&(part / error)), "{error:.1e}, {told}");
+    // Elements of half a metre.
+    let coarse = Shaft {
+        elements: 3,
+        ..Shaft::default()
+    };
+    let notes = campbell(&coarse, &settings).unwrap().warnings;
+    println!("{notes:?}");
+    let is_told = notes
+        .iter()
+        .any(|note| note.contains("frequencies at speed = 400 rad/s differ by"));
+    assert!(is_told, "{notes:?}");
 }
 
 #[test]

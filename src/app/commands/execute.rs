@@ -291,6 +291,7 @@ fn execute_campbell(arguments: &Arguments, interrupted: impl Fn() -> bool) -> Re
     for line in campbell_lines(&result, arguments.frequency) {
         head += &format!("\n{line}");
     }
+    tell(&mut head, result.agreement.as_deref());
     finish(head, &result.warnings, files, failure)
 }
 

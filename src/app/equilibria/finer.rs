@@ -130,7 +130,7 @@ pub(in crate::app) fn compare(model: &dyn AnyModel, own: &Own<'_>, goes_on: &mut
     let off = marks.between(outputs, &marks.rows, &there, &known, RTOL);
     let key = &own.history.key;
     let values = told_of_values(key, own.critical, &critical);
-    let of_values = own.critical.iter().zip(&critical).map(apart).reduce(f64::max);
+    let of_values = farthest(own.critical, &critical);
     let ends = told_of_ends(key, ends, own.is_whole).filter(|_| values.is_none());
     let names: Vec<String> = told(outputs, &off).into_iter().chain(values).chain(ends).collect();
     Some(Found {
@@ -169,8 +169,13 @@ fn apart((own, finer): (&Critical, &Critical)) -> f64 {
     (own.value - finer.value).abs() / own.value.abs()
 }
 
-/// What critical values are off by.
-fn told_of_values(key: &Column, own: &[Critical], finer: &[Critical]) -> Option<String> {
+/// The largest of these parts.
+pub(in crate::app) fn farthest(own: &[Critical], finer: &[Critical]) -> Option<f64> {
+    own.iter().zip(finer).map(apart).reduce(f64::max)
+}
+
+/// What critical values are off by, where that is much.
+pub(in crate::app) fn told_of_values(key: &Column, own: &[Critical], finer: &[Critical]) -> Option<String> {
     let mut parts: Vec<String> = own
         .iter()
         .zip(finer)

@@ -22,22 +22,32 @@ pub(in crate::app) fn of_run(outputs: &[Output], off: &[Off], has_meshes: bool, 
 
 /// The same of equilibria, which were compared with those of finer meshes, and of the critical values on their way.
 pub(in crate::app) fn of_equilibria(outputs: &[Output], off: &[Off], critical: Option<f64>) -> Option<String> {
-    let critical = critical.map_or(String::new(), |part| {
-        format!(", critical values by {:.1e} of theirs", part.max(LEAST))
-    });
+    let critical = of_values(critical);
     let text = sentence(outputs, off, "twice as many elements")?;
     Some(format!("{}{critical}.", text.trim_end_matches('.')))
 }
 
-/// The same of frequencies: the largest part by which one is off, and the number of its mode.
-pub(in crate::app) fn of_modes((most, mode): (f64, usize), damping: Option<(f64, usize)>) -> String {
+/// The same of frequencies at a place of a diagram, and its critical values: the largest part by which one is off, and the number of its mode.
+pub(in crate::app) fn of_modes(
+    place: &str,
+    (most, mode): (f64, usize),
+    damping: Option<(f64, usize)>,
+    critical: Option<f64>,
+) -> String {
+    let critical = of_values(critical);
     let damping = damping.map_or(String::new(), |(most, mode)| {
         format!(", dampings by at most {:.1e} (mode {mode})", most.max(LEAST))
     });
     format!(
-        "Compared with twice as many elements, frequencies differ by at most {:.1e} of them (mode {mode}){damping}.",
+        "Compared with twice as many elements, frequencies{place} differ by at most {:.1e} of them (mode {mode}){damping}{critical}.",
         most.max(LEAST)
     )
+}
+
+fn of_values(critical: Option<f64>) -> String {
+    critical.map_or(String::new(), |part| {
+        format!(", critical values by {:.1e} of theirs", part.max(LEAST))
+    })
 }
 
 fn sentence(outputs: &[Output], off: &[Off], with: &str) -> Option<String> {

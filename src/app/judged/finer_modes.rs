@@ -43,9 +43,28 @@ struct Off {
     damping: f64,
 }
 
+/// What is told beside modes over a parameter: where they were compared, and critical values that are off by much, or by a part.
+#[derive(Default)]
+pub(in crate::app) struct Beside {
+    /// Empty, or as ` at w = 10 rad/s`.
+    pub place: String,
+    pub values: Option<String>,
+    pub of_values: Option<f64>,
+}
+
 /// How far frequencies and dampings are off: vibrations, ascending, with the numbers of their modes, rates of growth and frequencies, beside those of a finer
 /// one. Stiffness that a mesh adds raises every frequency, so that they are compared by their places. `None` without any.
-pub(in crate::app) fn compare(scene: &dyn Scene, own: &[Vibration], there: &[Vibration]) -> Option<Found> {
+pub(in crate::app) fn compare(
+    scene: &dyn Scene,
+    own: &[Vibration],
+    there: &[Vibration],
+    beside: Beside,
+) -> Option<Found> {
+    let Beside {
+        place,
+        values,
+        of_values,
+    } = beside;
     let off: Vec<Off> = own
         .iter()
         .zip(there)
@@ -57,11 +76,11 @@ pub(in crate::app) fn compare(scene: &dyn Scene, own: &[Vibration], there: &[Vib
         .max_by(|a, b| a.damping.total_cmp(&b.damping))
         .filter(|of| of.damping > 0.0);
     let is_much = |of: &Off| [of.frequency > 0.5 * TOLD, of.damping > 0.5 * TOLD_OF_DAMPING];
-    if !off.iter().any(|of| is_much(of).contains(&true)) {
+    if values.is_none() && !off.iter().any(|of| is_much(of).contains(&true)) {
         let damping = damped.map(|of| (of.damping, of.mode));
+        let frequency = (worst.frequency, worst.mode);
         return Some(Found::Little(agreement::of_modes(
-            (worst.frequency, worst.mode),
-            damping,
+            &place, frequency, damping, of_values,
         )));
     }
     let all = |which: usize, part: fn(&Off) -> f64| {
@@ -73,9 +92,11 @@ pub(in crate::app) fn compare(scene: &dyn Scene, own: &[Vibration], there: &[Vib
         listed(&named, MOST)
     };
     let frequencies =
-        all(0, |of| of.frequency).map(|named| format!("frequencies differ by parts of them, that {named}"));
-    let dampings = all(1, |of| of.damping).map(|named| format!("the damping differs by parts of it, that {named}"));
-    let told: Vec<String> = frequencies.into_iter().chain(dampings).collect();
+        all(0, |of| of.frequency).map(|named| format!("frequencies{place} differ by parts of them, that {named}"));
+    let dampings =
+        all(1, |of| of.damping).map(|named| format!("the damping{place} differs by parts of it, that {named}"));
+    let values = values.map(|named| format!("critical values differ by parts of them, {named}"));
+    let told: Vec<String> = frequencies.into_iter().chain(dampings).chain(values).collect();
     let Meshes { too, how, more, names } = Meshes::of(&scene.bodies());
     Some(Found::Much(format!(
         "The mesh is too coarse for these modes{too}: with twice as many elements{how} in {names} {}. {MORE}{more}.",

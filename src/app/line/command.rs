@@ -141,7 +141,10 @@ impl Command {
             "fidelity" => matches!(self, Command::Run | Command::Explain),
             "step" | "proportional" | "animate" | "compare" | "vtu" | "resume" => self == Command::Run,
             "unjudged" | "thorough" => {
-                matches!(self, Command::Run | Command::Steady | Command::Static | Command::Modes)
+                matches!(
+                    self,
+                    Command::Run | Command::Steady | Command::Static | Command::Modes | Command::Campbell
+                )
             }
             "out" | "save-scenario" | "at" if self == Command::Explain => false,
             "formulation" => self != Command::Chart,
@@ -205,7 +208,6 @@ impl Command {
             (_, "fidelity") => "equilibria take the bodies as they are declared",
             (_, "modes" | "frequency") => "it looks for no modes",
             (_, "steps") => "it takes one equilibrium",
-            (_, "unjudged" | "thorough") => "it is not compared with finer meshes",
             _ => "it does not advance in time",
         };
         let why = why.to_owned();

@@ -3,9 +3,11 @@
 
 use std::ops::ControlFlow;
 
+use super::finer;
 use super::tracker::Tracker;
 use crate::AnyModel;
 use crate::app::equilibria::continuation::{EquilibriumProgress, Line};
+use crate::app::judged::finer_modes::Found;
 use crate::app::judged::{cautions, coarse};
 use crate::app::machine::clock::{Clock, Seconds};
 use crate::app::results::campbell::Campbell;
@@ -53,6 +55,7 @@ pub fn campbell_watched(
         constraints: 0,
         newton_iterations: 0,
         warnings: Vec::new(),
+        agreement: None,
         seconds: Seconds::default(),
         incomplete: None,
     };
@@ -91,12 +94,24 @@ pub fn campbell_watched(
     diagram.warnings.extend(leaps);
     let (at, state) = (station.at, station.state);
     diagram.warnings.extend(equilibrium::untied(station.scene, &at, state));
-    let coarse = coarse::of_equilibrium(station.scene, &at, state);
-    diagram.warnings.extend(coarse);
-    diagram
-        .warnings
-        .extend(coarse::of_modes(station.scene, &diagram.mesh_errors));
     diagram.seconds = clock.seconds();
+    let found = match diagram.incomplete {
+        None => finer::of_campbell(model, settings, station.scene, &diagram),
+        Some(_) => None,
+    };
+    // As of `modes`: what the equilibrium is off by does not count where frequencies agree.
+    if !matches!(found, Some(Found::Little(_))) {
+        let coarse = coarse::of_equilibrium(station.scene, &at, state);
+        diagram.warnings.extend(coarse);
+    }
+    match found {
+        Some(Found::Much(told)) => diagram.warnings.push(told),
+        Some(Found::Little(told)) => diagram.agreement = Some(told),
+        None => {
+            let coarse = coarse::of_modes(station.scene, &diagram.mesh_errors);
+            diagram.warnings.extend(coarse);
+        }
+    }
     match diagram.incomplete {
         None => Ok(diagram),
         Some(_) => Err(RunError::Campbell(Box::new(diagram))),

@@ -1,10 +1,9 @@
 //! Modes of small motions about a relative equilibrium, and how an observer sees them (THEORY 8.1, 8.2);
 //! nothing is printed or written here.
 
+use super::finer;
 use crate::app::equilibria::{directions, way};
-use crate::app::judged::finer::FINER;
-use crate::app::judged::finer_model::FinerModel;
-use crate::app::judged::finer_modes::{self, Found};
+use crate::app::judged::finer_modes::Found;
 use crate::app::judged::{cautions, coarse};
 use crate::app::machine::clock::Clock;
 use crate::app::pictures::Shapes;
@@ -45,7 +44,7 @@ pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Mod
     let mut warnings = cautions::cautioned(model.as_ref(), scene.warnings(&state));
     warnings.extend(crate::equilibrium::untied(scene, &at, &state));
     let seconds = clock.seconds();
-    let found = on_finer_meshes(model.as_ref(), settings, scene, &modes);
+    let found = finer::of_modes(model.as_ref(), settings, scene, &modes);
     // Where frequencies agree, what the equilibrium is off by does not count: it may be the swelling of sections beside discs alone.
     if !matches!(found, Some(Found::Little(_))) {
         warnings.extend(coarse::of_equilibrium(scene, &at, &state));
@@ -93,32 +92,6 @@ fn fewer(scene: &dyn Scene, modes: &[SeenMode], asked: usize) -> Option<String> 
     })
 }
 
-/// What finer meshes make of the frequencies, where that is asked for.
-fn on_finer_meshes(
-    model: &dyn AnyModel,
-    settings: &EquilibriumSettings,
-    scene: &dyn Scene,
-    modes: &[SeenMode],
-) -> Option<Found> {
-    let unknowns = scene.unknowns();
-    if !finer_modes::is_asked(settings.judged, unknowns) {
-        return None;
-    }
-    let finer = FinerModel {
-        model: model.boxed(),
-        times: FINER,
-    };
-    let there = about(&finer, settings)
-        .ok()
-        .filter(|there| there.scene.unknowns() != unknowns)?;
-    // Those of a motion that creeps have no frequency.
-    let vibrating = |modes: &[SeenMode]| -> Vec<finer_modes::Vibration> {
-        let all = modes.iter().enumerate().filter(|(_, mode)| mode.im > mode.re.abs());
-        all.map(|(index, mode)| (index, [mode.re, mode.im])).collect()
-    };
-    finer_modes::compare(scene, &vibrating(modes), &vibrating(&there.modes))
-}
-
 /// Time (s), spin (rad/s) and modes of [`modes`] alone, without how far the meshes are off and what else is told beside them.
 pub(in crate::app) fn first(
     model: &dyn AnyModel,
@@ -128,6 +101,12 @@ pub(in crate::app) fn first(
     let mut about = about(model.as_ref(), settings)?;
     let spin = way::spin(about.scene.as_mut(), &about.at);
     Ok((about.at.t, spin, about.modes))
+}
+
+/// The same modes of a finer model, where it has other unknowns than these.
+pub(super) fn of_finer(finer: &dyn AnyModel, settings: &EquilibriumSettings, unknowns: usize) -> Option<Vec<SeenMode>> {
+    let there = about(finer, settings).ok()?;
+    (there.scene.unknowns() != unknowns).then_some(there.modes)
 }
 
 /// Modes about an equilibrium of a scene.

@@ -244,6 +244,7 @@ pub(in crate::app) fn of_campbell(model: &dyn AnyModel, result: &Campbell) -> Su
     );
     put(&mut summary, "steps", json!(result.keys.len()));
     seconds(&mut summary, result.seconds);
+    put(&mut summary, "agreement", json!(result.agreement));
     put(&mut summary, "notes", notes(model, &result.warnings));
     summary
 }

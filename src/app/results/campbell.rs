@@ -49,6 +49,8 @@ pub struct Campbell {
     pub newton_iterations: u64,
     /// What the scene warns of at the last equilibrium.
     pub warnings: Vec<String>,
+    /// How far frequencies and critical values are from those of finer meshes, where that was asked for and is not worth a warning.
+    pub agreement: Option<String>,
     /// Time that it took.
     pub seconds: Seconds,
     /// Why the diagram ends early; `None` where it is complete.

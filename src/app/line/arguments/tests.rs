@@ -158,8 +158,8 @@ fn flags_that_make_no_sense_together_are_refused() {
             "`--stabilised` belongs to `run`, `chart`, `advise`, not to `modes`: it does not advance in time",
         ),
         (
-            &["campbell", "--unjudged"],
-            "`--unjudged` belongs to `run`, `steady`, `modes`, `static`, not to `campbell`: it is not compared with finer meshes",
+            &["chart", "--unjudged"],
+            "`--unjudged` belongs to `run`, `steady`, `modes`, `campbell`, `static`, not to `chart`: it compares many runs",
         ),
         (
             &["modes", "--axis", "x"],
