@@ -430,6 +430,12 @@ pub trait System {
         Vec::new()
     }
 
+    /// What those of velocities exert on the unknowns, N s or N m s: momentum of what prescribed frames and places carry along, which has no cause
+    /// but the constraints. The state has the velocities before; it overwrites `out`.
+    fn jolt(&mut self, _state: &State, _behind: f64, out: &mut [f64]) {
+        out.fill(0.0);
+    }
+
     /// Angles that laws read, and their kinks, always in the same order.
     fn branches(&mut self, _state: &State) -> Vec<Branch> {
         Vec::new()

@@ -14,6 +14,7 @@ mod free_frames;
 mod gravity;
 mod hanging;
 mod heavy_top;
+mod jolts;
 mod judged_forces;
 mod judged_steps;
 mod kinks;

@@ -235,6 +235,29 @@ impl Bordered {
         self.replace_constrained(system, (level, measure), state, &state.v, change, statistics)
     }
 
+    /// The change of the state's velocity at an impact, in which a `jolt` (N s or N m s) meets the mass and the constraints: afterwards it satisfies their
+    /// first time derivative; the border must be there.
+    pub(super) fn impact(
+        &mut self,
+        system: &mut dyn System,
+        state: &State,
+        jolt: &[f64],
+        change: &mut [f64],
+        statistics: &mut Statistics,
+    ) -> Result<(), Singular> {
+        system.constraint(ConstraintLevel::Velocity, state, &mut self.given.1);
+        self.constraint_pattern
+            .transpose_multiply_add(1.0, &self.jacobian, &state.v, &mut self.given.1);
+        self.fetch_mass(system, state);
+        self.given.0.copy_from_slice(jolt);
+        negate(&mut self.given.0);
+        negate(&mut self.given.1);
+        let mut impulses = std::mem::take(&mut self.work);
+        let result = self.solve_given(change, &mut impulses, statistics);
+        self.work = impulses;
+        result
+    }
+
     /// Solves for `y` in `M y + C_x^T nu = 0`, `C_x (derivative + y) + value of the level = 0`.
     fn replace_constrained(
         &mut self,

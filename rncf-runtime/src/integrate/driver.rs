@@ -256,11 +256,18 @@ impl Driver {
     }
 
     /// Begins anew behind a kink. Where a prescribed velocity jumps, the velocities follow as by an
-    /// impact without friction.
+    /// impact without friction, and what prescribed frames carry along keeps its own in space.
     fn restart(&mut self, system: &mut dyn System) -> Result<(), SolveError> {
         let mut state = self.state().clone();
         let behind = self.segments.behind_kink();
-        for jump in system.jumps(&state, behind) {
+        let jumps = system.jumps(&state, behind);
+        let mut jolt = None;
+        if !jumps.is_empty() {
+            let mut of_unknowns = vec![0.0; state.v.len()];
+            system.jolt(&state, behind, &mut of_unknowns);
+            jolt = Some(of_unknowns);
+        }
+        for jump in jumps {
             if jump.of_position {
                 return Err(error(
                     system,
@@ -275,9 +282,12 @@ impl Driver {
         state.t = behind;
         self.bordered.move_to(system, &state);
         let mut change = vec![0.0; state.v.len()];
-        self.bordered
-            .velocity_change(system, &state, None, &mut change, &mut self.statistics)
-            .map_err(|pivot| singular(system, state.t, pivot))?;
+        let (bordered, statistics) = (&mut self.bordered, &mut self.statistics);
+        match jolt {
+            Some(jolt) => bordered.impact(system, &state, &jolt, &mut change, statistics),
+            None => bordered.velocity_change(system, &state, None, &mut change, statistics),
+        }
+        .map_err(|pivot| singular(system, state.t, pivot))?;
         add(&mut state.v, &change);
         self.segments.pass_kink();
         if let Err(error) = self.begin(system, state) {

@@ -15,6 +15,7 @@ use crate::linalg::Pattern;
 use crate::model::{Formulation, Joints, Scene, Warning};
 use crate::scene::MeshScene;
 use crate::scene::bodies::described::{Elements, Kernels};
+use crate::scene::jumps;
 use crate::scene::levers::Inertia;
 use crate::space::Vector;
 use crate::system::{Branch, Conserving, ConstraintLevel, Jump, Lever, State, System, Tangent};
@@ -501,6 +502,12 @@ impl System for ModalScene {
     fn jumps(&mut self, state: &State, behind: f64) -> Vec<Jump> {
         self.expand(state);
         self.scene.jumps(&self.full, behind)
+    }
+
+    fn jolt(&mut self, state: &State, behind: f64, out: &mut [f64]) {
+        self.expand(state);
+        let jolt = self.scene.velocity_jumps(&self.full, behind);
+        jumps::inertia(self, |modal| &mut modal.scene, (state, behind), jolt, out);
     }
 
     fn energy(&mut self, state: &State) -> Option<f64> {

@@ -20,6 +20,12 @@ impl MeshScene {
         buffers.t = t;
         self.parts.set_time(t);
         self.parts.frames(t, &mut buffers.frames);
+        if let Some(jolt) = &buffers.jolt {
+            for (frame, [velocity, spin]) in buffers.frames.iter_mut().zip(&jolt.frames) {
+                frame.acceleration += velocity;
+                frame.spin_rate += spin;
+            }
+        }
         if let Regime::Uniform(scale) = regime {
             for frame in &mut buffers.frames {
                 *frame = frame.steady(scale);
@@ -40,6 +46,9 @@ impl MeshScene {
             buffers.frames[frame.spec.frame] = frame.fixed();
         }
         self.set_prescribed(t, regime);
+        if let Some(jolt) = &self.buffers.jolt {
+            self.buffers.a.iter_mut().zip(&jolt.values).for_each(|(a, v)| *a += v);
+        }
     }
 
     /// Fills the full state of a system's state as it moves.

@@ -1,5 +1,6 @@
 //! A scene as the integrators see it.
 
+use super::jumps;
 use super::mesh_scene::MeshScene;
 use crate::course::{Courses, Path};
 use crate::linalg::Pattern;
@@ -196,6 +197,11 @@ impl System for MeshScene {
 
     fn jumps(&mut self, state: &State, behind: f64) -> Vec<Jump> {
         self.jumps_between(state, behind)
+    }
+
+    fn jolt(&mut self, state: &State, behind: f64, out: &mut [f64]) {
+        let jolt = self.velocity_jumps(state, behind);
+        jumps::inertia(self, |scene| scene, (state, behind), jolt, out);
     }
 
     fn energy(&mut self, state: &State) -> Option<f64> {

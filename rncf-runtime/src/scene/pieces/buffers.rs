@@ -19,6 +19,8 @@ pub(crate) struct Buffers {
     pub begun: Vec<f64>,
     pub force: Vec<f64>,
     pub frames: Vec<FrameMotion>,
+    /// Added to the accelerations of what is prescribed, where it is looked at.
+    pub jolt: Option<Jolt>,
     /// Results of elements side by side.
     pub lanes: Vec<[f64; LANES]>,
     /// Accelerations in space of a body's vectors.
@@ -52,6 +54,7 @@ impl Buffers {
             begun: Vec::new(),
             force: zeros(),
             frames,
+            jolt: None,
             lanes: Vec::new(),
             nodal: Vec::new(),
             nodal_rates: Vec::new(),
@@ -64,6 +67,15 @@ impl Buffers {
             field_changes: Vec::new(),
         }
     }
+}
+
+/// By how much prescribed velocities jump at once.
+#[derive(Clone, Debug)]
+pub(crate) struct Jolt {
+    /// Of the origins of all frames, m/s, inertial axes, and of their angular velocities, rad/s, frame axes.
+    pub frames: Vec<[Vector; 2]>,
+    /// Of the components of prescribed vectors, m/s; of others zero.
+    pub values: Vec<f64>,
 }
 
 /// How the frames are taken.
