@@ -430,3 +430,57 @@ fn dampings_are_judged_as_frequencies_are() {
         before = error;
     }
 }
+
+rncf::model! {
+    /// A rigid boom of 2 m and 10 kg/m on a hinge, in waves of 0.3 m.
+    pub model Boom {
+        param elements: count = 4;
+        section spar { EA = 1 GN; GAy = 1 GN; GAz = 1 GN; GJ = 1 GN*m^2; EIy = 1 GN*m^2; EIz = 1 GN*m^2; mass = 10 kg/m; inertia_y = 1 g*m; inertia_z = 1 g*m; }
+        body boom { spatial; line from [0, 0, 0] m to [2, 0, 0] m; mesh elements * beam(spar); rigid; }
+        joint root = clamp(boom.start, inertial);
+        load waves = distributed(boom, [0, 0, 100 [N/m] * sin(10 [1/m] * x)^2]);
+        output force = root.force.z;
+        output moment = root.moment.y;
+        run { t_end = 1 s; every = 0.5 s; }
+    }
+}
+
+/// Elements of what does not deform integrate loads along it: from `static`, too, where nothing is unknown.
+#[test]
+fn loads_along_rigid_bodies_are_judged() {
+    let integral = |f: fn(f64) -> f64| {
+        let h = 2.0 / 2000.0;
+        (0..2000).map(|k| f((f64::from(k) + 0.5) * h) * h).sum::<f64>()
+    };
+    let exact = [
+        integral(|x| 100.0 * (10.0 * x).sin().powi(2)),
+        integral(|x| 100.0 * x * (10.0 * x).sin().powi(2)),
+    ];
+    for elements in [4, 16] {
+        let model = Boom { elements };
+        let settings = EquilibriumSettings {
+            judged: Judging::Affordable,
+            ..EquilibriumSettings::default()
+        };
+        let found = static_equilibria(&model, &settings).unwrap();
+        for (column, exact) in exact.iter().enumerate() {
+            let value = found.history.column(column).last().unwrap().abs();
+            let error = (value / exact - 1.0).abs();
+            let told = found.off_by.iter().find(|off| off.0 == column).map_or(0.0, |off| off.1);
+            println!("{elements}: {value} for {exact}, off by {error:.1e}, told {told:.1e}");
+            assert!(
+                (0.5..2.0).contains(&(told / error)) || error < 1e-6,
+                "{error:.1e}, told {told:.1e}"
+            );
+        }
+        let of_run = run(
+            &model,
+            &RunSettings {
+                judged: Judging::Affordable,
+                ..RunSettings::default()
+            },
+        )
+        .unwrap();
+        assert_eq!(of_run.warnings.is_empty(), elements == 16, "{:?}", of_run.warnings);
+    }
+}

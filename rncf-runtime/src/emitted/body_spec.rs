@@ -208,16 +208,17 @@ impl BodySpec {
         (element, place - element as f64)
     }
 
-    /// Makes this number of elements of each one where the body deforms and has a mesh, unknown with all their nodal vectors, and says whether it
-    /// did. Nodes stay nodes.
-    pub(crate) fn refine(&mut self, times: usize) -> bool {
+    /// Makes this number of elements of each one where the body has a mesh and deforms, unknown with all their nodal vectors, or where its elements
+    /// integrate what is `loaded` on it, and says whether it did. Nodes stay nodes.
+    pub(crate) fn refine(&mut self, times: usize, is_loaded: bool) -> bool {
         if matches!(self.line, Line::Nodes(_)) {
             return false;
         }
-        if matches!(self.fidelity, Fidelity::Rigid | Fidelity::Point) {
+        if !matches!(self.fidelity, Fidelity::Rigid | Fidelity::Point) {
+            self.fidelity = Fidelity::Full;
+        } else if !is_loaded {
             return false;
         }
-        self.fidelity = Fidelity::Full;
         if let [first, ends @ ..] = &self.stations[..] {
             let mut finer = vec![*first];
             for &end in ends {

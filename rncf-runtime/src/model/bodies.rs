@@ -16,6 +16,8 @@ pub struct DescribedBody {
     pub fidelity: Fidelity,
     /// Number of elements of all repetitions.
     pub elements: usize,
+    /// Whether they integrate loads per length.
+    pub is_loaded: bool,
 }
 
 /// Mass of a body, or of all, and how it is distributed at a state; inertial axes.

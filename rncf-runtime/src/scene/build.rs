@@ -65,10 +65,11 @@ impl MeshScene {
     pub(crate) fn with_finer_meshes(self, times: usize) -> Option<Result<Self, ModelError>> {
         let mut finer: Vec<BodySpec> = self.bodies.into_iter().map(|body| body.spec).collect();
         let mut changes = false;
-        for spec in &mut finer {
+        let loaded: Vec<usize> = self.parts.distributed().iter().map(|load| load.body).collect();
+        for (body, spec) in finer.iter_mut().enumerate() {
             // Normals of sections are declared with the mesh.
             spec.normals.clear();
-            changes |= spec.refine(times);
+            changes |= spec.refine(times, loaded.contains(&body));
         }
         changes.then(|| {
             Self::described(self.parts, self.formulation, self.declared, |specs| {

@@ -82,8 +82,9 @@ pub(in crate::app) fn compare(model: &dyn AnyModel, own: &Own<'_>, goes_on: &mut
         Ok(line) => line,
         Err(error) => return Some(Found::nothing(&error.to_string())),
     };
-    let unknowns = line.station().scene.unknowns();
-    if unknowns == own.unknowns {
+    let scene = &line.station().scene;
+    let unknowns = scene.unknowns();
+    if scene.bodies() == own.bodies {
         return None;
     }
     let mut rows: Vec<Row> = Vec::new();

@@ -540,7 +540,7 @@ fn not_compared(until: f64, end: f64) -> String {
 
 /// The meshes of a scene in a sentence on finer ones.
 pub(in crate::app) struct Meshes {
-    /// Bodies that deform, with their elements.
+    /// Bodies that deform or are loaded along their axes, with their elements.
     pub names: String,
     /// What else may be too little, how else the finer ones differ, and what else helps, where some are described by modes.
     pub too: &'static str,
@@ -551,16 +551,17 @@ pub(in crate::app) struct Meshes {
 impl Meshes {
     /// Of the bodies of a scene.
     pub fn of(bodies: &[DescribedBody]) -> Self {
-        let deforming = bodies
-            .iter()
-            .filter(|body| !matches!(body.fidelity, Fidelity::Rigid | Fidelity::Point));
         let mut in_modes = false;
         let mut meshes: Vec<String> = Vec::new();
-        for body in deforming {
+        for body in bodies {
+            let deforms = !matches!(body.fidelity, Fidelity::Rigid | Fidelity::Point);
+            if !deforms && !body.is_loaded {
+                continue;
+            }
             meshes.push(if body.fidelity == Fidelity::Full {
                 format!("`{}` ({})", body.name, body.elements)
             } else {
-                in_modes = true;
+                in_modes |= deforms;
                 format!("`{}` ({}, {})", body.name, body.elements, body.fidelity)
             });
         }

@@ -28,7 +28,7 @@ pub(super) fn of_modes(
     if !finer_modes::is_asked(settings.judged, scene.unknowns()) {
         return None;
     }
-    let there = of_finer(&finer(model), settings, scene.unknowns())?;
+    let there = of_finer(&finer(model), settings, &scene.bodies())?;
     let [own, there] = [modes, &there].map(|modes| vibrating(numbered(modes)));
     compare(scene, &own, &there, Beside::default())
 }
@@ -49,7 +49,7 @@ pub(super) fn of_campbell(
     };
     let finer = finer(model);
     let at_the_end = way::at_the_end(&finer, &settings);
-    let there = of_finer(at_the_end.as_ref(), &settings, scene.unknowns())?;
+    let there = of_finer(at_the_end.as_ref(), &settings, &scene.bodies())?;
     let key = &diagram.key;
     let unit = if key.unit == "1" {
         String::new()

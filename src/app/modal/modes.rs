@@ -11,6 +11,7 @@ use crate::app::results::equilibria::EquilibriumSettings;
 use crate::app::results::error::RunError;
 use crate::app::results::modes::{Modes, SeenMode, grows, is_round};
 use crate::equilibrium::{Uniform, follow};
+use crate::model::DescribedBody;
 use crate::modes::{self, Mode, Wanted};
 use crate::{AnyModel, Formulation, Joints, Scene, SolveError, State};
 
@@ -103,10 +104,14 @@ pub(in crate::app) fn first(
     Ok((about.at.t, spin, about.modes))
 }
 
-/// The same modes of a finer model, where it has other unknowns than these.
-pub(super) fn of_finer(finer: &dyn AnyModel, settings: &EquilibriumSettings, unknowns: usize) -> Option<Vec<SeenMode>> {
+/// The same modes of a finer model, where its bodies are others.
+pub(super) fn of_finer(
+    finer: &dyn AnyModel,
+    settings: &EquilibriumSettings,
+    own: &[DescribedBody],
+) -> Option<Vec<SeenMode>> {
     let there = about(finer, settings).ok()?;
-    (there.scene.unknowns() != unknowns).then_some(there.modes)
+    (there.scene.bodies() != own).then_some(there.modes)
 }
 
 /// Modes about an equilibrium of a scene.

@@ -8,7 +8,9 @@ impl MeshScene {
     /// The meshed bodies of the declaration in its order; those from files have no mesh, and are as they are.
     pub(crate) fn described_bodies(&self) -> Vec<DescribedBody> {
         let mut all: Vec<DescribedBody> = Vec::new();
-        for body in &self.bodies {
+        let loaded: Vec<usize> = self.parts.distributed().iter().map(|load| load.body).collect();
+        for (index, body) in self.bodies.iter().enumerate() {
+            let is_loaded = loaded.contains(&index);
             let spec = &body.spec;
             if matches!(spec.line, Line::Nodes(_)) {
                 continue;
@@ -20,12 +22,14 @@ impl MeshScene {
                 Some(last) => {
                     last.repetitions = last.repetitions.map(|count| count + 1);
                     last.elements += spec.count;
+                    last.is_loaded |= is_loaded;
                 }
                 None => all.push(DescribedBody {
                     name: spec.name,
                     repetitions: spec.instance.map(|_| 1),
                     fidelity: spec.fidelity,
                     elements: spec.count,
+                    is_loaded,
                 }),
             }
         }
