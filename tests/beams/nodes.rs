@@ -158,3 +158,40 @@ fn places_of_loops_are_nodes() {
         assert!((a - b).abs() < 5e-4 * b, "{looped:?} {written:?}");
     }
 }
+
+rncf::model! {
+    /// Forces on a bar at four places from end to end: three times 0.1 is more than 0.3.
+    pub model Thirds {
+        param apart = 0.1 m;
+        material m { density = 1000 kg/m^3; young = 10 GPa; poisson = 0.3; }
+        section strip = rectangle(y = 10 mm, z = 10 mm);
+        body bar { spatial; line from [0, 0, 0] m to [0.3, 0, 0] m; mesh 2 * beam(strip, m); }
+        joint root = clamp(bar.start, inertial);
+        for i in 0..4 { load pull[i] = force(bar.at(i * apart), [1 N, 0 N, 0 N]); }
+        output reaction = root.force.x;
+        output there = bar.at(3 * apart).x - bar.end.x;
+    }
+}
+
+#[test]
+fn a_place_that_is_the_end_but_for_round_off_is_there() {
+    let settings = EquilibriumSettings {
+        steps: 1,
+        ..EquilibriumSettings::default()
+    };
+    let found = static_equilibria(&Thirds::default(), &settings).unwrap();
+    let last = |column| found.history.column(column).last().unwrap();
+    assert!(
+        (last(0).abs() - 4.0).abs() < 1e-9 && last(1).abs() < 1e-15,
+        "{} {}",
+        last(0),
+        last(1)
+    );
+    let beyond = Thirds { apart: 0.1001 };
+    assert!(
+        static_equilibria(&beyond, &settings)
+            .unwrap_err()
+            .to_string()
+            .contains("0.3 m long")
+    );
+}

@@ -55,7 +55,12 @@ pub fn items(cursor: &mut Cursor, tree: &mut Tree, repeat: Option<usize>, errors
                 } else if repeat.is_some() {
                     super::repeat::may_be_repeated(&item, at, errors);
                 }
-                tree.items.push(Item { repeat, ..item });
+                // A field of the model has the name of its param, which that of a part or repetition cannot be.
+                if keyword == Keyword::Param && (tree.is_component || repeat.is_some()) {
+                    tree.lost.extend(word);
+                } else {
+                    tree.items.push(Item { repeat, ..item });
+                }
             }
             Err(mistake) => {
                 errors.push(mistake);
@@ -172,7 +177,13 @@ fn param_value(cursor: &mut Cursor, name: &Name, count: &mut bool) -> Parsed<Opt
         cursor.next();
         *count = true;
     }
-    assignment(cursor).map(Some)
+    cursor.expect_punct('=')?;
+    if cursor.is_word("file") {
+        return Err(Mistake::new(cursor.here(), say::file_of_table(&name.text)));
+    }
+    let value = expr::right_side(cursor)?;
+    cursor.expect_end()?;
+    Ok(Some(value))
 }
 
 /// `= right ;`

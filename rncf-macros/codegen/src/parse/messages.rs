@@ -48,6 +48,7 @@ pub const ELEMENT_DOMAIN: &str =
 
 messages! {
     coefficient_without_unit(name) = "the unit of `{name}` is missing: write e.g. `coefficient {name}: N = ..;`";
+    file_of_table(name) = "what a file holds is a table: write `param {name}: table = file(\"..\");`";
     outside_of_loops(word) = "`{word}` stands outside of loops: it is the same for all repetitions";
     after_library(found) = "one `library!` declares one library: nothing may follow its braces, found {found}";
     library_twice(name) = "the library `{name}` is used twice: leave one out";

@@ -84,6 +84,9 @@ pub(crate) fn mesh_point(
     place_on(parts, &bodies[body], body, at, user)
 }
 
+/// Part of the length of an axis by which a place beyond its ends is at them.
+const ROUND_OFF: f64 = 1e-12;
+
 /// Element and weights of a place on a body.
 pub(crate) fn place_on(
     parts: &dyn Parts,
@@ -111,7 +114,10 @@ pub(crate) fn element_at(spec: &BodySpec, at: Place, user: &str) -> Result<(usiz
     Ok(match at {
         Place::Start => (0, 0.0),
         Place::End => (spec.count - 1, 1.0),
-        Place::At(x) if (0.0..=length).contains(&x) => spec.find(x / length),
+        // Three times 0.1 is more than 0.3.
+        Place::At(x) if (x - x.clamp(0.0, length)).abs() <= ROUND_OFF * length => {
+            spec.find((x / length).clamp(0.0, 1.0))
+        }
         Place::At(x) => {
             return Err(ModelError::new(format!(
                 "{user} is at {x} m of body `{}`, which is {length} m long: choose a place between 0 and its length",

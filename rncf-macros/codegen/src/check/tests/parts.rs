@@ -223,6 +223,22 @@ fn libraries_are_taken_in() {
     assert!(warnings.is_empty(), "{warnings:?}");
 }
 
+/// A field of the model cannot have the name of a param of a part or of a repetition.
+#[test]
+fn params_inside_are_refused_and_nothing_else_fails() {
+    for inside in [
+        "component C(m: kg) { param z = 1; rigid r { mass = m * z; } } part p = C(m = 1 kg);",
+        "component C() { param rows: table = file(\"a.csv\"); rigid r { mass = 1 kg; } } part p = C();",
+        "for i in 0..2 { param z[i] = 1; rigid r[i] { mass = 1 kg * z[i]; } }",
+    ] {
+        let text = format!("model M {{ {inside} output x = 3; }}");
+        let expanded = expand::expand(text.parse().expect("tokens")).to_string();
+        let told: Vec<&str> = expanded.split("compile_error").skip(1).collect();
+        let is_told = told[0].contains("params belong") || told[0].contains("stands outside of loops");
+        assert!(is_told, "{told:?}");
+    }
+}
+
 /// `use` becomes a call of the library's macro with the rest.
 #[test]
 fn a_use_becomes_a_call() {
