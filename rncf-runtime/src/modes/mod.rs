@@ -20,7 +20,7 @@ mod whirl;
 
 pub use crate::model::{Composition, Motion};
 pub use critical::{Critical, critical};
-pub use mode::Mode;
+pub use mode::{Mode, number};
 pub use pencil::Pencil;
 pub use stiffness::{Stiffness, stiffness_values};
 pub use tracking::{assurance, followed, matched};
@@ -42,7 +42,7 @@ pub struct Wanted {
 }
 
 /// Modes of small motions about the equilibrium `state` of the uniform motion `at`, ascending frequencies,
-/// those of equal frequency by their growth. A motion that drifts (a free body's) is one mode though its
+/// those of equal frequency by their growth, and behind them what creeps back without one. A motion that drifts (a free body's) is one mode though its
 /// eigenvalue is a double one.
 ///
 /// # Errors

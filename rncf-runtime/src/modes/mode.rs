@@ -21,3 +21,22 @@ impl Mode {
         mode
     }
 }
+
+/// Part of the largest |s| below which a rate is round-off.
+const NEUTRAL: f64 = 1e-9;
+
+/// Puts modes, of which `value` tells rate of growth (1/s) and angular frequency (rad/s), into the order in which they are numbered: by frequency, and those
+/// that creep back without one behind, so that damping does not renumber what vibrates.
+pub fn number<M>(modes: &mut [M], value: impl Fn(&M) -> [f64; 2]) {
+    let size = |[re, im]: [f64; 2]| re.hypot(im);
+    let largest = modes.iter().map(|mode| size(value(mode))).fold(0.0, f64::max);
+    let creeps = |[re, im]: [f64; 2]| im == 0.0 && re < -NEUTRAL * largest;
+    modes.sort_by(|a, b| {
+        let (a, b) = (value(a), value(b));
+        let key = |of: [f64; 2]| if creeps(of) { -of[0] } else { of[1] };
+        creeps(a)
+            .cmp(&creeps(b))
+            .then(key(a).total_cmp(&key(b)))
+            .then(a[0].total_cmp(&b[0]))
+    });
+}

@@ -2,6 +2,7 @@
 
 use super::arnoldi;
 use super::dense;
+use super::mode::number;
 use super::pair::{CLOSE, Failure, Pair, SLOW};
 use super::pencil::Pencil;
 use super::refinement::Refinement;
@@ -55,7 +56,7 @@ pub(super) fn lowest(pencil: &Pencil, count: usize) -> Result<Vec<Pair>, Failure
             return Err(Failure::Lost(modes.len()));
         }
         modes.truncate(count);
-        modes.sort_by(|a, b| a.s.im.total_cmp(&b.s.im).then(a.s.re.total_cmp(&b.s.re)));
+        number(&mut modes, |pair| [pair.s.re, pair.s.im]);
         return Ok(modes);
     }
 }

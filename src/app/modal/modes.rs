@@ -196,7 +196,7 @@ fn lowest_and_growing(
         .into_iter()
         .filter(|mode| size(mode) > last * (1.0 + SAME) && grows(mode.re, mode.im, largest));
     let mut all: Vec<Mode> = found.into_iter().chain(extra).collect();
-    all.sort_by(|a, b| a.im.total_cmp(&b.im).then(a.re.total_cmp(&b.re)));
+    modes::number(&mut all, |mode| [mode.re, mode.im]);
     Ok(all)
 }
 

@@ -61,8 +61,8 @@ fn a_flat_shaft_diverges_between_its_critical_speeds() {
         if product < 0.0 {
             let growth = (root - sum).sqrt();
             assert_eq!(found.len(), 3);
-            assert_close(&found[0], &[-growth, 0.0], 1e-12);
-            assert_close(&found[1], &[growth, 0.0], 1e-12);
+            assert_close(&found[0], &[growth, 0.0], 1e-12);
+            assert_close(&found[2], &[-growth, 0.0], 1e-12);
         } else {
             assert_close(
                 &[found[0][1], found[1][1]],
@@ -174,8 +174,8 @@ fn an_overdamped_mass_creeps() {
     let found = values(&damped, 9);
     assert!(found.iter().all(|[_, im]| *im == 0.0));
     let rates: Vec<f64> = found.iter().map(|[re, _]| *re).collect();
-    assert_close(&rates, &[-4.0, -3.0, -1.0, 0.0], 1e-13);
-    assert_eq!(rates[3], 0.0);
+    assert_close(&rates, &[0.0, -1.0, -3.0, -4.0], 1e-13);
+    assert_eq!(rates[0], 0.0);
 }
 
 #[test]
