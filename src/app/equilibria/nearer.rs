@@ -4,7 +4,7 @@
 use super::continuation::Station;
 use crate::app::results::history::History;
 use crate::app::writing::numbers::digits;
-use crate::equilibrium::{self, continue_from, goes_back};
+use crate::equilibrium::{self, continue_from, goes_back, is_nearer};
 
 /// Part of an output by which both must differ.
 const APART: f64 = 0.01;
@@ -21,6 +21,10 @@ pub(super) fn nearer(station: &mut Station<'_>, history: &History) -> Option<Str
         return None;
     }
     let other = continue_from(scene, at, &start).ok()?;
+    // Newton's iteration may leap over this one, too.
+    if !is_nearer(scene, &start, &other.state, state) {
+        return None;
+    }
     let [mut here, mut there] = [vec![0.0; scene.output_columns()], vec![0.0; scene.output_columns()]];
     scene.uniform_outputs(at, state, &mut here);
     scene.uniform_outputs(at, &other.state, &mut there);
