@@ -1,7 +1,7 @@
 //! Bushings with cross terms, angles and coupling: films, pedestals and foundations in closed form, shafts in shafts.
 
-use rncf::AnyModel;
-use rncf::app::{EquilibriumSettings, modes};
+use rncf::app::{EquilibriumSettings, RunSettings, modes, run};
+use rncf::{AnyModel, Options};
 
 rncf::model! {
     /// A disc on a film whose coefficients are a table over the speed, on a pedestal that has a mass.
@@ -114,5 +114,97 @@ fn a_shaft_in_a_hollow_one() {
     for ([re, im], want) in found.iter().zip(want) {
         near(*im, want, want, 1e-3);
         near(*re, 0.0, want, 1e-9);
+    }
+}
+
+rncf::model! {
+    /// Weights on springs of all kinds, which show what they exert.
+    pub model Shown {
+        param mass = 2 kg;
+        const g = 9.81 m/s^2;
+        rigid hung { mass = mass; inertia = [1, 1, 1] g*m^2; origin = [0, 0, -1] m; }
+        joint guide = prismatic(inertial, hung, axis = z);
+        spring coil = linear(inertial.at([0, 0, 0] m), hung.at([0, 0, 0] m), stiffness = 500 N/m, damping = 3 N*s/m, length = 1 m);
+        rigid arm { mass = mass; inertia = [1, 1, 1] g*m^2; origin = [2, 0, 0] m; center = [0.5, 0, 0] m; }
+        joint hinge = revolute(inertial.at([2, 0, 0] m), arm, axis = y);
+        spring back = torsional(hinge, stiffness = 200 N*m/rad, damping = 2 N*m*s/rad);
+        spring curl = torsional_law(hinge, moment = 30 [N*m/rad] * angle^3);
+        rigid block { mass = mass; inertia = [1, 1, 1] g*m^2; origin = [4, 0, 0] m; }
+        spring mount = bushing(block.at([0.1, 0, 0] m), inertial.at([4.1, 0, 0] m), stiffness = [700, 800, 900] N/m, damping = [7, 8, 9] N*s/m,
+            rotational_stiffness = [20, 30, 40] N*m/rad, rotational_damping = [0.2, 0.3, 0.4] N*m*s/rad);
+        spring rope = law(inertial.at([6, 0, 1] m), block, force = 0.1 [N/m] * length + 0.2 [N*s/m] * rate);
+        load weight = gravity([0, 0, -g]);
+        load feedback = force(hung, [0 N, 0 N, 1e-3 * coil.force]);
+        output coil_force = coil.force;
+        output coil_length = coil.length;
+        output momentum_of_hung = hung.momentum.z;
+        output back_moment = back.moment + curl.moment;
+        output back_angle = back.angle;
+        output spin_of_arm = arm.angular_momentum(about = arm.at([0, 0, 0] m)).y;
+        output arm_at = arm.center;
+        output mount_force = mount.force;
+        output mount_moment = mount.moment;
+        output mount_up: N = mount.force.z;
+        output momentum_of_block = block.momentum;
+        output rope_force = rope.force;
+        output rope_rate = rope.rate;
+        output rope_length = rope.length;
+        output block_at = block;
+        run { t_end = 0.5 s; every = 1 ms; }
+    }
+}
+
+/// What springs show balances the momentum that bodies gain, by differences of rows.
+#[test]
+fn springs_show_what_they_exert() {
+    let options = Options {
+        rtol: 1e-9,
+        ..Options::default()
+    };
+    let found = run(
+        &Shown::default(),
+        &RunSettings {
+            options,
+            ..RunSettings::default()
+        },
+    )
+    .unwrap();
+    let column = |name: &str| {
+        let index = found.history.columns.iter().position(|column| column.name == name);
+        let index = index.unwrap_or_else(|| panic!("{name}: {:?}", found.history.columns));
+        found.history.column(index).collect::<Vec<f64>>()
+    };
+    let h = 1e-3;
+    let rate = |values: &[f64], row: usize| {
+        (8.0 * (values[row + 1] - values[row - 1]) - (values[row + 2] - values[row - 2])) / (12.0 * h)
+    };
+    let weight = 2.0 * 9.81;
+    let close = |name: &str, found: f64, exact: f64, size: f64| {
+        assert!((found - exact).abs() < 2e-5 * size, "{name}: {found} for {exact}");
+    };
+    let [coil, gained] = ["coil_force", "momentum_of_hung"].map(column);
+    let [moment, spin, arm] = ["back_moment", "spin_of_arm", "arm_at.x"].map(column);
+    let [pull, length, speed] = ["rope_force", "rope_length", "rope_rate"].map(column);
+    let [x, z] = ["block_at.x", "block_at.z"].map(column);
+    let [mount, up, block] = ["mount_force.z", "mount_up", "momentum_of_block.z"].map(column);
+    assert_eq!(mount, up);
+    for row in 2..coil.len() - 2 {
+        close("coil", coil[row] * 1.001 - weight, rate(&gained, row), weight);
+        // About y what lies ahead turns down.
+        close(
+            "back",
+            -moment[row] + weight * (arm[row] - 2.0),
+            rate(&spin, row),
+            weight,
+        );
+        close("rope", pull[row], 0.1 * length[row] + 0.2 * speed[row], 1.0);
+        close("rope's rate", speed[row], rate(&length, row), 1.0);
+        let along = (1.0 - z[row]) / f64::hypot(6.0 - x[row], 1.0 - z[row]);
+        close(
+            "mount",
+            mount[row] - weight + pull[row] * along,
+            rate(&block, row),
+            weight,
+        );
     }
 }

@@ -2,8 +2,9 @@
 
 use super::matrix::{Matrix, is_symmetric};
 use super::place::Hold;
-use super::quantity::Wanted;
+use super::quantity::{Nature, Wanted};
 use super::spring::Acting;
+use super::vector::{Quantity, Vectorial};
 use super::{Arguments, Check, Shape, say};
 use crate::joints::algebra::{
     self, Vector, add, both, cross, dot, multiply, negate, number, observed, scale, subtract,
@@ -11,12 +12,17 @@ use crate::joints::algebra::{
 use crate::joints::{Builder, Tilt};
 use crate::model::{Expr as Value, MarkerId};
 use crate::parse::tree::Call;
+use crate::units::Dimension;
 
 const STIFFNESS: Wanted = Wanted::new("the stiffness of a bushing", [0, 1, -2, 0, 0, 0], "N/m");
 const DAMPING: Wanted = Wanted::new("the damping of a bushing", [0, 1, -1, 0, 0, 0], "N*s/m");
 const TURNING: Wanted = Wanted::new("the rotational stiffness of a bushing", [2, 1, -2, 0, 0, 0], "N*m/rad");
 const FRICTION: Wanted = Wanted::new("the rotational damping of a bushing", [2, 1, -1, 0, 0, 0], "N*m*s/rad");
 const COUPLING: Wanted = Wanted::new("the coupling of a bushing", [1, 1, -2, 0, 0, 0], "N/rad");
+
+/// Dimensions of what a bushing exerts.
+const FORCE: [i8; 6] = [1, 1, -2, 0, 0, 0];
+const MOMENT: [i8; 6] = [2, 1, -2, 0, 0, 0];
 
 const WORDS: [&str; 5] = [
     "stiffness",
@@ -84,7 +90,8 @@ struct Motion {
 impl<'a> Check<'a> {
     /// `bushing(A, B, stiffness = K, ..)`: on A acts `-(K d + C d')` with the components d of A - B in the axes of B. The
     /// opposite acts on B at the place of A, so that both together have no moment, and the power is that of the potential
-    /// `d K d / 2`. In the same way a moment acts by the angles of A in B, and a coupling by both.
+    /// `d K d / 2`. In the same way a moment acts by the angles of A in B, and a coupling by both. `force` and `moment` are shown as they act on A,
+    /// in the axes of B.
     pub(super) fn bushing(&mut self, call: &'a Call) -> Option<Acting> {
         let arguments = self.arguments(call, &BUSHING)?;
         if arguments.named.is_empty() {
@@ -132,6 +139,16 @@ impl<'a> Check<'a> {
 
         let (mut pull, mut moment) = (algebra::numbers([0.0; 3]), algebra::numbers([0.0; 3]));
         let mut energy = number(0.0);
+        let mut shown = [("force", FORCE), ("moment", MOMENT)].map(|(name, dimension)| {
+            let vector = Vectorial {
+                values: algebra::numbers([0.0; 3]),
+                axes: Vec::new(),
+                dimension: Dimension::of(dimension),
+                nature: Nature::default(),
+                frame: None,
+            };
+            (name, vector)
+        });
         for motion in &motions {
             let mut part = number(0.0);
             let mut lost = number(0.0);
@@ -145,7 +162,11 @@ impl<'a> Check<'a> {
                 multiply(multiply(number(0.5), part.clone()), motion.value.clone()),
             );
             let acting = if motion.is_angle { &mut moment } else { &mut pull };
-            *acting = both(acting, &scale(&add(part, lost), &motion.direction), add);
+            let size = add(part, lost);
+            *acting = both(acting, &scale(&size, &motion.direction), add);
+            let vector = &mut shown[usize::from(motion.is_angle)].1;
+            vector.values[motion.axis] = negate(size);
+            vector.axes.push(motion.axis);
         }
 
         let mut forces = vec![(points[0], pull.clone().map(negate))];
@@ -157,7 +178,12 @@ impl<'a> Check<'a> {
             forces.push((turn, both(&cross(&way, &pull), &moment, add)));
             forces.push((points[1], pull));
         }
-        Some((forces, given.has_potential().then_some(energy)))
+        let shown = shown.into_iter().filter(|(_, vector)| !vector.axes.is_empty());
+        Some(Acting {
+            forces,
+            energy: given.has_potential().then_some(energy),
+            shown: shown.map(|(name, vector)| (name, Quantity::Vector(vector))).collect(),
+        })
     }
 
     fn bushing_given(&mut self, arguments: &Arguments<'a>) -> Option<Given> {

@@ -314,6 +314,7 @@ messages! {
     no_arguments(name) = "`{name}` takes no arguments";
     beyond(length) = "this place is not on the body: the axis goes from 0 m to {length}";
     vector_as_number(axes) = "this is a vector: take one component, {axes}";
+    spring_not_known(name) = "what `{name}` exerts is known to loads, outputs and springs behind it";
     not_observable(name, kind) = "`{name}` is {kind}: bodies and joints can be observed";
     always_zero(axis, plane) = "the {axis} component is always zero for a body in the {plane} plane";
     moment_always_zero(axis, plane, normal) = "the {axis} component is always zero for a body in the {plane} plane: its moment is `{normal}`";

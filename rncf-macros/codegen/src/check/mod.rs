@@ -50,6 +50,7 @@ mod resultant;
 mod rigid;
 mod section;
 mod share;
+mod shown;
 mod sound_law;
 mod spinning;
 mod split_unit;
@@ -179,6 +180,8 @@ struct Check<'a> {
     corners: Vec<[BodyId; 2]>,
     /// Names of a law, such as `length` and `rate`.
     locals: HashMap<&'a str, Typed>,
+    /// What springs show, by their names.
+    shown: HashMap<String, shown::Shown>,
     /// Fields of the element that is being checked.
     element_fields: Vec<element::FieldOfElement>,
     /// Those of it that could not be read.
@@ -242,6 +245,7 @@ impl<'a> Check<'a> {
             tied: Some(Vec::new()),
             corners: Vec::new(),
             locals: HashMap::new(),
+            shown: HashMap::new(),
             element_fields: Vec::new(),
             lost_fields: Vec::new(),
             is_distributed: false,

@@ -99,6 +99,9 @@ impl<'a> Check<'a> {
         let is_elsewhere =
             words.contains(&"in") || words.contains(&"acceleration") || words.iter().any(|word| is_balance(word));
         let name = name.text.as_str();
+        if self.names.get(name).is_some_and(|item| item.keyword == Keyword::Spring) {
+            return false;
+        }
         let has_rows = self.joints.get(name).is_some_and(|joint| joint.built.is_some());
         !is_elsewhere && name != TOTAL && !self.is_frame(name) && !has_rows && !self.constraints.contains_key(name)
     }

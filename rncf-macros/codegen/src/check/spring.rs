@@ -2,7 +2,9 @@
 
 use super::expr::Scope;
 use super::quantity::{Typed, Wanted};
+use super::shown::Shown;
 use super::thing::angular;
+use super::vector::Quantity;
 use super::{Check, Shape, fold, say};
 use crate::joints::algebra::{self, Vector, add, both, divide, dot, multiply, norm, number, observed, subtract};
 use crate::joints::{Angle, Builder};
@@ -47,8 +49,15 @@ const TORSIONAL_LAW: Shape = Shape {
 /// What is said of a joint without an angle.
 const TURNING_JOINTS: &str = ": a torsional spring needs a joint about one axis, such as a `revolute`";
 
-/// Forces on markers, and their potential where there is one.
-pub type Acting = (Vec<(MarkerId, Vector)>, Option<Value>);
+/// What a spring does, and shows.
+pub struct Acting {
+    /// Forces on markers.
+    pub forces: Vec<(MarkerId, Vector)>,
+    /// Their potential where there is one.
+    pub energy: Option<Value>,
+    /// What can be observed of it, by names.
+    pub shown: Shown,
+}
 
 /// The line between two points.
 struct Line {
@@ -72,7 +81,7 @@ impl<'a> Check<'a> {
     }
 
     fn spring(&mut self, item: &Item, call: &'a Call) -> Option<()> {
-        let (forces, energy) = match call.name.text.as_str() {
+        let acting = match call.name.text.as_str() {
             "linear" => self.linear(call)?,
             "law" => self.law(call)?,
             "torsional" => self.torsional(call)?,
@@ -84,7 +93,8 @@ impl<'a> Check<'a> {
                 return None;
             }
         };
-        self.push_force(item, forces, energy);
+        self.shown.insert(item.name.text.clone(), acting.shown);
+        self.push_force(item, acting.forces, acting.energy);
         Some(())
     }
 
@@ -145,7 +155,11 @@ impl<'a> Check<'a> {
             // Also where the ends meet, and no line between them has a direction.
             let square = multiply(number(0.5), dot(&line.apart, &line.apart));
             let towards = algebra::scale(&stiffness, &line.apart);
-            return Some((towards_each_other(&line, towards), Some(multiply(stiffness, square))));
+            return Some(Acting {
+                shown: line.shown(multiply(stiffness.clone(), line.length.clone())),
+                forces: towards_each_other(&line, towards),
+                energy: Some(multiply(stiffness, square)),
+            });
         }
         let stretch = subtract(line.length.clone(), length);
         let energy = damping.is_none().then(|| energy(&stiffness, &stretch));
@@ -153,18 +167,24 @@ impl<'a> Check<'a> {
         if let Some(damping) = damping {
             force = add(force, multiply(damping, line.rate.clone()));
         }
-        Some((pull(&line, force), energy))
+        Some(Acting {
+            shown: line.shown(force.clone()),
+            forces: pull(&line, force),
+            energy,
+        })
     }
 
     fn law(&mut self, call: &'a Call) -> Option<Acting> {
         let arguments = self.arguments(call, &LAW)?;
         let line = self.line_between(arguments.positional[0], arguments.positional[1])?;
-        let length = Typed::new(line.length.clone(), Dimension::of(LENGTH.dimension));
-        let rate = Typed::new(line.rate.clone(), Dimension::of([1, 0, -1, 0, 0, 0]));
-        let force = self.in_law([("length", length), ("rate", rate)], |check| {
+        let force = self.in_law(line.locals(), |check| {
             check.quantity(arguments.named["force"], Scope::Force, FORCE)
         })?;
-        Some((pull(&line, force), None))
+        Some(Acting {
+            shown: line.shown(force.clone()),
+            forces: pull(&line, force),
+            energy: None,
+        })
     }
 
     /// Resolves a law in which some names have values of their own.
@@ -240,25 +260,61 @@ impl<'a> Check<'a> {
         if let Some(damping) = damping {
             moment = add(moment, multiply(damping, angle.rate()));
         }
-        Some((angle.forces(&moment), energy))
+        Some(Acting {
+            forces: angle.forces(&moment),
+            energy,
+            shown: shown_about(&angle, moment),
+        })
     }
 
     fn torsional_law(&mut self, call: &'a Call) -> Option<Acting> {
         let arguments = self.arguments(call, &TORSIONAL_LAW)?;
         let angle = self.spring_angle(arguments.positional[0])?;
-        let typed = |value, dimension| Typed {
-            nature: angular(),
-            ..Typed::new(value, Dimension::of(dimension))
-        };
-        let locals = [
-            ("angle", typed(angle.value(), [0; 6])),
-            ("rate", typed(angle.rate(), [0, 0, -1, 0, 0, 0])),
-        ];
-        let moment = self.in_law(locals, |check| {
+        let moment = self.in_law(locals_about(&angle), |check| {
             check.quantity(arguments.named["moment"], Scope::Force, MOMENT)
         })?;
-        Some((angle.forces(&moment), None))
+        Some(Acting {
+            forces: angle.forces(&moment),
+            energy: None,
+            shown: shown_about(&angle, moment),
+        })
     }
+}
+
+impl Line {
+    fn locals(&self) -> [(&'static str, Typed); 2] {
+        let typed = |value: &Value, dimension| Typed::new(value.clone(), Dimension::of(dimension));
+        [
+            ("length", typed(&self.length, LENGTH.dimension)),
+            ("rate", typed(&self.rate, [1, 0, -1, 0, 0, 0])),
+        ]
+    }
+
+    /// A force that is positive where it pulls, with what it depends on.
+    fn shown(&self, force: Value) -> Shown {
+        let force = Typed::new(force, Dimension::of(FORCE.dimension));
+        let all = [("force", force)].into_iter().chain(self.locals());
+        all.map(|(name, typed)| (name, Quantity::Scalar(typed))).collect()
+    }
+}
+
+/// The angle of a torsional spring, and its rate.
+fn locals_about(angle: &Angle) -> [(&'static str, Typed); 2] {
+    let typed = |value, dimension| Typed {
+        nature: angular(),
+        ..Typed::new(value, Dimension::of(dimension))
+    };
+    [
+        ("angle", typed(angle.value(), [0; 6])),
+        ("rate", typed(angle.rate(), [0, 0, -1, 0, 0, 0])),
+    ]
+}
+
+/// A moment that is positive where it turns back, with what it depends on.
+fn shown_about(angle: &Angle, moment: Value) -> Shown {
+    let moment = Typed::new(moment, Dimension::of(MOMENT.dimension));
+    let all = [("moment", moment)].into_iter().chain(locals_about(angle));
+    all.map(|(name, typed)| (name, Quantity::Scalar(typed))).collect()
 }
 
 /// `k x^2 / 2`

@@ -43,6 +43,8 @@ pub enum Thing<'a> {
     Joint(&'a Name),
     /// A declared constraint.
     Constraint(&'a Name),
+    /// A spring.
+    Spring(&'a Name),
     /// A value.
     Value(Quantity),
 }
@@ -83,6 +85,7 @@ impl<'a> Check<'a> {
         match self.keyword_of(name) {
             Some(Keyword::Joint) => Some(Thing::Joint(name)),
             Some(Keyword::Constraint) => Some(Thing::Constraint(name)),
+            Some(Keyword::Spring) => Some(Thing::Spring(name)),
             _ if self.particle.contains_key(name.text.as_str()) => {
                 let vector = self.particle[name.text.as_str()].clone();
                 Some(Thing::Value(Quantity::Vector(vector)))
@@ -120,6 +123,7 @@ impl<'a> Check<'a> {
             (Thing::Value(quantity), _) => self.one_component(quantity, field).map(Thing::Value),
             (Thing::Constraint(name), None) => self.of_constraint(name, field, scope),
             (Thing::Joint(name), None) => self.of_joint(name, field, scope),
+            (Thing::Spring(name), None) => self.of_spring(name, field, scope),
             (Thing::Place(spot, None), Some(arguments)) if field.text == "in" => {
                 let frame = self.in_argument(expr, arguments)?;
                 Some(Thing::Place(spot, Some(frame)))
@@ -180,9 +184,10 @@ impl<'a> Check<'a> {
             Thing::Value(quantity) => Some(quantity),
             Thing::Frame(frame) => self.position(&origin(frame), None).map(Quantity::Vector),
             Thing::Place(spot, frame) => self.position(&spot, frame).map(Quantity::Vector),
-            Thing::Joint(name) | Thing::Constraint(name) => {
+            Thing::Joint(name) | Thing::Constraint(name) | Thing::Spring(name) => {
                 let (kind, example) = match self.keyword_of(name) {
                     Some(Keyword::Constraint) => ("constraint", "multiplier"),
+                    Some(Keyword::Spring) => ("spring", "force"),
                     _ => ("joint", "force.x"),
                 };
                 self.errors
