@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use rncf::app::{EquilibriumSettings, Range, RunSettings, campbell, modes, run, steady};
+use rncf::app::{EquilibriumSettings, Range, RunSettings, campbell, modes, run, static_equilibria, steady};
 use rncf::equilibrium::Uniform;
 use rncf::{Formulation, Integrator, Joints, Method, Model, Options, Scene, Start};
 
@@ -436,4 +436,34 @@ fn the_equilibrium_that_grows_out_of_rest_is_found_with_few_steps() {
     let started = run(&model, &settings).unwrap();
     let off = started.history.column(0).map(|a| (a - at).abs()).fold(0.0, f64::max);
     assert!(off < 1e-5, "{off}");
+}
+
+rncf::model! {
+    /// A plumb line in a car that brakes.
+    pub model Plumb {
+        param braking = 5 m/s^2;
+        frame car = moving(origin = [20 [m/s] * t - braking * t^2 / 2, 0 m, 0 m]);
+        rigid bob in car { plane xy; mass = 1 kg; origin = [0, -1, 0] m; inertia = 1e-9 kg*m^2; }
+        joint string = revolute(car.at([0, 0, 0] m), bob.at([0, 1, 0] m));
+        spring stiff = torsional(string, stiffness = 1 N*m/rad);
+        load weight = gravity([0, -9.81, 0] m/s^2);
+        output angle = string.angle;
+        run { t_end = 2 s; every = 1 s; }
+    }
+}
+
+/// The plumb line of a car that brakes is oblique, and upright at rest.
+#[test]
+fn what_static_leaves_out_is_told() {
+    let settings = EquilibriumSettings {
+        steps: 1,
+        ..EquilibriumSettings::default()
+    };
+    let found = static_equilibria(&Plumb::default(), &settings).unwrap();
+    let note = found.warnings.iter().find(|note| note.contains("`car` stands still"));
+    assert!(
+        note.is_some_and(|note| note.contains("at t = 2 s")),
+        "{:?}",
+        found.warnings
+    );
 }

@@ -215,6 +215,10 @@ impl Scene for ModalScene {
         self.scene.spin(t)
     }
 
+    fn moving_frames(&self, t: f64) -> Vec<String> {
+        self.scene.moving_frames(t)
+    }
+
     fn warnings(&mut self, state: &State) -> Vec<Warning> {
         self.expand(state);
         let mut warnings = self.scene.warnings(&self.full);

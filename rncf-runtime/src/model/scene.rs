@@ -195,6 +195,11 @@ pub trait Scene: System + Send {
     /// Largest angular velocity of a body's frame at `t`, rad/s.
     fn spin(&self, t: f64) -> f64;
 
+    /// Names of the prescribed frames that move at `t` (s).
+    fn moving_frames(&self, _t: f64) -> Vec<String> {
+        Vec::new()
+    }
+
     /// Where the model does not describe its bodies well at a state, one sentence each, naming the body
     /// and what to do (THEORY 10, T10, T15).
     fn warnings(&mut self, _state: &State) -> Vec<Warning> {

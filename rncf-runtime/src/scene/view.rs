@@ -7,6 +7,7 @@ use crate::model::{
     Composition, Configuration, Curve, DescribedBody, FrameState, MassProperties, MeshError, Scene, SectionBody,
     SectionState, Sign, Uniform, Warning,
 };
+use crate::scene::frames::free_frames::declared_free;
 use crate::system::{State, Tangent};
 
 impl Scene for MeshScene {
@@ -196,6 +197,19 @@ impl Scene for MeshScene {
             .map(|frame| frames[frame].spin.norm())
             .chain(free.take(1))
             .fold(0.0, f64::max)
+    }
+
+    fn moving_frames(&self, t: f64) -> Vec<String> {
+        let free = declared_free(&*self.parts);
+        let motions = self.motions(t);
+        let moves = |frame: usize| {
+            let of = &motions[frame];
+            [of.velocity, of.acceleration, of.spin, of.spin_rate]
+                .iter()
+                .any(|rate| rate.norm() > 0.0)
+        };
+        let moving = (0..free.len()).filter(|&frame| !free[frame] && moves(frame));
+        moving.map(|frame| self.parts.frame_name(frame).to_string()).collect()
     }
 
     fn warnings(&mut self, state: &State) -> Vec<Warning> {

@@ -18,9 +18,13 @@ use crate::app::results::error::RunError;
 use crate::app::results::history::History;
 use crate::app::results::incomplete::Incomplete;
 use crate::app::results::modes::{SeenMode, growth};
-use crate::app::writing::numbers::digits;
+use crate::app::writing::numbers::{digits, short};
+use crate::app::writing::sentences::listed;
 use crate::equilibrium::{self, Kind};
-use crate::{AnyModel, modes};
+use crate::{AnyModel, Scene, modes};
+
+/// Most frames in a sentence.
+const MOST: usize = 3;
 
 /// Follows the relative equilibria of a model (THEORY 8.1): from rest to its spin, or along a parameter.
 ///
@@ -139,6 +143,9 @@ pub fn equilibria(
     };
     let cautions = at_the_end(model, settings).cautions(0.0);
     let mut warnings = cautions::sentences(model, &cautions);
+    if kind == Kind::Static {
+        warnings.extend(rests(station.scene, station.at.t));
+    }
     warnings.extend(cautions::texts(station.scene.warnings(station.state)));
     warnings.extend(equilibrium::untied(station.scene, &station.at, station.state));
     warnings.extend(envelopes.warning());
@@ -178,6 +185,22 @@ pub fn equilibria(
         None => Ok(result),
         Some(_) => Err(RunError::Equilibria(Box::new(result))),
     }
+}
+
+/// That frames which move are taken at rest.
+fn rests(scene: &dyn Scene, t: f64) -> Option<String> {
+    let named = |name: String| format!("`{name}`");
+    let moving: Vec<String> = scene.moving_frames(t).into_iter().map(named).collect();
+    let names = listed(&moving, MOST)?;
+    let (of, stand) = if moving.len() > 1 {
+        ("frames", "stand")
+    } else {
+        ("frame", "stands")
+    };
+    Some(format!(
+        "`static` is about rest: {of} {names} {stand} still where it is at t = {} s, and all that its motion does is left out. `steady` takes what turns, a run in time all motions.",
+        short(t)
+    ))
 }
 
 /// What finer meshes make of equilibria, unless they are not asked for or were interrupted.
