@@ -125,7 +125,63 @@ pub struct RunResult {
     pub incomplete: Option<Incomplete>,
 }
 
+/// Times of the rows of a run, s, by their numbers: at whole multiples of a time, and at the end.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::app) struct RowTimes {
+    t_end: f64,
+    every: f64,
+    /// Number of rows.
+    pub count: u64,
+}
+
+impl RowTimes {
+    /// Of completed settings.
+    pub fn of(settings: &RunSettings) -> Self {
+        let (t_end, every) = times(settings);
+        // 0.3 / 0.1 is less than 3.
+        let intervals = t_end / every;
+        let whole = (intervals * (1.0 + 1e-12)).floor();
+        let is_beyond = intervals > whole * (1.0 + 1e-12);
+        Self {
+            t_end,
+            every,
+            count: whole as u64 + 1 + u64::from(is_beyond),
+        }
+    }
+
+    /// Time of a row, s.
+    pub fn at(&self, row: u64) -> f64 {
+        let time = row as f64 * self.every;
+        if time > self.t_end * (1.0 + 1e-9) {
+            self.t_end
+        } else {
+            time
+        }
+    }
+}
+
 /// End time and time between rows of completed settings.
 pub(in crate::app) fn times(settings: &RunSettings) -> (f64, f64) {
     (settings.t_end.unwrap_or(0.0), settings.every.unwrap_or(f64::INFINITY))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_row_is_at_the_end() {
+        let at = |t_end, every| {
+            let rows = RowTimes::of(&RunSettings {
+                t_end: Some(t_end),
+                every: Some(every),
+                ..RunSettings::default()
+            });
+            (rows.count, rows.at(rows.count - 1))
+        };
+        assert_eq!(at(1.0, 0.3), (5, 1.0));
+        assert_eq!(at(1.0, 0.25), (5, 1.0));
+        assert_eq!(at(0.3, 0.1), (4, 3.0 * 0.1));
+        assert_eq!(at(1.0, 0.999_999), (3, 1.0));
+    }
 }

@@ -11,7 +11,7 @@ use crate::app::machine::clock::{Clock, Seconds};
 use crate::app::pictures::Pictures;
 use crate::app::results::history::SKETCHED;
 use crate::app::results::incomplete::Incomplete;
-use crate::app::results::run::{RunResult, StepTaken, times};
+use crate::app::results::run::{RowTimes, RunResult, StepTaken, times};
 use crate::app::results::sketch::Sketch;
 use crate::archive::{Archive, Keep};
 use crate::{Integrator, Scene, State, Warning};
@@ -33,12 +33,11 @@ pub(in crate::app) struct Course {
     before: Seconds,
 }
 
-/// Rows of the history at whole multiples of a time.
+/// Rows of the history.
 struct Rows {
-    every: f64,
+    times: RowTimes,
     t_end: f64,
     next: u64,
-    count: u64,
     state: State,
     values: Vec<f64>,
     warnings: Vec<Warning>,
@@ -55,9 +54,9 @@ impl Course {
         result: &mut RunResult,
         clock: Clock,
     ) -> Self {
-        let (t_end, every) = times(&result.settings);
-        // 0.3 / 0.1 is less than 3.
-        let count = (t_end / every * (1.0 + 1e-12)).floor() as u64 + 1;
+        let (t_end, _) = times(&result.settings);
+        let times = RowTimes::of(&result.settings);
+        let count = times.count;
         if result.settings.pictures {
             result.pictures = Pictures::new(integrator.system(), count);
         }
@@ -68,10 +67,9 @@ impl Course {
         }
         Self {
             rows: Rows {
-                every,
+                times,
                 t_end,
                 next: 0,
-                count,
                 state: integrator.state().clone(),
                 values: vec![0.0; columns],
                 warnings: Vec::new(),
@@ -155,10 +153,9 @@ impl Course {
         let Self {
             rows:
                 Rows {
-                    every: _,
+                    times: _,
                     t_end: _,
                     next,
-                    count: _,
                     state,
                     values: _,
                     warnings,
@@ -213,11 +210,11 @@ impl Rows {
         result: &mut RunResult,
         recorder: &mut dyn Recorder,
     ) -> Result<bool, Incomplete> {
-        if self.next >= self.count {
+        if self.next >= self.times.count {
             return Ok(false);
         }
         let reached = integrator.state().t;
-        let time = self.next as f64 * self.every;
+        let time = self.times.at(self.next);
         let t = time.min(self.t_end);
         // Steps end a rounding before a kink: a row at the kink is that of the step before.
         let slack = 1e-13 * self.t_end;
@@ -237,7 +234,7 @@ impl Rows {
         recorder.row(time, &self.values);
         result.envelopes.meet(integrator.system(), time, &self.state);
         self.marks.meet(self.next, t, &self.values);
-        if result.settings.judged != Judging::No && self.next.is_multiple_of(self.count / OPERANDS + 1) {
+        if result.settings.judged != Judging::No && self.next.is_multiple_of(self.times.count / OPERANDS + 1) {
             let mut operands = vec![0.0; self.values.len()];
             integrator.system().operands(&self.state, &mut operands);
             self.marks.meet_operands(&operands);

@@ -8,7 +8,7 @@ use super::grid::{Grid, Setting};
 use crate::app::commands::parallel::{Ended, on_all_cores, solve};
 use crate::app::machine::files;
 use crate::app::results::history::{Column, History};
-use crate::app::results::run::times;
+use crate::app::results::run::{RowTimes, times};
 use crate::hash::hash;
 use crate::{AnyModel, Method};
 
@@ -235,8 +235,8 @@ fn read(model: &dyn AnyModel, grid: &Grid, path: &Path) -> Result<History, Strin
     let columns = history.columns.iter().map(|column| place(column.head()));
     let columns = columns.collect::<Result<Vec<usize>, String>>()?;
     let (t_end, every) = times(&grid.base);
-    let count = (t_end / every * (1.0 + 1e-12)).floor() as u64 + 1;
-    let mut wanted = (0..count).map(|row| row as f64 * every).peekable();
+    let rows = RowTimes::of(&grid.base);
+    let mut wanted = (0..rows.count).map(|row| rows.at(row)).peekable();
     for (index, line) in lines.enumerate() {
         let Some(&t) = wanted.peek() else { break };
         let numbers: Option<Vec<f64>> = line.split(',').map(|field| field.trim().parse().ok()).collect();
