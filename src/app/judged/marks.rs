@@ -17,6 +17,8 @@ pub(super) const MORE: &str = "Take more elements in `mesh`: twice as many make 
 /// Less is what a motion leaves where nothing moves, or a number that should not change.
 const KEPT: f64 = 1e3;
 const SMALL: f64 = 1e-3;
+/// Part of its value by which a number changes that is told as one which should not.
+const CONSTANT: f64 = 0.01;
 /// Part of the tolerance, of what an output is made of, below which it is nothing.
 const NOTHING: f64 = 1e-3;
 /// Part of what an output is made of that may be the same noise in two runs.
@@ -82,10 +84,13 @@ impl Compared {
 
     fn off(&self, is_known: bool, rtol: f64) -> Off {
         let measure = self.measure(is_known, rtol);
+        let part = self.away / measure;
+        // Of a number that hardly changes, and by no more than it is off, parts of its change say nothing.
+        let is_constant = part > WRONG && self.size < CONSTANT * self.value;
         Off {
             output: self.output,
-            part: self.away / measure,
-            nothing: Some(measure).filter(|measure| *measure > self.size),
+            part,
+            nothing: Some(measure).filter(|measure| *measure > self.size || is_constant),
             is_open: measure > self.size
                 && self.away > TOLD * self.size
                 && self.away > (NOTHING * rtol * self.operands).max(self.round_off),
@@ -400,6 +405,29 @@ mod tests {
             components: &[],
             doc: "",
         }
+    }
+
+    #[test]
+    fn a_constant_that_is_off_is_told_in_its_unit() {
+        let outputs = [output("reaction", "N")];
+        let rows = |values: [f64; 3]| {
+            [0.0, 1.0, 2.0]
+                .into_iter()
+                .zip(values.map(|value| vec![value]))
+                .collect()
+        };
+        let marks = Marks {
+            rows: rows([5.0, 5.03, 5.0]),
+            ..Marks::default()
+        };
+        let found = marks.differences(&outputs, &[vec![5.0], vec![5.0], vec![5.0]], 1e-6);
+        assert_eq!(told(&outputs, &found).unwrap(), "`reaction` by about 3.0e-2 N");
+        let swings = Marks {
+            rows: rows([5.0, 8.0, 5.0]),
+            ..Marks::default()
+        };
+        let found = swings.differences(&outputs, &[vec![5.0], vec![5.0], vec![5.0]], 1e-6);
+        assert_eq!(told(&outputs, &found).unwrap(), "`reaction` by more than 50 %");
     }
 
     /// Of four places one moves, two hardly, of which the runs agree on one, and one not at all; energy is kept in one run and not in the other; a force is as good
