@@ -131,11 +131,20 @@ impl fmt::Display for SolveError {
                 f,
                 "a value is not finite after t = {t} s with h = {h} s: the solution diverges, or a parameter is unphysical"
             )?,
-            SolveErrorKind::Inconsistent(size) => write!(
-                f,
-                "the initial state violates its constraints by {} at t = {t} s: correct the initial positions or velocities; only small errors are corrected by themselves",
-                Short(*size)
-            )?,
+            SolveErrorKind::Inconsistent(size) => {
+                let worst = self.worst.as_deref().unwrap_or_default();
+                // No position cures this: coordinates of joints in space count from where the bodies start.
+                let cure = if worst.contains("(drive)") && !worst.starts_with("the rate") {
+                    "let what the drive prescribes begin with the coordinate of the start, which is 0 in space"
+                } else {
+                    "correct the initial positions or velocities"
+                };
+                write!(
+                    f,
+                    "the initial state violates its constraints by {} at t = {t} s: {cure}; only small errors are corrected by themselves",
+                    Short(*size)
+                )?;
+            }
             SolveErrorKind::Redundant(text)
             | SolveErrorKind::Undefined(text)
             | SolveErrorKind::Untied(text)
