@@ -2,6 +2,7 @@
 
 use super::negative::Negative;
 use super::newton::{Failure, Newton, Patience};
+use super::spun_up::{SpunUp, from_rest};
 use crate::error::{Short, SolveError, SolveErrorKind};
 use crate::model::{Kind, Scene, Uniform};
 use crate::space::product;
@@ -138,8 +139,9 @@ pub(super) fn along(
                 }
                 if at.kind == Kind::Steady && scale == 0.0 && target == at.scale && step.strayed && !stands {
                     // Of two equilibria the one nearer to the start counts: this iteration may have leapt over it.
-                    let other = super::spun_up::from_rest(scene, at);
-                    if let Some(other) = other.filter(|other| is_nearer(scene, &last, &other.state, &step.state)) {
+                    if let Some(other) = grown_from_rest(scene, at)
+                        && is_nearer(scene, &last, &other.state, &step.state)
+                    {
                         found.wasted_iterations += step.iterations;
                         step = other;
                     }
@@ -287,6 +289,25 @@ pub fn settle(scene: &mut dyn Scene, at: &Uniform) -> Result<Continued, SolveErr
     found.flatten().ok_or_else(|| {
         let row = newton.farthest();
         failed(scene, at, &Failure::Slow(row), at.scale)
+    })
+}
+
+/// The equilibrium at the whole spin that grows out of that at rest under the same loads.
+fn grown_from_rest(scene: &mut dyn Scene, at: &Uniform) -> Option<Continued> {
+    let still = Uniform { spinning: 0.0, ..*at };
+    let rest = along(scene, &still, 1.0, Patience::Strict, |_, _| ()).ok()?;
+    let SpunUp {
+        state,
+        iterations,
+        negative,
+    } = from_rest(scene, at, rest.state()?.clone())?;
+    Some(Continued {
+        scale: at.scale,
+        state,
+        iterations: rest.iterations() + iterations,
+        negative,
+        strayed: false,
+        moved_far: true,
     })
 }
 

@@ -4,17 +4,25 @@
 use std::ops::ControlFlow;
 
 use super::finer;
+use super::modes::of_finer;
 use super::tracker::Tracker;
-use crate::AnyModel;
 use crate::app::equilibria::continuation::{EquilibriumProgress, Line};
+use crate::app::equilibria::way;
+use crate::app::judged::finer::Judging;
 use crate::app::judged::finer_modes::Found;
 use crate::app::judged::{cautions, coarse};
 use crate::app::machine::clock::{Clock, Seconds};
 use crate::app::results::campbell::Campbell;
-use crate::app::results::equilibria::EquilibriumSettings;
+use crate::app::results::equilibria::{EquilibriumSettings, Range};
 use crate::app::results::error::RunError;
 use crate::app::results::incomplete::Incomplete;
 use crate::equilibrium::{self, Kind};
+use crate::modes::Critical;
+use crate::{AnyModel, Scene};
+
+/// Part of a critical value within which it is looked for on finer meshes, and most values that are.
+const NEAR: f64 = 0.05;
+const MOST: usize = 8;
 
 /// The modes of a model over a parameter, or over the spin from rest to that of the time of the settings.
 ///
@@ -96,7 +104,7 @@ pub fn campbell_watched(
     diagram.warnings.extend(equilibrium::untied(station.scene, &at, state));
     diagram.seconds = clock.seconds();
     let found = match diagram.incomplete {
-        None => finer::of_campbell(model, settings, station.scene, &diagram),
+        None => on_finer_meshes(model, settings, station.scene, &diagram),
         Some(_) => None,
     };
     // As of `modes`: what the equilibrium is off by does not count where frequencies agree.
@@ -116,6 +124,61 @@ pub fn campbell_watched(
         None => Ok(diagram),
         Some(_) => Err(RunError::Campbell(Box::new(diagram))),
     }
+}
+
+/// What finer meshes make of a complete diagram: of the frequencies at its last value, which takes as long as a few of its rows, and of its critical values.
+fn on_finer_meshes(
+    model: &dyn AnyModel,
+    settings: &EquilibriumSettings,
+    scene: &dyn Scene,
+    diagram: &Campbell,
+) -> Option<Found> {
+    if settings.judged == Judging::No {
+        return None;
+    }
+    let settings = EquilibriumSettings {
+        judged: Judging::No,
+        ..*settings
+    };
+    let finer = finer::finer(model);
+    let at_the_end = way::at_the_end(&finer, &settings);
+    let there = of_finer(at_the_end.as_ref(), &settings, &scene.bodies())?;
+    let values = critical_values(&finer, &settings, &diagram.critical);
+    finer::of_campbell(scene, diagram, &there, values)
+}
+
+/// Critical values of a parameter, each beside the nearest one of the finer model; one that is nowhere near counts as that far away.
+fn critical_values(finer: &dyn AnyModel, settings: &EquilibriumSettings, own: &[Critical]) -> [Vec<Critical>; 2] {
+    let mut both = [Vec::new(), Vec::new()];
+    let Some(whole) = settings.range else {
+        return both;
+    };
+    let [low, high] = [whole.from.min(whole.to), whole.from.max(whole.to)];
+    for own in own.iter().take(MOST) {
+        let far = NEAR * own.value.abs();
+        let range = Range {
+            from: (own.value - far).max(low),
+            to: (own.value + far).min(high),
+            ..whole
+        };
+        let settings = EquilibriumSettings {
+            range: Some(range),
+            steps: 1,
+            count: 1,
+            ..*settings
+        };
+        let Ok(there) = campbell(finer, &settings) else {
+            continue;
+        };
+        let away = |of: &Critical| (of.value - own.value).abs();
+        let nearest = there.critical.into_iter().min_by(|a, b| away(a).total_cmp(&away(b)));
+        both[0].push(*own);
+        both[1].push(nearest.unwrap_or(Critical {
+            value: own.value + far,
+            ..*own
+        }));
+    }
+    both
 }
 
 #[cfg(test)]

@@ -1,55 +1,36 @@
-//! What finer meshes make of modes, and of a Campbell diagram.
+//! Modes, and a Campbell diagram, beside those of finer meshes.
 
-use super::campbell::campbell;
-use super::modes::of_finer;
 use crate::app::equilibria::finer::{farthest, told_of_values};
-use crate::app::equilibria::way;
-use crate::app::judged::finer::{FINER, Judging};
+use crate::app::judged::finer::FINER;
 use crate::app::judged::finer_model::FinerModel;
-use crate::app::judged::finer_modes::{self, Beside, Found, Vibration, compare};
+use crate::app::judged::finer_modes::{Beside, Found, Vibration, compare};
 use crate::app::results::campbell::Campbell;
-use crate::app::results::equilibria::{EquilibriumSettings, Range};
 use crate::app::results::modes::SeenMode;
 use crate::app::writing::numbers::digits;
 use crate::modes::Critical;
 use crate::{AnyModel, Scene};
 
-/// Part of a critical value within which it is looked for on finer meshes, and most values that are.
-const NEAR: f64 = 0.05;
-const MOST: usize = 8;
-
-/// What finer meshes make of the frequencies, where that is asked for. `model` has the value at which they were found.
-pub(super) fn of_modes(
-    model: &dyn AnyModel,
-    settings: &EquilibriumSettings,
-    scene: &dyn Scene,
-    modes: &[SeenMode],
-) -> Option<Found> {
-    if !finer_modes::is_asked(settings.judged, scene.unknowns()) {
-        return None;
+/// A model with finer meshes.
+pub(super) fn finer(model: &dyn AnyModel) -> FinerModel {
+    FinerModel {
+        model: model.boxed(),
+        times: FINER,
     }
-    let there = of_finer(&finer(model), settings, &scene.bodies())?;
-    let [own, there] = [modes, &there].map(|modes| vibrating(numbered(modes)));
+}
+
+/// How far modes are from those `there`, on finer meshes.
+pub(super) fn of_modes(scene: &dyn Scene, modes: &[SeenMode], there: &[SeenMode]) -> Option<Found> {
+    let [own, there] = [modes, there].map(|modes| vibrating(numbered(modes)));
     compare(scene, &own, &there, Beside::default())
 }
 
-/// The same of a complete diagram: of the frequencies at its last value, which takes as long as a few of its rows, and of its critical values.
+/// How far the modes at the last value of a diagram are from those `there`, on finer meshes, and critical values from those beside them.
 pub(super) fn of_campbell(
-    model: &dyn AnyModel,
-    settings: &EquilibriumSettings,
     scene: &dyn Scene,
     diagram: &Campbell,
+    there: &[SeenMode],
+    [here, near]: [Vec<Critical>; 2],
 ) -> Option<Found> {
-    if settings.judged == Judging::No {
-        return None;
-    }
-    let settings = EquilibriumSettings {
-        judged: Judging::No,
-        ..*settings
-    };
-    let finer = finer(model);
-    let at_the_end = way::at_the_end(&finer, &settings);
-    let there = of_finer(at_the_end.as_ref(), &settings, &scene.bodies())?;
     let key = &diagram.key;
     let unit = if key.unit == "1" {
         String::new()
@@ -57,55 +38,13 @@ pub(super) fn of_campbell(
         format!(" {}", key.unit)
     };
     let end = digits(diagram.keys.last().copied().unwrap_or_default(), 6);
-    let [here, near] = critical_values(&finer, &settings, &diagram.critical);
     let beside = Beside {
         place: format!(" at {} = {end}{unit}", key.name),
         values: told_of_values(key, &here, &near),
         of_values: farthest(&here, &near),
     };
-    let [own, there] = [last(diagram), numbered(&there)].map(vibrating);
+    let [own, there] = [last(diagram), numbered(there)].map(vibrating);
     compare(scene, &own, &there, beside)
-}
-
-/// Critical values of a parameter, each beside the nearest one of the finer model; one that is nowhere near counts as that far away.
-fn critical_values(finer: &FinerModel, settings: &EquilibriumSettings, own: &[Critical]) -> [Vec<Critical>; 2] {
-    let Some(whole) = settings.range else {
-        return [Vec::new(), Vec::new()];
-    };
-    let mut both = [Vec::new(), Vec::new()];
-    for own in own.iter().take(MOST) {
-        let [low, high] = [whole.from.min(whole.to), whole.from.max(whole.to)];
-        let far = NEAR * own.value.abs();
-        let range = Range {
-            from: (own.value - far).max(low),
-            to: (own.value + far).min(high),
-            ..whole
-        };
-        let settings = EquilibriumSettings {
-            range: Some(range),
-            steps: 1,
-            count: 1,
-            ..*settings
-        };
-        let Ok(there) = campbell(finer, &settings) else {
-            continue;
-        };
-        let away = |of: &Critical| (of.value - own.value).abs();
-        let nearest = there.critical.into_iter().min_by(|a, b| away(a).total_cmp(&away(b)));
-        both[0].push(*own);
-        both[1].push(nearest.unwrap_or(Critical {
-            value: own.value + far,
-            ..*own
-        }));
-    }
-    both
-}
-
-fn finer(model: &dyn AnyModel) -> FinerModel {
-    FinerModel {
-        model: model.boxed(),
-        times: FINER,
-    }
 }
 
 fn numbered(modes: &[SeenMode]) -> Vec<(usize, SeenMode)> {

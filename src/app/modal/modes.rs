@@ -3,7 +3,7 @@
 
 use super::finer;
 use crate::app::equilibria::{directions, way};
-use crate::app::judged::finer_modes::Found;
+use crate::app::judged::finer_modes::{self, Found};
 use crate::app::judged::{cautions, coarse};
 use crate::app::machine::clock::Clock;
 use crate::app::pictures::Shapes;
@@ -45,7 +45,9 @@ pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Mod
     let mut warnings = cautions::cautioned(model.as_ref(), scene.warnings(&state));
     warnings.extend(crate::equilibrium::untied(scene, &at, &state));
     let seconds = clock.seconds();
-    let found = finer::of_modes(model.as_ref(), settings, scene, &modes);
+    let there = finer_modes::is_asked(settings.judged, scene.unknowns())
+        .then(|| of_finer(&finer::finer(model.as_ref()), settings, &scene.bodies()));
+    let found = there.flatten().and_then(|there| finer::of_modes(scene, &modes, &there));
     // Where frequencies agree, what the equilibrium is off by does not count: it may be the swelling of sections beside discs alone.
     if !matches!(found, Some(Found::Little(_))) {
         warnings.extend(coarse::of_equilibrium(scene, &at, &state));
