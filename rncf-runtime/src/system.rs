@@ -430,8 +430,8 @@ pub trait System {
         Vec::new()
     }
 
-    /// What those of velocities exert on the unknowns, N s or N m s: momentum of what prescribed frames and places carry along, which has no cause
-    /// but the constraints. The state has the velocities before; it overwrites `out`.
+    /// What [`jumps`](Self::jumps) of velocities exert on the unknowns, N s or N m s: inertia of what prescribed frames and places carry along.
+    /// The state has the velocities before; `out` is overwritten.
     fn jolt(&mut self, _state: &State, _behind: f64, out: &mut [f64]) {
         out.fill(0.0);
     }

@@ -162,6 +162,11 @@ impl Bordered {
     /// [`Bordered::least_change`] with the value in the right side of the constraints.
     fn least(&mut self, out: &mut [f64], statistics: &mut Statistics) -> Result<(), Singular> {
         self.given.0.fill(0.0);
+        self.against_constraints(out, statistics)
+    }
+
+    /// The answer to the right side of the unknowns that takes away what is in the right side of the constraints.
+    fn against_constraints(&mut self, out: &mut [f64], statistics: &mut Statistics) -> Result<(), Singular> {
         negate(&mut self.given.1);
         let mut forces = std::mem::take(&mut self.work);
         let result = self.solve_given(out, &mut forces, statistics);
@@ -245,17 +250,24 @@ impl Bordered {
         change: &mut [f64],
         statistics: &mut Statistics,
     ) -> Result<(), Singular> {
-        system.constraint(ConstraintLevel::Velocity, state, &mut self.given.1);
-        self.constraint_pattern
-            .transpose_multiply_add(1.0, &self.jacobian, &state.v, &mut self.given.1);
+        self.fetch_constrained(system, ConstraintLevel::Velocity, state, &state.v);
         self.fetch_mass(system, state);
         self.given.0.copy_from_slice(jolt);
         negate(&mut self.given.0);
-        negate(&mut self.given.1);
-        let mut impulses = std::mem::take(&mut self.work);
-        let result = self.solve_given(change, &mut impulses, statistics);
-        self.work = impulses;
-        result
+        self.against_constraints(change, statistics)
+    }
+
+    /// Puts what a derivative of the unknowns leaves of the constraints at a level into their right side.
+    fn fetch_constrained(
+        &mut self,
+        system: &mut dyn System,
+        level: ConstraintLevel,
+        state: &State,
+        derivative: &[f64],
+    ) {
+        system.constraint(level, state, &mut self.given.1);
+        self.constraint_pattern
+            .transpose_multiply_add(1.0, &self.jacobian, derivative, &mut self.given.1);
     }
 
     /// Solves for `y` in `M y + C_x^T nu = 0`, `C_x (derivative + y) + value of the level = 0`.
@@ -272,9 +284,7 @@ impl Bordered {
             out.fill(0.0);
             return Ok(());
         }
-        system.constraint(level, state, &mut self.given.1);
-        self.constraint_pattern
-            .transpose_multiply_add(1.0, &self.jacobian, derivative, &mut self.given.1);
+        self.fetch_constrained(system, level, state, derivative);
         if let Some(measure) = measure
             && self.is_negligible(measure, out, statistics)
         {

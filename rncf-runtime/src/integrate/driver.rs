@@ -261,12 +261,7 @@ impl Driver {
         let mut state = self.state().clone();
         let behind = self.segments.behind_kink();
         let jumps = system.jumps(&state, behind);
-        let mut jolt = None;
-        if !jumps.is_empty() {
-            let mut of_unknowns = vec![0.0; state.v.len()];
-            system.jolt(&state, behind, &mut of_unknowns);
-            jolt = Some(of_unknowns);
-        }
+        let is_jolted = !jumps.is_empty();
         for jump in jumps {
             if jump.of_position {
                 return Err(error(
@@ -279,13 +274,18 @@ impl Driver {
             }
             self.statistics.note_jump(state.t, &jump.text);
         }
+        let mut jolt = vec![0.0; state.v.len()];
+        if is_jolted {
+            system.jolt(&state, behind, &mut jolt);
+        }
         state.t = behind;
         self.bordered.move_to(system, &state);
         let mut change = vec![0.0; state.v.len()];
         let (bordered, statistics) = (&mut self.bordered, &mut self.statistics);
-        match jolt {
-            Some(jolt) => bordered.impact(system, &state, &jolt, &mut change, statistics),
-            None => bordered.velocity_change(system, &state, None, &mut change, statistics),
+        if is_jolted {
+            bordered.impact(system, &state, &jolt, &mut change, statistics)
+        } else {
+            bordered.velocity_change(system, &state, None, &mut change, statistics)
         }
         .map_err(|pivot| singular(system, state.t, pivot))?;
         add(&mut state.v, &change);

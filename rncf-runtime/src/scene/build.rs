@@ -63,9 +63,9 @@ impl MeshScene {
     /// # Errors
     /// What elements of this length do not allow.
     pub(crate) fn with_finer_meshes(self, times: usize) -> Option<Result<Self, ModelError>> {
+        let loaded = self.loaded_bodies();
         let mut finer: Vec<BodySpec> = self.bodies.into_iter().map(|body| body.spec).collect();
         let mut changes = false;
-        let loaded: Vec<usize> = self.parts.distributed().iter().map(|load| load.body).collect();
         for (body, spec) in finer.iter_mut().enumerate() {
             // Normals of sections are declared with the mesh.
             spec.normals.clear();

@@ -23,7 +23,7 @@ use crate::app::results::failure::{FAILURE, Failure, MISTAKE};
 use crate::app::results::history::{Column, HISTORY, History};
 use crate::app::results::incomplete::Incomplete;
 use crate::app::runs::run::run_recorded;
-use crate::app::writing::numbers::{digits, short};
+use crate::app::writing::numbers::{SHORT, digits, short};
 use crate::equilibrium::Kind;
 
 /// Does what the arguments say and writes; the text for standard output.
@@ -217,18 +217,11 @@ fn execute_equilibria(arguments: &Arguments, kind: Kind, interrupted: impl Fn() 
 
 /// How many equilibria there are, and up to where.
 fn way(history: &History, seconds: Seconds) -> String {
-    let key = &history.key;
     let last = history.keys.last().copied().unwrap_or(0.0);
-    let unit = if key.unit == "1" {
-        String::new()
-    } else {
-        format!(" {}", key.unit)
-    };
     format!(
-        "{} steps up to {} = {}{unit}, {} s",
+        "{} steps up to {}, {} s",
         history.rows(),
-        key.name,
-        short(last),
+        history.key.at(last, SHORT),
         digits(seconds.cpu, 3)
     )
 }

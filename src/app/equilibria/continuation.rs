@@ -7,7 +7,7 @@ use super::way::{Unplaced, between, check, placed, spin};
 use crate::app::results::equilibria::EquilibriumSettings;
 use crate::app::results::error::RunError;
 use crate::app::results::history::Column;
-use crate::app::writing::numbers::{digits, in_unit};
+use crate::app::writing::numbers::in_unit;
 use crate::equilibrium::{CUTS, Continued, Kind, Uniform, continue_from, follow, goes_back, settle, unloaded};
 use crate::error::SolveErrorKind;
 use crate::{AnyModel, Scene, SolveError, State};
@@ -259,10 +259,8 @@ impl<'m> Line<'m> {
                 }
                 Err(_) if self.increment == 1 && self.leap_far() => return Ok(()),
                 Err(text) if self.increment == 1 => {
-                    let Column { name, unit } = self.column();
-                    let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
-                    let key = digits(self.key(self.last.share), 7);
-                    return Err(format!("beyond {name} = {key}{unit}: {text}"));
+                    let last = self.column().at(self.key(self.last.share), 7);
+                    return Err(format!("beyond {last}: {text}"));
                 }
                 Err(_) => self.increment /= 2,
             }
@@ -321,18 +319,18 @@ impl<'m> Line<'m> {
 
     /// What is said of the leaps, and of what is not known.
     pub fn warnings(&self) -> Vec<String> {
-        let Column { name, unit } = self.column();
+        let key = self.column();
         let told = |leap: &[f64; 2]| {
             let [from, to] = leap.map(|share| self.key(share));
             format!(
-                "no equilibrium continues those up to {name} = {} {unit}: the one at {} {unit} is found from the undeformed start",
-                digits(from, 7),
-                digits(to, 7)
+                "no equilibrium continues those up to {}: the one at {} is found from the undeformed start",
+                key.at(from, 7),
+                key.quantity(to, 7)
             )
         };
         let unmeasured = self.unmeasured.iter().map(|(share, why)| {
-            let key = digits(self.key(*share), 7);
-            format!("whether the stiffness is negative in some direction is not known at {name} = {key} {unit}, so that critical values next to it are not found: {why}")
+            let at = key.at(self.key(*share), 7);
+            format!("whether the stiffness is negative in some direction is not known at {at}, so that critical values next to it are not found: {why}")
         });
         self.leaps.iter().map(told).chain(unmeasured).collect()
     }

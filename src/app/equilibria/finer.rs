@@ -7,12 +7,11 @@ use super::buckling::buckling;
 use super::continuation::Line;
 use crate::AnyModel;
 use crate::app::judged::agreement;
-use crate::app::judged::finer::{FINER, Judging, on_meshes};
+use crate::app::judged::finer::{Judging, on_meshes};
 use crate::app::judged::finer_model::FinerModel;
 use crate::app::judged::marks::{Marks, TOLD, percent, told};
 use crate::app::results::equilibria::EquilibriumSettings;
 use crate::app::results::history::{Column, History};
-use crate::app::writing::numbers::digits;
 use crate::equilibrium::Kind;
 use crate::model::DescribedBody;
 use crate::modes::Critical;
@@ -69,10 +68,7 @@ impl Found {
 
 /// Goes the way of `own` on finer meshes; `None` where no mesh changes.
 pub(in crate::app) fn compare(model: &dyn AnyModel, own: &Own<'_>, goes_on: &mut dyn FnMut() -> bool) -> Option<Found> {
-    let finer = FinerModel {
-        model: model.boxed(),
-        times: FINER,
-    };
+    let finer = FinerModel::of(model);
     let most = match own.settings.judged {
         Judging::No => return None,
         Judging::Affordable => AFFORDED.max(SHARE * own.iterations as f64 * own.unknowns as f64),
@@ -198,10 +194,5 @@ fn told_of_ends(key: &Column, [here, there]: [f64; 2], is_whole: bool) -> Option
 }
 
 fn at(key: &Column, value: f64) -> String {
-    let unit = if key.unit == "1" {
-        String::new()
-    } else {
-        format!(" {}", key.unit)
-    };
-    format!("at {} = {}{unit}", key.name, digits(value, 4))
+    format!("at {}", key.at(value, 4))
 }

@@ -3,7 +3,6 @@
 
 use super::continuation::Station;
 use crate::app::results::history::History;
-use crate::app::writing::numbers::digits;
 use crate::equilibrium::{self, continue_from, goes_back, is_nearer};
 
 /// Part of an output by which both must differ.
@@ -41,18 +40,11 @@ pub(super) fn nearer(station: &mut Station<'_>, history: &History) -> Option<Str
         return None;
     }
     let output = &history.columns[most];
-    let unit = if output.unit == "1" {
-        String::new()
-    } else {
-        format!(" {}", output.unit)
-    };
     Some(format!(
-        "at {} = {} {} another equilibrium is nearer to the undeformed shape, with `{}` = {}{unit} and not {}{unit}: this way came along as a slow change without losses does. For the other one begin where there is no second one, as beyond a critical speed (a range of a param), or look at `modes`, which take it",
-        history.key.name,
-        digits(station.key, 6),
-        history.key.unit,
+        "at {} another equilibrium is nearer to the undeformed shape, with `{}` = {} and not {}: this way came along as a slow change without losses does. For the other one begin where there is no second one, as beyond a critical speed (a range of a param), or look at `modes`, which take it",
+        history.key.at(station.key, 6),
         output.name,
-        digits(there[most], 4),
-        digits(here[most], 4),
+        output.quantity(there[most], 4),
+        output.quantity(here[most], 4),
     ))
 }

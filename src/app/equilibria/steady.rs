@@ -192,13 +192,13 @@ fn rests(scene: &dyn Scene, t: f64) -> Option<String> {
     let named = |name: String| format!("`{name}`");
     let moving: Vec<String> = scene.moving_frames(t).into_iter().map(named).collect();
     let names = listed(&moving, MOST)?;
-    let (of, stand) = if moving.len() > 1 {
-        ("frames", "stand")
+    let [of, stand, are, their] = if moving.len() > 1 {
+        ["frames", "stand", "they are", "their"]
     } else {
-        ("frame", "stands")
+        ["frame", "stands", "it is", "its"]
     };
     Some(format!(
-        "`static` is about rest: {of} {names} {stand} still where it is at t = {} s, and all that its motion does is left out. `steady` takes what turns, a run in time all motions.",
+        "`static` is about rest: {of} {names} {stand} still where {are} at t = {} s, and all that {their} motion does is left out. `steady` takes what turns, a run in time all motions.",
         short(t)
     ))
 }

@@ -1,5 +1,6 @@
 //! A model whose scenes have finer meshes.
 
+use super::finer::FINER;
 use crate::model::{ConstantArray, Fidelity, KernelCount, Output, Param, RunDefaults};
 use crate::{AnyModel, Caution, Formulation, Joints, ModelError, Scene};
 
@@ -7,6 +8,16 @@ use crate::{AnyModel, Caution, Formulation, Joints, ModelError, Scene};
 pub(in crate::app) struct FinerModel {
     pub model: Box<dyn AnyModel>,
     pub times: usize,
+}
+
+impl FinerModel {
+    /// With [`FINER`] elements for each one.
+    pub fn of(model: &dyn AnyModel) -> Self {
+        Self {
+            model: model.boxed(),
+            times: FINER,
+        }
+    }
 }
 
 impl AnyModel for FinerModel {

@@ -2,11 +2,12 @@
 //!
 //! The energy that is error (`coarse.rs`) knows most of what elements are too stiff by, and not what locks in all of them alike.
 
-use super::agreement;
 use super::finer::{Judging, Meshes};
 use super::marks::{MORE, TOLD, percent};
-use crate::Scene;
+use super::{agreement, coarse};
 use crate::app::writing::sentences::listed;
+use crate::equilibrium::Uniform;
+use crate::{Scene, State};
 
 /// Most unknowns of a system that has its modes found again, unless all is asked for: those of the finer one take some tenths of a second.
 const AFFORDED: usize = 400;
@@ -17,6 +18,42 @@ const MOST: usize = 4;
 pub(in crate::app) enum Found {
     Much(String),
     Little(String),
+}
+
+/// What is told of meshes: by the equilibrium, by modes about it, and how little frequencies are off.
+pub(in crate::app) struct Told {
+    pub equilibrium: Option<String>,
+    pub modes: Option<String>,
+    pub agreement: Option<String>,
+}
+
+impl Told {
+    /// Of what finer meshes make of the modes; where they were not asked, `errors` has the parts of the energies of modes that are error.
+    pub fn of(
+        found: Option<Found>,
+        scene: &mut dyn Scene,
+        (at, state): (&Uniform, &State),
+        errors: impl FnOnce(&mut dyn Scene) -> Vec<Vec<f64>>,
+    ) -> Self {
+        let (modes, agreement) = match found {
+            Some(Found::Much(told)) => (Some(told), None),
+            Some(Found::Little(told)) => (None, Some(told)),
+            // Less than the frequencies themselves say the energies of the modes.
+            None => {
+                let errors = errors(scene);
+                (coarse::of_modes(scene, &errors), None)
+            }
+        };
+        Self {
+            // Where frequencies agree, what the equilibrium is off by does not count: it may be the swelling of sections beside discs alone.
+            equilibrium: match agreement {
+                None => coarse::of_equilibrium(scene, at, state),
+                Some(_) => None,
+            },
+            modes,
+            agreement,
+        }
+    }
 }
 
 /// Whether the modes of a system with so many unknowns are compared.

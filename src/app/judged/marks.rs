@@ -204,13 +204,13 @@ impl Marks {
     pub fn lost(&self, outputs: &[Output], amplitudes: &[(usize, f64)], rtol: f64) -> Vec<Off> {
         let compared = self.compared(outputs, &self.rows, &[]);
         let off = |&(output, amplitude): &(usize, f64)| {
-            let of = compared.get(output)?;
-            let measure = of.measure(false, rtol);
+            let missing = Compared {
+                away: amplitude,
+                ..*compared.get(output)?
+            };
             Some(Off {
-                output,
-                part: amplitude / measure,
-                nothing: Some(measure).filter(|measure| *measure > of.size),
                 is_open: false,
+                ..missing.off(false, rtol)
             })
         };
         sorted(amplitudes.iter().filter_map(off).collect())

@@ -8,9 +8,10 @@ use super::modes::of_finer;
 use super::tracker::Tracker;
 use crate::app::equilibria::continuation::{EquilibriumProgress, Line};
 use crate::app::equilibria::way;
+use crate::app::judged::cautions;
 use crate::app::judged::finer::Judging;
-use crate::app::judged::finer_modes::Found;
-use crate::app::judged::{cautions, coarse};
+use crate::app::judged::finer_model::FinerModel;
+use crate::app::judged::finer_modes::{Found, Told};
 use crate::app::machine::clock::{Clock, Seconds};
 use crate::app::results::campbell::Campbell;
 use crate::app::results::equilibria::{EquilibriumSettings, Range};
@@ -107,19 +108,9 @@ pub fn campbell_watched(
         None => on_finer_meshes(model, settings, station.scene, &diagram),
         Some(_) => None,
     };
-    // As of `modes`: what the equilibrium is off by does not count where frequencies agree.
-    if !matches!(found, Some(Found::Little(_))) {
-        let coarse = coarse::of_equilibrium(station.scene, &at, state);
-        diagram.warnings.extend(coarse);
-    }
-    match found {
-        Some(Found::Much(told)) => diagram.warnings.push(told),
-        Some(Found::Little(told)) => diagram.agreement = Some(told),
-        None => {
-            let coarse = coarse::of_modes(station.scene, &diagram.mesh_errors);
-            diagram.warnings.extend(coarse);
-        }
-    }
+    let told = Told::of(found, station.scene, (&at, state), |_| diagram.mesh_errors.clone());
+    diagram.warnings.extend(told.equilibrium.into_iter().chain(told.modes));
+    diagram.agreement = told.agreement;
     match diagram.incomplete {
         None => Ok(diagram),
         Some(_) => Err(RunError::Campbell(Box::new(diagram))),
@@ -140,7 +131,7 @@ fn on_finer_meshes(
         judged: Judging::No,
         ..*settings
     };
-    let finer = finer::finer(model);
+    let finer = FinerModel::of(model);
     let at_the_end = way::at_the_end(&finer, &settings);
     let there = of_finer(at_the_end.as_ref(), &settings, &scene.bodies())?;
     let values = critical_values(&finer, &settings, &diagram.critical);
@@ -154,11 +145,11 @@ fn critical_values(finer: &dyn AnyModel, settings: &EquilibriumSettings, own: &[
         return both;
     };
     let [low, high] = [whole.from.min(whole.to), whole.from.max(whole.to)];
-    for own in own.iter().take(MOST) {
-        let far = NEAR * own.value.abs();
+    for here in own.iter().take(MOST) {
+        let far = NEAR * here.value.abs();
         let range = Range {
-            from: (own.value - far).max(low),
-            to: (own.value + far).min(high),
+            from: (here.value - far).max(low),
+            to: (here.value + far).min(high),
             ..whole
         };
         let settings = EquilibriumSettings {
@@ -170,12 +161,12 @@ fn critical_values(finer: &dyn AnyModel, settings: &EquilibriumSettings, own: &[
         let Ok(there) = campbell(finer, &settings) else {
             continue;
         };
-        let away = |of: &Critical| (of.value - own.value).abs();
+        let away = |of: &Critical| (of.value - here.value).abs();
         let nearest = there.critical.into_iter().min_by(|a, b| away(a).total_cmp(&away(b)));
-        both[0].push(*own);
+        both[0].push(*here);
         both[1].push(nearest.unwrap_or(Critical {
-            value: own.value + far,
-            ..*own
+            value: here.value + far,
+            ..*here
         }));
     }
     both

@@ -1,22 +1,11 @@
 //! Modes, and a Campbell diagram, beside those of finer meshes.
 
+use crate::Scene;
 use crate::app::equilibria::finer::{farthest, told_of_values};
-use crate::app::judged::finer::FINER;
-use crate::app::judged::finer_model::FinerModel;
 use crate::app::judged::finer_modes::{Beside, Found, Vibration, compare};
 use crate::app::results::campbell::Campbell;
 use crate::app::results::modes::SeenMode;
-use crate::app::writing::numbers::digits;
 use crate::modes::Critical;
-use crate::{AnyModel, Scene};
-
-/// A model with finer meshes.
-pub(super) fn finer(model: &dyn AnyModel) -> FinerModel {
-    FinerModel {
-        model: model.boxed(),
-        times: FINER,
-    }
-}
 
 /// How far modes are from those `there`, on finer meshes.
 pub(super) fn of_modes(scene: &dyn Scene, modes: &[SeenMode], there: &[SeenMode]) -> Option<Found> {
@@ -32,14 +21,9 @@ pub(super) fn of_campbell(
     [here, near]: [Vec<Critical>; 2],
 ) -> Option<Found> {
     let key = &diagram.key;
-    let unit = if key.unit == "1" {
-        String::new()
-    } else {
-        format!(" {}", key.unit)
-    };
-    let end = digits(diagram.keys.last().copied().unwrap_or_default(), 6);
+    let end = diagram.keys.last().copied().unwrap_or_default();
     let beside = Beside {
-        place: format!(" at {} = {end}{unit}", key.name),
+        place: format!(" at {}", key.at(end, 6)),
         values: told_of_values(key, &here, &near),
         of_values: farthest(&here, &near),
     };

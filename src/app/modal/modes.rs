@@ -3,8 +3,9 @@
 
 use super::finer;
 use crate::app::equilibria::{directions, way};
-use crate::app::judged::finer_modes::{self, Found};
-use crate::app::judged::{cautions, coarse};
+use crate::app::judged::cautions;
+use crate::app::judged::finer_model::FinerModel;
+use crate::app::judged::finer_modes::{self, Told};
 use crate::app::machine::clock::Clock;
 use crate::app::pictures::Shapes;
 use crate::app::results::equilibria::EquilibriumSettings;
@@ -46,23 +47,14 @@ pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Mod
     warnings.extend(crate::equilibrium::untied(scene, &at, &state));
     let seconds = clock.seconds();
     let there = finer_modes::is_asked(settings.judged, scene.unknowns())
-        .then(|| of_finer(&finer::finer(model.as_ref()), settings, &scene.bodies()));
+        .then(|| of_finer(&FinerModel::of(model.as_ref()), settings, &scene.bodies()));
     let found = there.flatten().and_then(|there| finer::of_modes(scene, &modes, &there));
-    // Where frequencies agree, what the equilibrium is off by does not count: it may be the swelling of sections beside discs alone.
-    if !matches!(found, Some(Found::Little(_))) {
-        warnings.extend(coarse::of_equilibrium(scene, &at, &state));
-    }
+    let told = Told::of(found, scene, (&at, &state), |scene| {
+        modes::mesh_errors(scene, &at, &state, &shapes)
+    });
+    warnings.extend(told.equilibrium);
     warnings.extend(fewer(scene, &modes, settings.count));
-    let mut agreement = None;
-    match found {
-        Some(Found::Much(told)) => warnings.push(told),
-        Some(Found::Little(told)) => agreement = Some(told),
-        // Less than the frequencies themselves say the energies of the modes.
-        None => {
-            let errors = modes::mesh_errors(scene, &at, &state, &shapes);
-            warnings.extend(coarse::of_modes(scene, &errors));
-        }
-    }
+    warnings.extend(told.modes);
     Ok(Modes {
         settings: *settings,
         t,
@@ -79,7 +71,7 @@ pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Mod
         constraints: scene.constraints(),
         newton_iterations,
         warnings,
-        agreement,
+        agreement: told.agreement,
         seconds,
     })
 }

@@ -6,21 +6,6 @@ use crate::app::results::history::Column;
 use crate::app::writing::numbers::digits;
 use crate::modes::Critical;
 
-/// A value of the first column with its name and unit.
-pub(in crate::app) fn key_value(key: &Column, value: f64) -> String {
-    format!("{} = {}", key.name, quantity(key, value, 7))
-}
-
-/// A value of the first column with its unit.
-pub(in crate::app) fn quantity(key: &Column, value: f64, places: usize) -> String {
-    let unit = if key.unit == "1" {
-        String::new()
-    } else {
-        format!(" {}", key.unit)
-    };
-    format!("{}{unit}", digits(value, places))
-}
-
 /// Relative error of critical values that is not told.
 pub(in crate::app) const EXACT: f64 = 1e-6;
 
@@ -41,17 +26,17 @@ pub(in crate::app) fn critical_lines(key: &Column, critical: &[Critical], what: 
         };
         let mut line = format!(
             "{what} at {}: the stiffness of {directions} {sense}.",
-            key_value(key, critical.value)
+            key.at(critical.value, 7)
         );
         if critical.within > EXACT * critical.value.abs() {
-            let _ = write!(line, " It lies there within {}.", quantity(key, critical.within, 2));
+            let _ = write!(line, " It lies there within {}.", key.quantity(critical.within, 2));
         }
         if let Some([low, high]) = critical.open {
             let _ = write!(
                 line,
                 " Between {} and {} no equilibrium is found: there deflections grow without bound.",
                 digits(low.min(high), 7),
-                quantity(key, low.max(high), 7)
+                key.quantity(low.max(high), 7)
             );
         }
         line

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::charts::{Chart, Line, figure};
-use super::critical::{EXACT, critical_lines, key_value, marks, quantity};
+use super::critical::{EXACT, critical_lines, marks};
 use crate::app::pictures::view;
 use crate::app::results::campbell::Campbell;
 use crate::app::results::modes::{Inertial, Modes, SeenMode, growth, neutral};
@@ -239,11 +239,11 @@ pub(in crate::app) fn campbell_lines(result: &Campbell, frequency: Frequency) ->
             "Mode {}{sense} crosses {}x the spin at {} ({}, {frame})",
             crossing.track + 1,
             crossing.order,
-            key_value(&result.key, crossing.key),
+            result.key.at(crossing.key, 7),
             frequency.shown(crossing.im),
         );
         if crossing.within > EXACT * crossing.key.abs() {
-            let _ = write!(line, ", there within {}", quantity(&result.key, crossing.within, 2));
+            let _ = write!(line, ", there within {}", result.key.quantity(crossing.within, 2));
         }
         lines.push(line + ".");
     }
@@ -263,8 +263,8 @@ pub(in crate::app) fn campbell_lines(result: &Campbell, frequency: Frequency) ->
             "The equilibrium is UNSTABLE at {} of {} values, first at {}, last at {}.",
             unstable.len(),
             result.keys.len(),
-            key_value(&result.key, first),
-            key_value(&result.key, last),
+            result.key.at(first, 7),
+            result.key.at(last, 7),
         ),
         _ if rows.iter().any(Vec::is_empty) => {
             "At some of the values there are no modes: nothing is said of the stability.".into()

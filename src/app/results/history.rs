@@ -2,6 +2,7 @@
 
 use super::sketch::Sketch;
 use crate::app::writing::csv::push_number;
+use crate::app::writing::numbers::digits;
 use crate::archive::{Archive, Keep};
 use crate::{AnyModel, Output};
 
@@ -94,6 +95,20 @@ impl Column {
     /// The head as it stands in files and on axes: `tip.x [m]`.
     pub fn head(&self) -> String {
         format!("{} [{}]", self.name, self.unit)
+    }
+
+    /// A value with its unit, in so many digits: `3.2 m`.
+    pub(in crate::app) fn quantity(&self, value: f64, places: usize) -> String {
+        let value = digits(value, places);
+        match self.unit {
+            "1" => value,
+            unit => format!("{value} {unit}"),
+        }
+    }
+
+    /// The same with its name: `load = 3.2 N`.
+    pub(in crate::app) fn at(&self, value: f64, places: usize) -> String {
+        format!("{} = {}", self.name, self.quantity(value, places))
     }
 }
 

@@ -128,8 +128,9 @@ pub struct RunResult {
 /// Times of the rows of a run, s, by their numbers: at whole multiples of a time, and at the end.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::app) struct RowTimes {
-    t_end: f64,
-    every: f64,
+    /// End of the run and time between rows, s.
+    pub t_end: f64,
+    pub every: f64,
     /// Number of rows.
     pub count: u64,
 }

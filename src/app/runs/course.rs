@@ -11,7 +11,7 @@ use crate::app::machine::clock::{Clock, Seconds};
 use crate::app::pictures::Pictures;
 use crate::app::results::history::SKETCHED;
 use crate::app::results::incomplete::Incomplete;
-use crate::app::results::run::{RowTimes, RunResult, StepTaken, times};
+use crate::app::results::run::{RowTimes, RunResult, StepTaken};
 use crate::app::results::sketch::Sketch;
 use crate::archive::{Archive, Keep};
 use crate::{Integrator, Scene, State, Warning};
@@ -36,7 +36,6 @@ pub(in crate::app) struct Course {
 /// Rows of the history.
 struct Rows {
     times: RowTimes,
-    t_end: f64,
     next: u64,
     state: State,
     values: Vec<f64>,
@@ -54,7 +53,6 @@ impl Course {
         result: &mut RunResult,
         clock: Clock,
     ) -> Self {
-        let (t_end, _) = times(&result.settings);
         let times = RowTimes::of(&result.settings);
         let count = times.count;
         if result.settings.pictures {
@@ -68,7 +66,6 @@ impl Course {
         Self {
             rows: Rows {
                 times,
-                t_end,
                 next: 0,
                 state: integrator.state().clone(),
                 values: vec![0.0; columns],
@@ -154,7 +151,6 @@ impl Course {
             rows:
                 Rows {
                     times: _,
-                    t_end: _,
                     next,
                     state,
                     values: _,
@@ -215,9 +211,9 @@ impl Rows {
         }
         let reached = integrator.state().t;
         let time = self.times.at(self.next);
-        let t = time.min(self.t_end);
+        let t = time.min(self.times.t_end);
         // Steps end a rounding before a kink: a row at the kink is that of the step before.
-        let slack = 1e-13 * self.t_end;
+        let slack = 1e-13 * self.times.t_end;
         if t > reached + slack {
             return Ok(false);
         }
@@ -239,7 +235,7 @@ impl Rows {
             integrator.system().operands(&self.state, &mut operands);
             self.marks.meet_operands(&operands);
         }
-        self.coarseness.meet(integrator.system(), &self.state, self.t_end);
+        self.coarseness.meet(integrator.system(), &self.state, self.times.t_end);
         if let Some(pictures) = &mut result.pictures {
             pictures.take(
                 self.next,

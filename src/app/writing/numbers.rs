@@ -15,9 +15,12 @@ pub(in crate::app) fn in_unit(param: &Param, value: f64) -> String {
     }
 }
 
+/// Significant digits without the noise of a conversion.
+pub(in crate::app) const SHORT: usize = 12;
+
 /// At most 12 significant digits, without the noise of a conversion.
 pub(in crate::app) fn short(value: f64) -> String {
-    digits(value, 12)
+    digits(value, SHORT)
 }
 
 /// At most `count` significant digits, in exponent form where that is shorter.

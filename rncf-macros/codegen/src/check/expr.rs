@@ -255,7 +255,7 @@ impl<'a> Check<'a> {
         let mut known = self.known(&[Keyword::Param, Keyword::Const, Keyword::Let, Keyword::Motion]);
         known.extend(["pi", "t"]);
         // What has a meaning here alone: the length of a spring, the arclength.
-        let mut own: Vec<&str> = self.locals.keys().map(|name| name.as_ref()).collect();
+        let mut own: Vec<&str> = self.locals.keys().copied().collect();
         own.retain(|name| !name.contains('.') && !known.contains(name));
         own.sort_unstable();
         known.extend(own);

@@ -50,13 +50,13 @@ pub fn items(cursor: &mut Cursor, tree: &mut Tree, repeat: Option<usize>, errors
             Ok(name) => {
                 super::repeat::own_index(cursor, &name, tree, repeat, errors);
                 let item = item(cursor, doc, keyword, name, errors);
-                if tree.is_component && keyword == Keyword::Param {
-                    errors.at(at, say::PARAM_INSIDE);
-                } else if repeat.is_some() {
-                    super::repeat::may_be_repeated(&item, at, errors);
-                }
                 // A field of the model has the name of its param, which that of a part or repetition cannot be.
                 if keyword == Keyword::Param && (tree.is_component || repeat.is_some()) {
+                    if tree.is_component {
+                        errors.at(at, say::PARAM_INSIDE);
+                    } else {
+                        errors.at(at, say::outside_of_loops(keyword.word()));
+                    }
                     tree.lost.extend(word);
                 } else {
                     tree.items.push(Item { repeat, ..item });
@@ -181,14 +181,17 @@ fn param_value(cursor: &mut Cursor, name: &Name, count: &mut bool) -> Parsed<Opt
     if cursor.is_word("file") {
         return Err(Mistake::new(cursor.here(), say::file_of_table(&name.text)));
     }
-    let value = expr::right_side(cursor)?;
-    cursor.expect_end()?;
-    Ok(Some(value))
+    assigned(cursor).map(Some)
 }
 
 /// `= right ;`
 fn assignment(cursor: &mut Cursor) -> Parsed<super::tree::Expr> {
     cursor.expect_punct('=')?;
+    assigned(cursor)
+}
+
+/// `right ;`
+fn assigned(cursor: &mut Cursor) -> Parsed<super::tree::Expr> {
     let value = expr::right_side(cursor)?;
     cursor.expect_end()?;
     Ok(value)

@@ -1,11 +1,11 @@
 //! Repetition: loops of items, numbers in brackets, and values over all repetitions.
 
-use proc_macro2::{Delimiter, Group, Span, TokenTree};
+use proc_macro2::{Delimiter, Group, TokenTree};
 
 use super::cursor::{Cursor, Parsed};
 use super::messages as say;
 use super::recover::recover;
-use super::tree::{Expr, ExprKind, Item, Keyword, Loop, Name, Reduced, Tree};
+use super::tree::{Expr, ExprKind, Keyword, Loop, Name, Reduced, Tree};
 use super::{expr, item};
 use crate::errors::{Errors, Mistake};
 use crate::model::Reduction;
@@ -122,13 +122,6 @@ pub fn own_index(cursor: &mut Cursor, name: &Name, tree: &Tree, of: Option<usize
 fn is_only(group: &Group, word: &str) -> bool {
     let mut inner = Cursor::of(group);
     inner.eat_word(word) && inner.is_empty()
-}
-
-/// Refuses an item that is not repeated; `keyword` is where its keyword stands.
-pub fn may_be_repeated(item: &Item, keyword: Span, errors: &mut Errors) {
-    if item.is_param() {
-        errors.at(keyword, say::outside_of_loops(Keyword::Param.word()));
-    }
 }
 
 /// What goes on behind a name with numbers or dots: another number, or the arguments of a repeated motion.

@@ -8,7 +8,7 @@ impl MeshScene {
     /// The meshed bodies of the declaration in its order; those from files have no mesh, and are as they are.
     pub(crate) fn described_bodies(&self) -> Vec<DescribedBody> {
         let mut all: Vec<DescribedBody> = Vec::new();
-        let loaded: Vec<usize> = self.parts.distributed().iter().map(|load| load.body).collect();
+        let loaded = self.loaded_bodies();
         for (index, body) in self.bodies.iter().enumerate() {
             let is_loaded = loaded.contains(&index);
             let spec = &body.spec;
@@ -34,5 +34,10 @@ impl MeshScene {
             }
         }
         all
+    }
+
+    /// The bodies that loads per length act on.
+    pub(crate) fn loaded_bodies(&self) -> Vec<usize> {
+        self.parts.distributed().iter().map(|load| load.body).collect()
     }
 }

@@ -8,7 +8,7 @@ use super::grid::{Grid, Setting};
 use crate::app::commands::parallel::{Ended, on_all_cores, solve};
 use crate::app::machine::files;
 use crate::app::results::history::{Column, History};
-use crate::app::results::run::{RowTimes, times};
+use crate::app::results::run::RowTimes;
 use crate::hash::hash;
 use crate::{AnyModel, Method};
 
@@ -234,8 +234,8 @@ fn read(model: &dyn AnyModel, grid: &Grid, path: &Path) -> Result<History, Strin
     let key = place(history.key.head())?;
     let columns = history.columns.iter().map(|column| place(column.head()));
     let columns = columns.collect::<Result<Vec<usize>, String>>()?;
-    let (t_end, every) = times(&grid.base);
     let rows = RowTimes::of(&grid.base);
+    let RowTimes { t_end, every, .. } = rows;
     let mut wanted = (0..rows.count).map(|row| rows.at(row)).peekable();
     for (index, line) in lines.enumerate() {
         let Some(&t) = wanted.peek() else { break };
