@@ -1,6 +1,7 @@
 //! How far outputs of a run or of equilibria are from those of finer meshes and other steps, where that is too little for a warning.
 
-use super::marks::{Off, TOLD, largest};
+use super::compared::Off;
+use super::marks::{TOLD, largest};
 use crate::Output;
 use crate::app::writing::sentences::listed;
 
@@ -58,7 +59,7 @@ fn sentence(outputs: &[Output], off: &[Off], with: &str) -> Option<String> {
     let (open, known): (Vec<&Off>, Vec<&Off>) = off.iter().partition(|of| of.is_open);
     let most = known.first().map_or(0.0, |of| of.part);
     let like = known.iter().filter(|of| of.part >= LIKE * most);
-    let names: Vec<String> = like.map(|of| format!("`{}`", outputs[of.output].name)).collect();
+    let names: Vec<String> = like.map(|of| format!("`{}`", of.name(outputs))).collect();
     let size = |of: &&Off| {
         let (Output { name, unit, .. }, size) = (outputs[of.output], of.part * of.nothing.unwrap_or_default());
         let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
@@ -99,6 +100,7 @@ mod tests {
         let outputs = ["tip", "root", "middle"].map(output);
         let off = |output, part| Off {
             output,
+            component: None,
             part,
             nothing: None,
             is_open: false,

@@ -9,7 +9,8 @@
 use std::cell::Cell;
 
 use super::accumulated::Ended;
-use super::marks::{Again, MORE, Marks, Off, TOLD, again, is_of_motion, largest, sorted, told};
+use super::compared::{Off, count};
+use super::marks::{Again, MORE, Marks, TOLD, again, is_of_motion, largest, sorted, told};
 use crate::app::writing::numbers::digits;
 use crate::model::{DescribedBody, Fidelity};
 use crate::{Method, Options, Output, Scene, State, StepSize};
@@ -240,7 +241,7 @@ struct Sets<'r> {
     outputs: &'r [Output],
     /// Rows with the tolerance of Radau that found them, of finer meshes or not.
     sets: Vec<(Vec<Vec<f64>>, f64, bool)>,
-    /// Outputs that two of them find alike: small as they may be beside what they are made of, they are there.
+    /// Outputs and components that two of them find alike: small as they may be beside what they are made of, they are there.
     known: Vec<bool>,
 }
 
@@ -250,7 +251,7 @@ impl<'r> Sets<'r> {
             run,
             outputs,
             sets: Vec::new(),
-            known: vec![false; outputs.len()],
+            known: vec![false; count(outputs)],
         }
     }
 

@@ -1,7 +1,6 @@
 //! Outputs of a run at its rows, and of a second run at the same times: how far one is from the other.
 
-use std::f64::consts::TAU;
-
+use super::compared::{Compared, NOTHING, Off, WRONG, compared, of_outputs};
 use crate::app::writing::sentences::listed;
 use crate::archive::{Archive, Keep};
 use crate::{Integrator, Method, Options, Output, Scene, State, Stop};
@@ -13,20 +12,8 @@ const BESIDE: u64 = 4;
 pub(in crate::app) const TOLD: f64 = 0.01;
 /// The cure of a coarse mesh. Cubic elements have no step of the moment inside, and no kink between them.
 pub(super) const MORE: &str = "Take more elements in `mesh`: twice as many make it some ten times less, or half where something acts within an element or bends a taut line";
-/// Least change that counts, in tolerances and at most: of the largest value of an output, and where nothing says that it is there, of what it is made of.
-/// Less is what a motion leaves where nothing moves, or a number that should not change.
-const KEPT: f64 = 1e3;
-const SMALL: f64 = 1e-3;
-/// Part of its value by which a number changes that is told as one which should not.
-const CONSTANT: f64 = 0.01;
-/// Part of the tolerance, of what an output is made of, below which it is nothing.
-const NOTHING: f64 = 1e-3;
-/// Part of what an output is made of that may be the same noise in two runs.
-const LEAST: f64 = 1e-10;
 /// Relative error of a state that many steps leave.
 const ROUND_OFF: f64 = 1e-13;
-/// Part beyond which both are different motions.
-const WRONG: f64 = 0.5;
 /// Most outputs that are told.
 const MOST: usize = 4;
 
@@ -40,62 +27,6 @@ pub(in crate::app) struct Marks {
     pub round_off: Vec<f64>,
     /// Largest sizes of what the outputs are made of, by columns; empty where that is not looked at.
     pub operands: Vec<f64>,
-}
-
-/// How far an output is off.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::app) struct Off {
-    pub output: usize,
-    /// As part of its largest change or value, whichever is less,
-    pub part: f64,
-    /// or of this, in its unit, where both are nothing.
-    pub nothing: Option<f64>,
-    /// Whether it may be there for all that the tolerance tells, and be off by much of its change.
-    pub is_open: bool,
-}
-
-/// Rows of two runs in one output.
-struct Compared {
-    output: usize,
-    /// Their largest distance.
-    away: f64,
-    /// Largest change or value, whichever is less, of all rows of the run; largest value.
-    size: f64,
-    value: f64,
-    /// The same size of both runs as far as both go.
-    sizes: [f64; 2],
-    operands: f64,
-    round_off: f64,
-}
-
-impl Compared {
-    /// Two runs with different steps agree that there is something: it is no error of steps.
-    fn agrees(&self) -> bool {
-        let size = self.sizes[0].min(self.sizes[1]);
-        size > LEAST * self.operands && self.away <= WRONG * size
-    }
-
-    /// The size by which a distance is measured, of an output that is known to be there or not.
-    fn measure(&self, is_known: bool, rtol: f64) -> f64 {
-        let floor = if is_known { 0.0 } else { self.operands };
-        let kept = (KEPT * rtol).min(SMALL) * self.value.max(floor);
-        self.size.max(kept).max(self.round_off)
-    }
-
-    fn off(&self, is_known: bool, rtol: f64) -> Off {
-        let measure = self.measure(is_known, rtol);
-        let part = self.away / measure;
-        // Of a number that hardly changes, and by no more than it is off, parts of its change say nothing.
-        let is_constant = part > WRONG && self.size < CONSTANT * self.value;
-        Off {
-            output: self.output,
-            part,
-            nothing: Some(measure).filter(|measure| *measure > self.size || is_constant),
-            is_open: measure > self.size
-                && self.away > TOLD * self.size
-                && self.away > (NOTHING * rtol * self.operands).max(self.round_off),
-        }
-    }
 }
 
 impl Keep for Marks {
@@ -159,7 +90,7 @@ impl Marks {
         self.between(outputs, &self.rows, rows, &self.known(outputs, &self.rows, rows), rtol)
     }
 
-    /// The same of two other runs, and outputs that are known to be there.
+    /// The same of two other runs, and what is known to be there: outputs, each before its components.
     pub fn between(
         &self,
         outputs: &[Output],
@@ -168,45 +99,46 @@ impl Marks {
         known: &[bool],
         rtol: f64,
     ) -> Vec<Off> {
-        let compared = self.compared(outputs, here, there);
-        let off = |of: &Compared| of.off(known[of.output], rtol);
-        sorted(compared.iter().map(off).collect())
+        let compared = compared(self, outputs, here, there);
+        let all = compared.iter().zip(known);
+        sorted(of_outputs(all.map(|(of, &is_known)| of.off(is_known, rtol))))
     }
 
-    /// Which outputs two runs with different steps find alike.
+    /// Which outputs, and components of them, two runs with different steps find alike.
     pub fn known(&self, outputs: &[Output], here: &[(f64, Vec<f64>)], there: &[Vec<f64>]) -> Vec<bool> {
-        let compared = self.compared(outputs, here, there);
+        let compared = compared(self, outputs, here, there);
         compared.iter().map(Compared::agrees).collect()
     }
 
-    /// Which outputs are more than a part of what they are made of, in one of both.
+    /// Which of the same are more than a part of what they are made of, in one of both.
     pub fn above(&self, outputs: &[Output], there: &[Vec<f64>], part: f64) -> Vec<bool> {
-        let compared = self.compared(outputs, &self.rows, there);
+        let compared = compared(self, outputs, &self.rows, there);
         compared
             .iter()
             .map(|of| of.sizes[0].max(of.sizes[1]) > (part * of.operands).max(of.round_off))
             .collect()
     }
 
-    /// Which outputs differ by no more than the second of two tolerances knows of them, but would be off by much if they were there to the first, that of the run.
+    /// Which outputs, as a whole, differ by no more than the second of two tolerances knows of them, but would be off by much if they were there to the first, that of the run.
     pub fn open(&self, outputs: &[Output], there: &[Vec<f64>], known: &[bool], [own, other]: [f64; 2]) -> Vec<bool> {
-        let compared = self.compared(outputs, &self.rows, there);
-        let is_open = |of: &Compared| {
+        let compared = compared(self, outputs, &self.rows, there);
+        let is_open = |(of, is_known): (&Compared, bool)| {
             let nothing = (NOTHING * own * of.operands).max(of.round_off);
-            of.away <= TOLD * of.measure(known[of.output], other)
+            of.away <= TOLD * of.measure(is_known, other)
                 && of.away > TOLD * of.measure(true, own)
                 && of.sizes[0].max(of.sizes[1]) > nothing
         };
-        compared.iter().map(is_open).collect()
+        let wholes = compared.iter().zip(known.iter().copied());
+        wholes.filter(|(of, _)| of.component.is_none()).map(is_open).collect()
     }
 
     /// Outputs that miss swings of such amplitudes, as `differences` tells them.
     pub fn lost(&self, outputs: &[Output], amplitudes: &[(usize, f64)], rtol: f64) -> Vec<Off> {
-        let compared = self.compared(outputs, &self.rows, &[]);
+        let compared = compared(self, outputs, &self.rows, &[]);
         let off = |&(output, amplitude): &(usize, f64)| {
             let missing = Compared {
                 away: amplitude,
-                ..*compared.get(output)?
+                ..*compared.iter().find(|of| of.output == output)?
             };
             Some(Off {
                 is_open: false,
@@ -215,66 +147,6 @@ impl Marks {
         };
         sorted(amplitudes.iter().filter_map(off).collect())
     }
-
-    fn compared(&self, outputs: &[Output], here: &[(f64, Vec<f64>)], there: &[Vec<f64>]) -> Vec<Compared> {
-        let Some((_, begin)) = self.rows.first() else {
-            return Vec::new();
-        };
-        let mut first = 0;
-        let mut compared = Vec::with_capacity(outputs.len());
-        for (index, output) in outputs.iter().enumerate() {
-            let columns = first..first + output.width();
-            first = columns.end;
-            let size = |row: &[f64]| norm(row[columns.clone()].iter().copied());
-            let distance = |a: &[f64], b: &[f64]| norm(columns.clone().map(|column| a[column] - b[column]));
-            let of = |rows: &mut dyn Iterator<Item = &[f64]>| {
-                rows.fold([0.0f64, 0.0f64], |[change, value], row| {
-                    [change.max(distance(row, begin)), value.max(size(row))]
-                })
-            };
-            let own = |rows: &[(f64, Vec<f64>)], count: usize| of(&mut rows.iter().take(count).map(|row| &row.1[..]));
-            let [change, value] = own(&self.rows, usize::MAX);
-            let both = [
-                own(here, there.len()),
-                of(&mut there.iter().take(here.len()).map(|row| &row[..])),
-            ];
-            let whole = turn(output.unit).filter(|turn| value.max(both[1][1]) <= 0.5 * turn * (1.0 + 1e-9));
-            let apart = |a: &[f64], b: &[f64]| {
-                let far = distance(a, b);
-                whole.map_or(far, |turn| far.min(turn - far))
-            };
-            let pairs = here.iter().zip(there);
-            let in_columns = |of: &[f64]| norm(of.get(columns.clone()).unwrap_or_default().iter().copied());
-            // What changes nowhere, such as a mass, is measured by its value.
-            let is_still = change == 0.0 && both.iter().all(|[change, _]| *change == 0.0);
-            compared.push(Compared {
-                output: index,
-                away: pairs.map(|((_, row), other)| apart(row, other)).fold(0.0, f64::max),
-                size: if is_still { value } else { change.min(value) },
-                value,
-                sizes: both.map(|[change, value]| change.min(value)),
-                operands: in_columns(&self.operands),
-                round_off: in_columns(&self.round_off),
-            });
-        }
-        compared
-    }
-}
-
-/// A whole turn in a unit of angles. An angle that is known up to whole turns, between -1/2 and 1/2 of one, jumps in one run a little before it does in
-/// another: both are as far apart as it is the shorter way round.
-fn turn(unit: &str) -> Option<f64> {
-    match unit {
-        "rad" => Some(TAU),
-        "mrad" => Some(1e3 * TAU),
-        "deg" => Some(360.0),
-        "rev" => Some(1.0),
-        _ => None,
-    }
-}
-
-fn norm(values: impl Iterator<Item = f64>) -> f64 {
-    values.map(|value| value * value).sum::<f64>().sqrt()
 }
 
 /// What round-off of a state makes of the outputs, by columns: of places, and of the forces that it makes of multipliers.
@@ -317,11 +189,9 @@ pub(in crate::app) fn sorted(mut found: Vec<Off>) -> Vec<Off> {
 
 /// The outputs whose errors are worth to be told, with these.
 pub(in crate::app) fn told(outputs: &[Output], found: &[Off]) -> Option<String> {
-    let name = |&Off {
-                    output, part, nothing, ..
-                }: &Off| {
-        let Output { name, unit, .. } = outputs[output];
-        match nothing {
+    let name = |off: &Off| {
+        let (name, unit, part) = (off.name(outputs), outputs[off.output].unit, off.part);
+        match off.nothing {
             // What should not change has no part of its change.
             Some(size) if unit == "1" => format!("`{name}` by about {:.1e}", part * size),
             Some(size) => format!("`{name}` by about {:.1e} {unit}", part * size),
@@ -428,6 +298,29 @@ mod tests {
         };
         let found = swings.differences(&outputs, &[vec![5.0], vec![5.0], vec![5.0]], 1e-6);
         assert_eq!(told(&outputs, &found).unwrap(), "`reaction` by more than 50 %");
+    }
+
+    /// A spinning top goes round by a decimetre and nods by a tenth of a millimetre: the runs agree that it nods, not how.
+    #[test]
+    fn a_small_component_of_a_vector_is_told_beside_it() {
+        let vector = |name| Output {
+            components: &["x", "y", "z"],
+            ..output(name, "m")
+        };
+        let outputs = [vector("centre"), vector("still")];
+        let row = |t: f64, nods: f64, error: f64| vec![t, 0.0, nods * t, t, error, error];
+        let mut marks = Marks::default();
+        (0..=10).for_each(|k| marks.meet(k, k as f64, &row(k as f64, 1e-4, 0.0)));
+        let other = |nods: f64, error: f64| -> Vec<Vec<f64>> {
+            (0..=10).map(|k| row(k as f64 * (1.0 + 1e-6), nods, error)).collect()
+        };
+        let told_of = |rows: &[Vec<f64>]| told(&outputs, &marks.differences(&outputs, rows, 1e-6));
+        assert_eq!(told_of(&other(1.2e-4, 1e-5)).unwrap(), "`centre.z` by about 20 %");
+        // Errors of the others turn into a component that is nothing, and are told from a ten-thousandth of the vector on.
+        assert_eq!(told_of(&other(1.0001e-4, 5e-4)), None);
+        assert_eq!(told_of(&other(1.0001e-4, 3e-3)).unwrap(), "`still.y` by about 3.0e-3 m");
+        let found = marks.differences(&outputs, &other(1.0001e-4, 0.0), 1e-6);
+        assert_eq!((found[0].name(&outputs), found.len()), ("centre.z".into(), 2));
     }
 
     /// Of four places one moves, two hardly, of which the runs agree on one, and one not at all; energy is kept in one run and not in the other; a force is as good

@@ -4,6 +4,7 @@ pub(super) mod accumulated;
 pub(super) mod agreement;
 pub(super) mod cautions;
 pub(super) mod coarse;
+pub(super) mod compared;
 pub(super) mod doubts;
 pub(super) mod finer;
 pub(super) mod finer_model;
