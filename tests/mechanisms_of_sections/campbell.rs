@@ -2,7 +2,7 @@
 //! hinged blades in closed form.
 
 use rncf::Model;
-use rncf::app::{Campbell, EquilibriumSettings, Inertial, Judging, Range, SeenMode, campbell, modes, steady};
+use rncf::app::{Campbell, Crossing, EquilibriumSettings, Inertial, Judging, Range, SeenMode, campbell, modes, steady};
 use rncf::modes::{Motion, Whirl};
 
 rncf::model! {
@@ -141,6 +141,47 @@ fn critical_speeds_of_a_shaft_balanced_or_not() {
             assert!((value / exact - 1.0).abs() < 2e-4, "{value} {exact}");
         }
     }
+}
+
+rncf::model! {
+    /// A clamped column of 1 m under its load.
+    pub model Column {
+        param load = 0.01 kN;
+        material steel { density = 7850 kg/m^3; young = 210 GPa; poisson = 0.3; }
+        section strip = rectangle(y = 5 mm, z = 20 mm);
+        body column { planar xy; line from [0, 0, 0] m to [0, 1, 0] m; mesh 8 * beam(strip, steel); }
+        joint foot = clamp(column.start, inertial);
+        load weight = force(column.end, [0 N, -load, 0 N]);
+        output x = column.end.x;
+        run { t_end = 1 s; every = 10 ms; }
+    }
+}
+
+/// Critical values of a param in any unit are compared in that unit: 8 elements are right to 1e-4.
+#[test]
+fn critical_values_in_units_of_their_own_are_judged() {
+    let settings = EquilibriumSettings {
+        range: Some(Range {
+            param: 0,
+            from: 0.0,
+            to: 200.0,
+        }),
+        steps: 8,
+        count: 4,
+        judged: Judging::Affordable,
+        ..EquilibriumSettings::default()
+    };
+    let found = campbell(&Column::default(), &settings).unwrap();
+    assert!(found.warnings.is_empty(), "{:?}", found.warnings);
+    let [critical] = found.critical[..] else {
+        panic!("{:?}", found.critical)
+    };
+    // Euler's load, less the shear.
+    let bending = 210e9 * 0.02 * 0.005f64.powi(3) / 12.0;
+    let euler = (0.5 * std::f64::consts::PI).powi(2) * bending / 1e3;
+    let told = found.agreement.expect("compared");
+    println!("{} kN for {euler} kN, {told}", critical.value);
+    assert!((critical.value / euler - 1.0).abs() < 1e-3 && told.contains("critical values by"), "{told}");
 }
 
 /// What finer meshes make of critical speeds and frequencies is told: the energy in sections that swell beside discs says nothing of either.
@@ -570,4 +611,54 @@ fn motions_that_are_there_twice_are_found() {
         ..EquilibriumSettings::default()
     };
     assert!(campbell(&Settling::default(), &settings).is_ok());
+}
+
+rncf::model! {
+    /// A rigid disc on an isotropic bearing.
+    pub model DampedDisc {
+        param speed = 300 rad/s;
+        param damping = 2 kN*s/m;
+        frame rotor = rotating(axis = z, angle = speed * t);
+        rigid disc in rotor { plane xy; mass = 20 kg; inertia = 0.2 kg*m^2; }
+        spring motor = bushing(disc, rotor, rotational_stiffness = [0, 0, 100] MN*m/rad);
+        spring bearing = bushing(disc, inertial, stiffness = [2, 2, 0] MN/m, damping = [damping, damping, 0 [N*s/m]]);
+        output x = disc.x;
+        run { t_end = 1 s; every = 10 ms; }
+    }
+}
+
+/// Without damping the forward whirl and the spin meet where the stiffness in the turning frame vanishes, `sqrt(k / m)`. With damping no frequency is zero
+/// there: the whirl, at `sqrt(k / m - (c / 2 m)^2)` for an observer who stands, crosses the spin below it.
+#[test]
+fn damped_rotors_cross_their_spin_below_the_undamped_critical_speed() {
+    let undamped = (2e6f64 / 20.0).sqrt();
+    for (damping, steps) in [(0.0, 20), (100.0, 20), (2e3, 20), (2e3, 200), (9e3, 20)] {
+        let model = DampedDisc {
+            damping,
+            ..DampedDisc::default()
+        };
+        let found = over_speed(&model, [100.0, 600.0], steps, 2);
+        let part = damping / 40.0 / undamped;
+        let [critical] = found.critical[..] else {
+            panic!("{damping} {steps}: {:?}", found.critical)
+        };
+        assert!((critical.value / undamped - 1.0).abs() < 1e-6, "{critical:?}");
+        assert_eq!(found.standing, [part < 0.01], "{damping} {steps}");
+        let forward = |crossing: &&Crossing| crossing.whirl == Whirl::Forward && crossing.order == 1;
+        let crossings: Vec<&Crossing> = found.crossings.iter().filter(forward).collect();
+        println!("{damping} {steps}: {crossings:?}");
+        if part < 0.01 {
+            assert!(crossings.is_empty(), "told twice: {crossings:?}");
+            continue;
+        }
+        let exact = undamped * (1.0 - part * part).sqrt();
+        let [crossing] = crossings[..] else {
+            panic!("{damping} {steps}: {crossings:?}")
+        };
+        let away = (crossing.key - exact).abs();
+        assert!(
+            away < 1e-4 * exact && away <= crossing.within + 1e-6 * exact,
+            "{crossing:?}, {exact}"
+        );
+    }
 }

@@ -118,9 +118,10 @@ impl<'m> Line<'m> {
         begins_balanced |= is_loaded;
         let (state, measured) = if is_followed {
             let mut found = follow(scene.as_mut(), &at, 1.0, |_, _| ());
-            // Where there is no equilibrium at the first value, as of hinged blades at rest, it begins at a later one.
+            // Where there is no equilibrium at the first value, as of hinged blades at rest, it begins at a later one; not where nothing could be one.
+            let may_begin_later = kind == Kind::Steady && scene.uniform_obstacle(&at, &rest).is_none();
             let mut step = 1;
-            while let (true, Kind::Steady, true) = (found.is_err(), kind, step <= settings.steps) {
+            while found.is_err() && may_begin_later && step <= settings.steps {
                 let share = f64::from(step) / f64::from(settings.steps);
                 if let Ok((mut other, there)) = placed(model, kind, settings, share)
                     && let Ok(later) = follow(other.as_mut(), &there, 1.0, |_, _| ())

@@ -55,6 +55,7 @@ pub fn campbell_watched(
         tracks: Vec::new(),
         is_round: true,
         critical: Vec::new(),
+        standing: Vec::new(),
         crossings: Vec::new(),
         compositions: Vec::new(),
         mesh_errors: Vec::new(),
@@ -144,12 +145,14 @@ fn critical_values(finer: &dyn AnyModel, settings: &EquilibriumSettings, own: &[
     let Some(whole) = settings.range else {
         return both;
     };
+    // Critical values are in the declared unit.
+    let unit = finer.params()[whole.param].unit_si;
     let [low, high] = [whole.from.min(whole.to), whole.from.max(whole.to)];
     for here in own.iter().take(MOST) {
         let far = NEAR * here.value.abs();
         let range = Range {
-            from: (here.value - far).max(low),
-            to: (here.value + far).min(high),
+            from: (unit * (here.value - far)).max(low),
+            to: (unit * (here.value + far)).min(high),
             ..whole
         };
         let settings = EquilibriumSettings {

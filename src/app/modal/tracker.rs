@@ -10,8 +10,8 @@ use crate::equilibrium::{Continued, Uniform};
 use crate::modes::{self, Composition, Mode, Wanted, Whirl};
 use crate::{Scene, SolveError, State};
 
-/// Modes that are looked at beyond those shown, so that one that leaves them is not lost at once.
-const BEYOND: usize = 6;
+/// Modes that are looked at beyond those shown, so that one that leaves them is not lost at once: as many of these as can be had.
+const BEYOND: [usize; 2] = [6, 2];
 /// Times that a step is halved to find where a mode goes.
 const HALVINGS: u32 = 4;
 /// Part of the largest |s| of a step beyond which a mode that is lost may have left the lowest ones.
@@ -19,6 +19,11 @@ const INSIDE: f64 = 0.9;
 /// Looks at a crossing, and the width at which it is found, part of the way.
 const LOOKS: u32 = 8;
 const WIDTH: f64 = 1e-7;
+/// Damping, as part of the spin, at which a forward whirl hardly crosses the spin elsewhere than without: by half of its square.
+const UNDAMPED: f64 = 0.01;
+const ALIKE: f64 = 1e-4;
+/// Part of the spin within which the rate of a mode between two steps is as expected.
+const NEAR: f64 = 1e-3;
 
 /// What the next step is compared with.
 #[derive(Default)]
@@ -70,7 +75,8 @@ impl Looked {
     fn at(scene: &mut dyn Scene, at: &Uniform, state: &State, count: usize) -> Result<Self, SolveError> {
         let modes = |scene: &mut dyn Scene, count| modes::modes(scene, at, state, Wanted { count });
         // Those beyond what is asked for may be too many.
-        let modes = modes(scene, count + BEYOND).or_else(|_| modes(scene, count))?;
+        let beyond = BEYOND.into_iter().find_map(|beyond| modes(scene, count + beyond).ok());
+        let modes = beyond.map_or_else(|| modes(scene, count), Ok)?;
         let weights = masses(scene, state);
         Ok(Self { modes, weights })
     }
@@ -284,9 +290,13 @@ impl Tracker {
         let mut measure = |scene: &mut dyn Scene, at: &Uniform, step: &Continued, with_values| {
             self::measured(scene, at, &step.state, (with_values, diverges)).ok()
         };
-        diagram
-            .critical
-            .extend(line.critical([&first, &last], [before, measured], &mut measure));
+        let found = line.critical([&first, &last], [before, measured], &mut measure);
+        for critical in found {
+            diagram
+                .standing
+                .push(stands(line, critical.value, &first.state, diagram));
+            diagram.critical.push(critical);
+        }
     }
 
     /// Crossings with the spin and twice the spin in the last step.
@@ -296,25 +306,53 @@ impl Tracker {
         };
         let (first, last) = (first.clone(), last.clone());
         for crossing in crossed(diagram) {
-            // The spin of a forward whirl is a critical speed, which is known already.
-            let step = &diagram.keys[diagram.keys.len() - 2..];
-            let is_critical = crossing.whirl == Whirl::Forward
-                && crossing.order == 1
-                && diagram
-                    .critical
-                    .iter()
-                    .any(|critical| (critical.value - step[0]) * (critical.value - step[1]) <= 0.0);
-            if is_critical || !self.is_shown[crossing.track] {
+            if !self.is_shown[crossing.track] {
                 continue;
             }
             // At rest shapes of equal modes say nothing.
-            let modes = [&self.last[crossing.track], &before[crossing.track]];
-            let refined = modes
+            let row = diagram.keys.len() - 1;
+            let ends = [(&self.last[..], row), (before, row - 1)];
+            let refined = ends
                 .into_iter()
-                .find_map(|mode| refined(line, crossing, mode, [&first, &last], diagram));
-            diagram.crossings.push(refined.unwrap_or(crossing));
+                .find_map(|end| refined(line, crossing, end, [&first, &last], diagram));
+            let crossing = refined.unwrap_or(crossing);
+            if !is_critical(&crossing, diagram) {
+                diagram.crossings.push(crossing);
+            }
         }
     }
+}
+
+/// Whether a mode stands still in the reference frame at a critical value, as one does without damping; also where nothing tells it.
+fn stands(line: &mut Line<'_>, value: f64, guess: &State, diagram: &Campbell) -> bool {
+    let [from, to] = [0.0, 1.0].map(|share| line.key(share));
+    let Some((mut scene, at, state, _)) = line.between((value - from) / (to - from), guess) else {
+        return true;
+    };
+    let Ok(looked) = Looked::at(scene.as_mut(), &at, &state, diagram.settings.count) else {
+        return true;
+    };
+    let spin = way::spin(scene.as_ref(), &at);
+    let last = diagram.keys.len() - 1;
+    let drifts = looked.modes.iter().filter(|mode| size(mode) == 0.0).count();
+    let drifts_beside = diagram.row(last).filter(|mode| mode.re.hypot(mode.im) == 0.0).count();
+    let is_slow = |mode: &Mode| size(mode) > 0.0 && size(mode) <= UNDAMPED * spin;
+    spin == 0.0 || drifts > drifts_beside || looked.modes.iter().any(is_slow)
+}
+
+/// Whether a crossing in the last step is a critical speed, which is known already: that of an undamped forward whirl with the spin is one. With damping the
+/// stiffness in the reference frame vanishes elsewhere.
+fn is_critical(crossing: &Crossing, diagram: &Campbell) -> bool {
+    let last = diagram.keys.len() - 1;
+    let is_damped = |row: usize| {
+        let mode = diagram.tracks[crossing.track][row];
+        mode.is_some_and(|mode| mode.re.abs() > UNDAMPED * diagram.spins[row])
+    };
+    let is_known = |value: f64| (value - crossing.key).abs() <= crossing.within.max(ALIKE * value.abs());
+    crossing.whirl == Whirl::Forward
+        && crossing.order == 1
+        && !(last - 1..=last).any(is_damped)
+        && diagram.critical.iter().any(|critical| is_known(critical.value))
 }
 
 /// Partners of what is not lost.
@@ -396,14 +434,19 @@ fn crossed(diagram: &Campbell) -> Vec<Crossing> {
     found
 }
 
-/// The same crossing from equilibria between the steps.
+/// The same crossing from equilibria between the steps, by the modes of all tracks at a row: shapes of overdamped ones are like those of others. `None`
+/// where it is not found nearer than on a straight line.
 fn refined(
     line: &mut Line<'_>,
     crossing: Crossing,
-    mode: &Mode,
+    (modes, known): (&[Mode], usize),
     [first, last]: [&Found; 2],
     diagram: &Campbell,
 ) -> Option<Crossing> {
+    let is_known = |index: &usize| diagram.tracks[*index][known].is_some();
+    let tracks: Vec<usize> = (0..modes.len()).filter(is_known).collect();
+    let shapes: Vec<Mode> = tracks.iter().map(|&index| modes[index].clone()).collect();
+    let own = tracks.iter().position(|&index| index == crossing.track)?;
     let row = diagram.keys.len() - 2;
     let track = &diagram.tracks[crossing.track];
     let order = f64::from(crossing.order);
@@ -413,20 +456,30 @@ fn refined(
     };
     let (mut low, mut high) = ((first.share, end(row)?), (last.share, end(row + 1)?));
     let slope = (high.1 - low.1) / (high.0 - low.0);
+    let rates = [track[row]?.re, track[row + 1]?.re];
     let mut place = (f64::NAN, 0.0, 0.0);
+    let mut rate = None;
     let mut kept = 0;
     for _ in 0..LOOKS {
         let share = low.0 + low.1 / (low.1 - high.1) * (high.0 - low.0);
         let (mut scene, at, state, _) = line.between(share, &first.state)?;
         let looked = Looked::at(scene.as_mut(), &at, &state, diagram.settings.count).ok()?;
-        let followed = modes::followed(std::slice::from_ref(mode), &looked.modes, &looked.weights, 0.0);
-        let (_, best) = followed.into_iter().next().flatten()?;
         let spin = way::spin(scene.as_ref(), &at);
+        let is_with_spin = crossing.order == 1 && crossing.whirl == Whirl::Forward;
+        let part = (share - first.share) / (last.share - first.share);
+        let expected = rate.unwrap_or(rates[0] + part * (rates[1] - rates[0]));
+        if let Some(off) = standing(&looked, expected, spin).filter(|_| is_with_spin) {
+            place = (share, spin, (off / slope).abs());
+            break;
+        }
+        let followed = modes::followed(&shapes, &looked.modes, &looked.weights, 0.0);
+        let (_, best) = followed.into_iter().nth(own).flatten()?;
         let (im, whirl) = compared(SeenMode::of(scene.as_mut(), &at, &state, &best), spin);
         if whirl != crossing.whirl {
             return None;
         }
         let value = im - order * spin;
+        rate = Some(best.re);
         place = (share, im, (value / slope).abs());
         if place.2 <= WIDTH {
             break;
@@ -443,12 +496,21 @@ fn refined(
         }
     }
     let key = line.key(place.0);
-    Some(Crossing {
+    let within = (line.key(place.0 + 2.0 * place.2) - key).abs();
+    (within < crossing.within).then_some(Crossing {
         key,
         im: place.1,
-        within: (line.key(place.0 + 2.0 * place.2) - key).abs(),
+        within,
         ..crossing
     })
+}
+
+/// Whether a mode stands still in the reference frame, whirling with the spin, and by how much its rate differs from the expected one, 1/s. There its pair of
+/// eigenvalues may be two real ones, with shapes of their own.
+fn standing(looked: &Looked, expected: f64, spin: f64) -> Option<f64> {
+    let still = looked.modes.iter().filter(|mode| mode.im <= WIDTH * spin);
+    let off = still.map(|mode| (mode.re - expected).abs()).reduce(f64::min);
+    off.filter(|off| *off <= NEAR * spin)
 }
 
 /// The negative directions of the stiffness, of all of it where it `diverges`; whether with its values next to zero.

@@ -219,13 +219,20 @@ fn modes_picture(title: &str, result: &Modes, frequency: Frequency) -> Option<St
     ))
 }
 
+/// What a critical value is, without damping that counts and with it.
+const CRITICAL: &str = "Critical speed (a frequency in the reference frame is zero)";
+const UNDAMPED: &str = "Undamped critical speed (the stiffness in the reference frame is zero)";
+
 /// What to read off a Campbell diagram, in sentences.
 pub(in crate::app) fn campbell_lines(result: &Campbell, frequency: Frequency) -> Vec<String> {
-    let mut lines = critical_lines(
-        &result.key,
-        &result.critical,
-        "Critical speed (a frequency in the reference frame is zero)",
-    );
+    let mut lines: Vec<String> = Vec::new();
+    for (critical, &is_standing) in result.critical.iter().zip(&result.standing) {
+        let what = if is_standing { CRITICAL } else { UNDAMPED };
+        lines.extend(critical_lines(&result.key, std::slice::from_ref(critical), what));
+    }
+    if result.standing.contains(&false) {
+        lines.push("With damping no frequency in the reference frame is zero at an undamped critical speed: an unbalance excites most where lightly damped forward modes cross 1x the spin.".into());
+    }
     if lines.is_empty() {
         lines.push("No frequency in the reference frame reaches zero: no critical speed in this range.".into());
     }

@@ -193,11 +193,11 @@ pub(in crate::app) fn of_campbell(model: &dyn AnyModel, result: &Campbell) -> Su
     equilibrium(model, &mut summary, &result.settings, result.t);
     put(&mut summary, "frame_of_observation", json!(REFERENCE));
     put(&mut summary, "circular_whirl", json!(result.is_round));
-    put(
-        &mut summary,
-        "critical_values",
-        criticals(&result.key, &result.critical),
-    );
+    let mut values = criticals(&result.key, &result.critical);
+    for (value, is_standing) in values.as_array_mut().into_iter().flatten().zip(&result.standing) {
+        value["frequency_is_zero"] = json!(is_standing);
+    }
+    put(&mut summary, "critical_values", values);
     let key = result.key.head();
     let crossings = result.crossings.iter().map(|crossing| {
         json!({

@@ -28,9 +28,12 @@ pub struct Campbell {
     /// Whether the modes whirl on circles at every spin but 0, as those about axisymmetric, balanced
     /// equilibria do.
     pub is_round: bool,
-    /// Values of the first column where a frequency in the reference frame is zero: critical speeds, at
+    /// Values of the first column where the stiffness in the reference frame vanishes: critical speeds, at
     /// which what stands still in the frame, an unbalance, excites a mode.
     pub critical: Vec<Critical>,
+    /// Whether a frequency in the reference frame is zero at each of them. With damping none is: forward modes
+    /// cross the spin elsewhere ([`Campbell::crossings`]).
+    pub standing: Vec<bool>,
     /// Where a frequency is that of the spin, or twice it.
     pub crossings: Vec<Crossing>,
     /// What moves in the modes of [`Campbell::tracks`], at the last value at which each is known.

@@ -2,6 +2,7 @@
 //! frame (THEORY 8.1).
 
 use crate::emitted::{FrameMotion, JointKind, LoadKind};
+use crate::error::Short;
 use crate::model::{Kind, Spin, Uniform};
 use crate::scene::MeshScene;
 use crate::scene::numbering::conditions::Condition;
@@ -178,28 +179,40 @@ impl MeshScene {
     /// at the loaded state.
     fn variant(&mut self, spin: &Spin, at: &Uniform) -> Option<String> {
         for turning in self.turnings(spin) {
-            if let Some(name) = self.changed_by_turning(&turning, at.t) {
-                let motions = self.motions(at.t);
-                let is_prescribed = at.spin.is_some()
-                    || (0..motions.len())
-                        .any(|frame| self.frames.free_of[frame].is_none() && motions[frame].spin != Vector::zeros());
-                let from = if is_prescribed {
-                    String::new()
+            let Some((name, is_timed)) = self.changed_by_turning(&turning, at.t) else {
+                continue;
+            };
+            let motions = self.motions(at.t);
+            let is_prescribed = at.spin.is_some()
+                || (0..motions.len())
+                    .any(|frame| self.frames.free_of[frame].is_none() && motions[frame].spin != Vector::zeros());
+            let speed = Short(spin.velocity.norm());
+            if is_timed {
+                let cure = if is_prescribed {
+                    "let it rest at that time"
                 } else {
-                    format!(
-                        " with the {:.3} rad/s in which it starts (`--spin \"0 rad/s\"` leaves it at rest)",
-                        spin.velocity.norm()
-                    )
+                    "start it with the rate of what drives it"
                 };
+                let from = if is_prescribed { "" } else { ", in which it starts" };
                 return Some(format!(
-                    "{name} does not stay the same while the system turns{from}: let it act alike in all directions across the axis, on the axis, or between things that turn"
+                    "{name} moves at t = {} s, and not as the system turns, with {speed} rad/s{from}: {cure}, or look at another time (`--at`)",
+                    Short(at.t)
                 ));
             }
+            let from = if is_prescribed {
+                String::new()
+            } else {
+                format!(" with the {speed} rad/s in which it starts (`--spin \"0 rad/s\"` leaves it at rest)")
+            };
+            return Some(format!(
+                "{name} does not stay the same while the system turns{from}: let it act alike in all directions across the axis, on the axis, or between things that turn"
+            ));
         }
         None
     }
 
-    fn changed_by_turning(&mut self, turning: &Turning, t: f64) -> Option<String> {
+    /// What is another while it turns, by name, and whether for what it does over time.
+    fn changed_by_turning(&mut self, turning: &Turning, t: f64) -> Option<(String, bool)> {
         let speed = turning.spin.velocity.norm();
         // Of drives the rate must be that of the rotation, of all else nothing may change at any angle.
         let narrow = self.angles_of_narrow_forces(turning);
@@ -214,7 +227,7 @@ impl MeshScene {
                 is_own: false,
                 later: Some(later),
             };
-            self.changed_by(t, &displacement)
+            self.changed_by(t, &displacement).map(|name| (name, later != 0.0))
         })
     }
 
