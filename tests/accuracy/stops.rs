@@ -49,6 +49,35 @@ fn stops_in_space_are_those_in_a_plane() {
 }
 
 rncf::model! {
+    /// Doors in a plane and in space, each with a hinge whose moment a table has, that open past a right angle to a stop.
+    pub model Doors {
+        table tape { at = a; a = [-200, -90, 0, 60, 200] deg; m = [-3, -2, 0, 2, 3] N*m; interpolation = monotone; }
+        rigid plane_door { plane xy; mass = 12 kg; inertia = 1 kg*m^2; speed = 1 rad/s; }
+        joint plane_hinge = revolute(inertial, plane_door);
+        spring plane_tape = torsional_law(plane_hinge, moment = 0.05 * tape.m(angle) + 0.5 [kN*m] * max(angle - 150 deg, 0 rad));
+        rigid door { mass = 12 kg; inertia = [1, 1, 1] kg*m^2; angular_velocity = [0, 0, 1] rad/s; }
+        joint hinge = revolute(inertial.at([0, 0, 0] m), door, axis = z);
+        spring tapes = torsional_law(hinge, moment = 0.05 * tape.m(angle) + 0.5 [kN*m] * max(angle - 150 deg, 0 rad));
+        output plane_angle = plane_hinge.angle;
+        output angle = hinge.angle;
+        run { t_end = 6 s; every = 0.1 s; }
+    }
+}
+
+/// Past a right angle the bounds of an angle in space were a whole turn: a law was halved until steps failed, and told to come and go.
+#[test]
+fn laws_of_angles_in_space_go_on_past_a_right_angle() {
+    let result = app::run(&Doors::default(), &app::RunSettings::default()).unwrap();
+    let most = result.history.column(0).fold(0.0, f64::max);
+    assert!((2.6..2.7).contains(&most), "it comes to the stop at 150 deg: {most} rad");
+    for (a, b) in result.history.column(0).zip(result.history.column(1)) {
+        assert!((a - b).abs() < 1e-5, "{a} {b}");
+    }
+    assert!(result.warnings.is_empty(), "{:?}", result.warnings);
+    assert!(result.statistics.steps < 150, "{} steps", result.statistics.steps);
+}
+
+rncf::model! {
     /// A ball above Hertz's contact, and two that rest while a wind begins: one of a load, one on a spring without length.
     pub model Roots {
         rigid ball { plane xy; mass = 1 kg; origin = [0, 0.1, 0] m; }

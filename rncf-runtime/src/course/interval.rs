@@ -176,7 +176,8 @@ impl Interval {
     }
 
     pub(super) fn atan2(self, over: Self) -> Self {
-        if over.low <= 0.0 {
+        let is_aside = self.low > 0.0 || self.high < 0.0;
+        if over.low <= 0.0 && !is_aside {
             // Near the cut all angles are possible.
             let at_points = self.width() == 0.0 && over.width() == 0.0;
             return if at_points {

@@ -178,7 +178,7 @@ mod tests {
     fn bounds_contain_what_functions_take_on() {
         use Operation::*;
         type Case = (&'static [Operation], fn(f64) -> f64);
-        let cases: [Case; 14] = [
+        let cases: [Case; 16] = [
             (&[Time, Sin(0), Power(1, 100)], |t| t.sin().powi(100)),
             (&[Time, Multiply(0, 0), Number(0), Add(1, 2), Divide(2, 3)], |t| {
                 3.0 / (t * t + 3.0)
@@ -196,6 +196,10 @@ mod tests {
             (&[Time, Number(0), Remainder(0, 1)], |t| t.rem_euclid(3.0)),
             (&[Time, Number(0), Atan2(0, 1)], |t| t.atan2(3.0)),
             (&[Time, Sin(0), Number(0), Atan2(1, 0)], |t| t.sin().atan2(t)),
+            (&[Time, Number(0), Cos(0), Atan2(1, 2)], |t| 3.0f64.atan2(t.cos())),
+            (&[Time, Cos(0), Number(0), Negate(2), Atan2(3, 1)], |t| {
+                (-3.0f64).atan2(t.cos())
+            }),
             (&[Time, Tan(0)], f64::tan),
             (&[Time, Number(0), Sin(0), Select([0, 1, 0, 2])], |t| {
                 if t <= 3.0 { t } else { t.sin() }
