@@ -69,7 +69,10 @@ rncf::model! {
 fn laws_of_angles_in_space_go_on_past_a_right_angle() {
     let result = app::run(&Doors::default(), &app::RunSettings::default()).unwrap();
     let most = result.history.column(0).fold(0.0, f64::max);
-    assert!((2.6..2.7).contains(&most), "it comes to the stop at 150 deg: {most} rad");
+    assert!(
+        (2.6..2.7).contains(&most),
+        "it comes to the stop at 150 deg: {most} rad"
+    );
     for (a, b) in result.history.column(0).zip(result.history.column(1)) {
         assert!((a - b).abs() < 1e-5, "{a} {b}");
     }

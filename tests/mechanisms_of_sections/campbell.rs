@@ -181,7 +181,10 @@ fn critical_values_in_units_of_their_own_are_judged() {
     let euler = (0.5 * std::f64::consts::PI).powi(2) * bending / 1e3;
     let told = found.agreement.expect("compared");
     println!("{} kN for {euler} kN, {told}", critical.value);
-    assert!((critical.value / euler - 1.0).abs() < 1e-3 && told.contains("critical values by"), "{told}");
+    assert!(
+        (critical.value / euler - 1.0).abs() < 1e-3 && told.contains("critical values by"),
+        "{told}"
+    );
 }
 
 /// What finer meshes make of critical speeds and frequencies is told: the energy in sections that swell beside discs says nothing of either.
@@ -618,10 +621,12 @@ rncf::model! {
     pub model DampedDisc {
         param speed = 300 rad/s;
         param damping = 2 kN*s/m;
+        param seal = 0 N/m;
         frame rotor = rotating(axis = z, angle = speed * t);
         rigid disc in rotor { plane xy; mass = 20 kg; inertia = 0.2 kg*m^2; }
         spring motor = bushing(disc, rotor, rotational_stiffness = [0, 0, 100] MN*m/rad);
-        spring bearing = bushing(disc, inertial, stiffness = [2, 2, 0] MN/m, damping = [damping, damping, 0 [N*s/m]]);
+        spring bearing = bushing(disc, inertial, stiffness = [[2 [MN/m], seal, 0 [N/m]], [-seal, 2 [MN/m], 0 [N/m]], [0 [N/m], 0 [N/m], 0 [N/m]]],
+            damping = [damping, damping, 0 [N*s/m]]);
         output x = disc.x;
         run { t_end = 1 s; every = 10 ms; }
     }
@@ -659,6 +664,26 @@ fn damped_rotors_cross_their_spin_below_the_undamped_critical_speed() {
         assert!(
             away < 1e-4 * exact && away <= crossing.within + 1e-6 * exact,
             "{crossing:?}, {exact}"
+        );
+    }
+}
+
+/// Cross-coupled stiffness, as of seals, comes from no energy: at rest the whole stiffness tells where the disc diverges, and that counts at rest alone.
+#[test]
+fn a_way_that_begins_at_rest_finds_the_same_critical_speeds() {
+    let model = DampedDisc {
+        seal: 0.05e6,
+        ..DampedDisc::default()
+    };
+    let undamped = (2e6f64 / 20.0).sqrt();
+    for range in [[0.0, 600.0], [1.0, 600.0], [600.0, 0.0]] {
+        let found = over_speed(&model, range, 10, 2);
+        let [critical] = found.critical[..] else {
+            panic!("{range:?}: {:?}", found.critical)
+        };
+        assert!(
+            (critical.value / undamped - 1.0).abs() < 1e-6,
+            "{range:?}: {critical:?}"
         );
     }
 }

@@ -40,7 +40,7 @@ pub(in crate::app) struct Tracker {
     measured: Option<(Measured, Found)>,
     /// Whether they are not known at the last step alone.
     is_skipped: bool,
-    /// Whether nothing turned and circulatory forces acted at a step, so that the whole stiffness is asked from there on.
+    /// Whether nothing turns and circulatory forces act at the last step, so that the whole stiffness is asked.
     diverges: bool,
 }
 
@@ -105,10 +105,14 @@ impl Tracker {
         let (at, key, spin) = (station.at, station.key, station.spin);
         let told = |error: SolveError| format!("at {} = {key} {}: {error}", diagram.key.name, diagram.key.unit);
         let found = Looked::at(station.scene, &at, station.state, count).map_err(told)?;
-        self.diverges |= spin == 0.0 && modes::is_circulatory(station.scene, &at, station.state);
+        let diverged = self.diverges;
+        self.diverges = spin == 0.0 && modes::is_circulatory(station.scene, &at, station.state);
         let measured = Some(measured(station.scene, &at, station.state, (false, self.diverges)).map_err(told)?);
         diagram.keys.push(key);
         diagram.spins.push(spin);
+        if diverged != self.diverges {
+            self.measure_again(line);
+        }
         let before = self.last.clone();
         let expected: Vec<Mode> = before
             .iter()
@@ -267,6 +271,18 @@ impl Tracker {
             }
         }
         None
+    }
+
+    /// What was measured at the step before, as it is at the last one: a way may begin at rest.
+    fn measure_again(&mut self, line: &mut Line<'_>) {
+        let diverges = self.diverges;
+        let mut measure = |scene: &mut dyn Scene, at: &Uniform, step: &Continued, with_values| {
+            measured(scene, at, &step.state, (with_values, diverges)).ok()
+        };
+        self.measured = self.measured.take().and_then(|(_, found)| {
+            let again = line.looked_at(found.share, &found.state, false, &mut measure)?;
+            Some((again.measured, found))
+        });
     }
 
     /// The critical values in the last step.
