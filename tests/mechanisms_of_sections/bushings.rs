@@ -208,3 +208,104 @@ fn springs_show_what_they_exert() {
         );
     }
 }
+
+rncf::model! {
+    /// An arm on a bearing that resists tilts alike, carried about its axis to an angle and pushed over.
+    pub model Opened {
+        param opened = 90 deg;
+        motion opening(t) = if t < 1 s { opened * (3 * (t / 1 [s])^2 - 2 * (t / 1 [s])^3) } else { opened };
+        frame hub = rotating(axis = x, angle = opening(t));
+        rigid arm { mass = 1 kg; inertia = [1, 1, 1] kg*m^2; }
+        joint carrier = universal(hub.at([0, 0, 0] m), arm.at([0, 0, 0] m), axis = y, cross = z);
+        spring bearing = bushing(arm, inertial.at([0, 0, 0] m), rotational_stiffness = [0, 1000, 1000] N*m/rad,
+            rotational_damping = [0, 20, 20] N*m*s/rad);
+        load push = moment(arm, [0, 1, 0] N*m);
+        output lean: mrad = -arm.ex.z;
+        output aside: mrad = arm.ex.y;
+        output moment = bearing.moment;
+        run { t_end = 3 s; every = 10 ms; }
+    }
+}
+
+rncf::model! {
+    /// A fast rotor in bearings that resist tilts, from a push across its axis.
+    pub model Gyroscope {
+        param push = 0.5 rad/s;
+        rigid rotor { mass = 100 kg; inertia = [2, 3, 3] kg*m^2; angular_velocity = [250 [rad/s], push, 0 [rad/s]]; }
+        spring mount = bushing(rotor, inertial.at([0, 0, 0] m), stiffness = [40, 40, 40] MN/m,
+            rotational_stiffness = [0, 5, 5] MN*m/rad);
+        output axis = rotor.ex;
+        output moment = mount.moment;
+        run { t_end = 0.1 s; every = 0.1 ms; }
+    }
+}
+
+/// However far it is opened: 1 N m over 1000 N m/rad, and the moment told is the one that acts.
+#[test]
+fn a_bearing_resists_tilts_alike_however_far_it_turns() {
+    for opened in [0.0, 45.0, 90.0, 170.0f64] {
+        let model = Opened {
+            opened: opened.to_radians(),
+        };
+        let found = run(&model, &RunSettings::default()).unwrap();
+        let last = |column: usize| found.history.column(column).last().unwrap();
+        let lean = 1e3 * 1e-3f64.sin();
+        assert!(
+            (last(0) - lean).abs() < 1e-6 && last(1).abs() < 1e-6,
+            "{opened}: {} {}",
+            last(0),
+            last(1)
+        );
+        let moment = [2, 3, 4].map(last);
+        assert!(
+            (moment[1] + 1.0).abs() < 1e-6 && moment[0].abs() + moment[2].abs() < 1e-6,
+            "{opened}: {moment:?}"
+        );
+    }
+}
+
+/// `J z'' - i C w z' + k z = 0` with the tilts about y and z as a complex number; and modes of the same rotor, which whirls on circles.
+#[test]
+fn a_spinning_rotor_on_a_bearing_that_resists_tilts() {
+    let found = run(
+        &Gyroscope::default(),
+        &RunSettings {
+            options: Options {
+                rtol: 1e-9,
+                ..Options::default()
+            },
+            ..RunSettings::default()
+        },
+    )
+    .unwrap();
+    let [along, across, stiffness, spin] = [2.0, 3.0, 5e6, 250.0f64];
+    let root = ((along * spin) * (along * spin) + 4.0 * across * stiffness).sqrt();
+    let [fast, slow] = [1.0, -1.0].map(|sign| (along * spin + sign * root) / (2.0 * across));
+    let size = 0.5 / (fast - slow);
+    let mut error = 0.0f64;
+    for (row, t) in found.history.keys.iter().enumerate() {
+        let [y, z] = [1, 2].map(|column| found.history.column(column).nth(row).unwrap());
+        // z = size (e^(i fast t) - e^(i slow t)) / i, with y' = 0.5 rad/s about y at the start.
+        let about_y = size * ((fast * t).sin() - (slow * t).sin());
+        let about_z = -size * ((fast * t).cos() - (slow * t).cos());
+        error = error.max((y - about_z).hypot(z + about_y) / (2.0 * size));
+    }
+    println!("{error:.1e} {:?} {:?}", found.warnings, found.agreement);
+    assert!(
+        error < 1e-3 && found.warnings.is_empty(),
+        "{error:.1e} {:?}",
+        found.warnings
+    );
+    let modes = modes(&Gyroscope { push: 0.0 }, &EquilibriumSettings::default()).unwrap();
+    let whirls: Vec<f64> = modes
+        .modes
+        .iter()
+        .flat_map(|mode| mode.inertial_frequencies(modes.spin))
+        .collect();
+    for wanted in [fast, -slow] {
+        assert!(
+            whirls.iter().any(|own| (own / wanted - 1.0).abs() < 1e-6),
+            "{wanted}: {whirls:?}"
+        );
+    }
+}

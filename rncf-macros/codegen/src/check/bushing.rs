@@ -54,6 +54,26 @@ impl Given {
             .any(|matrix| matrix.is_some())
     }
 
+    /// Whether anything acts by its angles, not by their rates alone.
+    fn has_angles(&self) -> bool {
+        self.turning.is_some() || self.coupling.is_some()
+    }
+
+    /// The only axis about which angles exert nothing: what turns about it turns freely, and far.
+    fn free_axis(&self) -> Option<usize> {
+        let is_zero = |value: &Value| matches!(value, Value::Number(number) if *number == 0.0);
+        let is_free = |axis: &usize| {
+            let by_angle = [&self.turning, &self.coupling].into_iter().flatten();
+            let of_angle = self.turning.iter().flat_map(|matrix| &matrix[*axis]);
+            by_angle
+                .flat_map(|matrix| matrix.iter().map(|row| &row[*axis]))
+                .chain(of_angle)
+                .all(is_zero)
+        };
+        let free: Vec<usize> = (0..3).filter(is_free).collect();
+        <[usize; 1]>::try_from(free).ok().map(|[axis]| axis)
+    }
+
     /// Whether its forces are the derivative of a potential.
     fn has_potential(&self) -> bool {
         let is_damped = self.damping.is_some() || self.friction.is_some();
@@ -128,7 +148,11 @@ impl<'a> Check<'a> {
             false => [None, joint.turn(1)],
         };
         if given.turns() {
-            motions.extend(Tilt::all(&mut joint).into_iter().map(|tilt| Motion {
+            let tilts = match given.has_angles() {
+                true => Tilt::all(&mut joint, given.free_axis()),
+                false => Tilt::rates_alone(&mut joint),
+            };
+            motions.extend(tilts.into_iter().map(|tilt| Motion {
                 axis: tilt.axis,
                 is_angle: true,
                 rate: tilt.rate(turns),
@@ -167,6 +191,14 @@ impl<'a> Check<'a> {
             let vector = &mut shown[usize::from(motion.is_angle)].1;
             vector.values[motion.axis] = negate(size);
             vector.axes.push(motion.axis);
+        }
+
+        if joint.normal.is_none() && given.turns() {
+            // Directions of moments are those of the axes where little is turned.
+            for &axis in joint.axes() {
+                let along = joint.own_axis(1, axis)[0].clone();
+                shown[1].1.values[axis] = negate(dot(&moment, &along));
+            }
         }
 
         let mut forces = vec![(points[0], pull.clone().map(negate))];
