@@ -43,3 +43,55 @@ fn a_boom_in_orbit_librates_as_the_gradient_of_gravity_tells() {
         assert!(stability_margin(&modes).unwrap() < 1e-9 * n);
     }
 }
+
+rncf::model! {
+    /// Two masses on a lever, once as a rigid body in a plane, once as a free frame, in a field that grows with the place; and a lever with the same inertia.
+    pub model Levers {
+        rigid lever { plane xy; mass = 1 g; inertia = 0.001 kg*m^2; }
+        fixture right on lever.at([1, 0, 0] m) { mass = 0.5 kg; }
+        fixture left on lever.at([-1, 0, 0] m) { mass = 0.5 kg; }
+        joint pivot = revolute(inertial.at([0, 0, 0] m), lever.at([0, 0, 0] m));
+        frame other = free(plane = xy);
+        fixture other_right on other.at([1, 0, 0] m) { mass = 0.5 kg; }
+        fixture other_left on other.at([-1, 0, 0] m) { mass = 0.5 kg; }
+        load field = gravity([0, -1 [1/s^2] * position.x, 0]);
+        output angle = pivot.angle;
+        output other_angle = other.angle;
+        run { t_end = 1 s; every = 0.1 s; }
+    }
+}
+
+rncf::model! {
+    /// A lever of which one moment of inertia is known.
+    pub model Unplaced {
+        rigid lever { plane xy; mass = 1 kg; inertia = 1 kg*m^2; }
+        load field = gravity([0, -1 [1/s^2] * position.x, 0]);
+        output angle = lever.angle;
+        run { t_end = 1 s; every = 0.1 s; }
+    }
+}
+
+/// Masses at known places turn a planar body as they do one in space: `J a'' = -cos(a)^2` of two half kilograms at a metre.
+#[test]
+fn the_gradient_of_gravity_turns_planar_bodies_by_their_masses() {
+    let found = rncf::app::run(&Levers {}, &rncf::app::RunSettings::default()).unwrap();
+    assert!(found.warnings.is_empty(), "{:?}", found.warnings);
+    for (column, inertia) in [(0, 1.001), (1, 1.0)] {
+        let steps = 1000;
+        let (mut angle, mut speed) = (0.0f64, 0.0);
+        let h = 1.0 / f64::from(steps);
+        for _ in 0..steps {
+            // The lever itself has half its inertia along either axis.
+            let rate = |angle: f64| -(angle.cos().powi(2) + 0.5 * (inertia - 1.0)) / inertia;
+            let middle = speed + 0.5 * h * rate(angle);
+            angle += h * middle;
+            speed = middle + 0.5 * h * rate(angle);
+        }
+        let own = found.history.column(column).last().unwrap();
+        assert!((own / angle - 1.0).abs() < 1e-6, "{own} for {angle}");
+    }
+    let notes = rncf::app::run(&Unplaced {}, &rncf::app::RunSettings::default())
+        .unwrap()
+        .warnings;
+    assert!(notes.iter().any(|note| note.contains("spread alike")), "{notes:?}");
+}

@@ -192,6 +192,7 @@ impl MeshScene {
         };
         scene.remarks = scene.check_initial()?;
         scene.remarks.extend(scene.thick_sections());
+        scene.remarks.extend(scene.spread_alike());
         scene.remarks.extend(scene.coarse_meshes());
         scene.check_shared(&shared)?;
         scene.place()?;

@@ -6,6 +6,7 @@
 
 use crate::emitted::{Fidelity, Interpolant, Line, LoadKind, Motions, legendre};
 use crate::error::ModelError;
+use crate::model::Warning;
 use crate::scene::bodies::place::{MeshPoint, PlaceVector, point_of};
 use crate::scene::mesh_scene::MeshScene;
 use crate::scene::pieces::marker::Marker;
@@ -19,6 +20,9 @@ const VECTORS: [PlaceVector; 4] = [
     PlaceVector::SectionY,
     PlaceVector::SectionZ,
 ];
+
+/// Part of the inertia of a planar body that is not that of masses at known places, from which on it is told.
+const UNPLACED: f64 = 0.01;
 
 /// Part of an element below which nothing is integrated on its own.
 const SHORTEST: f64 = 1e-9;
@@ -172,17 +176,14 @@ impl MeshScene {
             let unit = |i: usize, j: usize| f64::from(u8::from(i == j));
             let second: Matrix = match spec.motions {
                 Motions::Shifting | Motions::ShiftingPlanar { .. } => Matrix::zeros(),
-                // Of a planar body one moment of inertia is known: as much along both axes.
                 Motions::Planar { normal } => {
-                    let squares: f64 = first.iter().map(|value| value * value).sum();
-                    let central = if mass > 0.0 {
-                        rigid.inertia[(normal, normal)] - squares / mass
-                    } else {
-                        0.0
-                    };
-                    let in_plane = |i: usize, j: usize| if i == normal { 0.0 } else { 0.5 * central * unit(i, j) };
-                    let moved = |i: usize, j: usize| if mass > 0.0 { first[i] * first[j] / mass } else { 0.0 };
-                    Matrix::from_fn(|i, j| in_plane(i, j) + moved(i, j))
+                    let own = unplaced(&rigid.inertia, normal);
+                    let others = |i: usize| (0..3).find(|&other| other != i && other != normal);
+                    Matrix::from_fn(|i, j| match (others(i), i == normal || j == normal) {
+                        (_, true) | (None, _) => 0.0,
+                        (Some(other), _) if i == j => rigid.inertia[(other, other)] + 0.5 * own,
+                        _ => -rigid.inertia[(i, j)],
+                    })
                 }
                 _ => Matrix::from_fn(|i, j| 0.5 * trace * unit(i, j) - rigid.inertia[(i, j)]),
             };
@@ -193,6 +194,34 @@ impl MeshScene {
             }
         }
         Ok(masses)
+    }
+
+    /// Planar bodies whose mass is spread in a way that nothing tells, under gravity that depends on the place.
+    pub(crate) fn spread_alike(&self) -> Vec<Warning> {
+        let mut around = self
+            .dead_loads
+            .specs
+            .iter()
+            .filter(|load| load.kind == LoadKind::Around);
+        let Some(load) = around.next() else {
+            return Vec::new();
+        };
+        let free = self.frames.free.iter().filter_map(|free| {
+            let (spec, inertia) = (&free.spec, &free.spec.rigid.inertia);
+            let Motions::Planar { normal } = spec.motions else {
+                return None;
+            };
+            let part = unplaced(inertia, normal) / inertia[(normal, normal)];
+            (part > UNPLACED).then(|| Warning {
+                text: format!(
+                    "`{}` moves in a plane, where one `inertia` says nothing of how its mass is spread: `{}` acts on it as on mass that is spread alike along both axes, which the gradient of gravity does not turn. Give its masses as fixtures at their places, or let it move in space",
+                    self.parts.frame_name(spec.frame),
+                    load.name
+                ),
+                weight: part,
+            })
+        });
+        free.collect()
     }
 
     /// Masses of an element at points of its axis: mass, first moments y and z, second moments yy, zz and yz. They have its moments
@@ -268,6 +297,15 @@ impl MeshScene {
         }
         powers
     }
+}
+
+/// Of an inertia in a plane what is not that of masses at known places: those have moments about the axes of the plane, too.
+fn unplaced(inertia: &Matrix, normal: usize) -> f64 {
+    let placed: f64 = (0..3)
+        .filter(|&axis| axis != normal)
+        .map(|axis| inertia[(axis, axis)])
+        .sum();
+    (inertia[(normal, normal)] - placed).max(0.0)
 }
 
 fn at(point: MeshPoint) -> Marker {
