@@ -14,6 +14,9 @@ const ROUND_OFF: f64 = 1e-10;
 const AWAY: f64 = 1e-6;
 /// One plus the cosine of directions that count as opposite.
 const OPPOSITE: f64 = 1e-12;
+/// Places of an axis at which its initial tangent is compared with the undeformed one, and between which sections are carried along it.
+const PLACES: usize = 128;
+const CARRIED: usize = 1024;
 
 /// Vectors of a place by [`place_of`]: position, slope, section's y and z axes.
 type Vectors = [Vector; 4];
@@ -56,8 +59,9 @@ impl MeshScene {
     }
 
     /// Vectors of a body and their rates at t = 0 at the fraction `u` of its axis, frame axes. Sections
-    /// turn with the tangent by the smallest rotation from its undeformed direction, and move without
-    /// shear and without turning about the tangent.
+    /// turn with the tangent by the smallest rotation from its undeformed direction, or where the shape turns by more than a
+    /// right angle anywhere, as they are carried along it from its start, and move without shear and without turning about the
+    /// tangent.
     pub(crate) fn initial_vectors(&self, body: usize, u: f64) -> [Vectors; 2] {
         let spec = &self.bodies[body].spec;
         let (point, tangent) = spec.line.at(u);
@@ -72,12 +76,63 @@ impl MeshScene {
         }
         let section = spec.section(u);
         let axes = match position {
-            Some(_) => section.map(|axis| turned(axis, tangent, slope, section[0])),
+            Some(_) if self.turns_far(body) => self.carried_section(body, u),
+            Some(_) => section.map(|axis| turned(axis, tangent, slope, self.normal(body, section[0]))),
             None => section,
         };
         let spin = 1.0 / slope.dot(&slope) * slope.cross(&slope_rate);
         let rates = axes.map(|axis| spin.cross(&axis));
         [[at, slope, axes[0], axes[1]], [rate, slope_rate, rates[0], rates[1]]]
+    }
+
+    /// Undeformed and initial tangent of a body at a fraction of its axis.
+    fn tangents(&self, body: usize, u: f64) -> [Vector; 2] {
+        let spec = &self.bodies[body].spec;
+        let tangent = spec.line.at(u).1;
+        let [position, _] = self.parts.initial(body, spec.line.length() * u);
+        [tangent, position.map_or(tangent, |[_, slope]| Vector::from(slope))]
+    }
+
+    /// What directions turn about that become opposite: in a plane its normal.
+    fn normal(&self, body: usize, in_space: Vector) -> Vector {
+        let spec = &self.bodies[body].spec;
+        match (0..3).find(|axis| !spec.axes.contains(axis)) {
+            Some(normal) => Vector::from_fn(|axis, _| f64::from(u8::from(axis == normal))),
+            None => in_space,
+        }
+    }
+
+    /// Whether an initial tangent is turned by more than a right angle somewhere: then the smallest rotation comes near to half a turn, whose axis is any.
+    fn turns_far(&self, body: usize) -> bool {
+        (0..=PLACES).any(|place| {
+            let [tangent, slope] = self.tangents(body, place as f64 / PLACES as f64);
+            tangent.dot(&slope) < 0.0
+        })
+    }
+
+    /// Section axes of an initial shape that are turned about its tangent as the undeformed ones are about theirs, both beside axes
+    /// that are carried along from the start by smallest rotations.
+    fn carried_section(&self, body: usize, u: f64) -> [Vector; 2] {
+        let spec = &self.bodies[body].spec;
+        let begin = spec.section(0.0);
+        let about = self.normal(body, begin[0]);
+        let [mut tangent, mut slope] = self.tangents(body, 0.0);
+        let mut undeformed = begin;
+        let mut initial = begin.map(|axis| turned(axis, tangent, slope, about));
+        for place in 1..=CARRIED {
+            let next = self.tangents(body, u * place as f64 / CARRIED as f64);
+            let carried = |axes: [Vector; 2], from: Vector, to: Vector| {
+                axes.map(|axis| turned(axis, 1.0 / from.norm() * from, to, about))
+            };
+            undeformed = carried(undeformed, tangent, next[0]);
+            initial = carried(initial, slope, next[1]);
+            [tangent, slope] = next;
+        }
+        let along = 1.0 / slope.norm() * slope;
+        spec.section(u).map(|axis| {
+            let parts = undeformed.map(|other| axis.dot(&other));
+            parts[0] * initial[0] + parts[1] * initial[1] + axis.dot(&tangent) * along
+        })
     }
 
     /// Refuses initial shapes that are not finite, without direction, or elsewhere than where a joint
