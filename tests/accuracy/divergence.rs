@@ -321,6 +321,7 @@ rncf::model! {
     /// A shaft between two bearings that hold its ends along the axis, too: it stiffens as it bends. Its disc has an unbalance.
     pub model Jeffcott {
         param speed = 150 rad/s;
+        param unbalance = 1 mm;
         material steel { density = 7800 kg/m^3; young = 200 GPa; poisson = 0.3; }
         section bar = circle(radius = 10 mm);
         frame rotor = rotating(axis = z, angle = speed * t);
@@ -332,7 +333,7 @@ rncf::model! {
         joint e = hold(shaft.end.x);
         joint f = hold(shaft.end.y);
         joint g = hold(shaft.end.z);
-        fixture disc on shaft.at(0.45 m) { mass = 12 kg; center = [0, 1 mm, 0]; }
+        fixture disc on shaft.at(0.45 m) { mass = 12 kg; center = [0 m, unbalance, 0 m]; }
         output deflection: mm = norm(shaft.at(0.45 m).position - [0, 0, 0.45] m);
     }
 }
@@ -365,8 +366,52 @@ fn an_equilibrium_nearer_to_the_undeformed_shape_is_told() {
         last(&beyond)
     );
     assert_eq!([note(&along), note(&beyond)], [1, 0], "{:?}", along.warnings);
+    // A diagram that follows the same way has no critical speed of small vibrations, and says so; one of a smaller unbalance has it.
+    let diagram = |unbalance: f64| {
+        let settings = EquilibriumSettings {
+            range: Some(Range {
+                param: 0,
+                from: 0.0,
+                to: 150.0,
+            }),
+            steps: 12,
+            count: 2,
+            judged: Judging::Affordable,
+            ..EquilibriumSettings::default()
+        };
+        let model = Jeffcott {
+            unbalance,
+            ..Jeffcott::default()
+        };
+        campbell(&model, &settings).unwrap()
+    };
+    let [large, none] = [1e-3, 0.0].map(diagram);
+    let told = large
+        .warnings
+        .iter()
+        .filter(|note| note.contains("nearer to the undeformed shape"));
+    assert_eq!(
+        (large.critical.len(), large.is_near, told.count()),
+        (0, false, 1),
+        "{:?}",
+        large.warnings
+    );
+    assert!(
+        !large.warnings.iter().any(|note| note.contains("too coarse")),
+        "{:?}",
+        large.warnings
+    );
+    assert!(
+        none.is_near && none.critical.len() == 1 && none.warnings.is_empty(),
+        "{:?}",
+        none.warnings
+    );
     // A shaft without mass but for the disc: e w^2 / (k / m - w^2), with its own mass a little more.
-    let below = steady(&Jeffcott { speed: 50.0 }, &EquilibriumSettings::default()).unwrap();
+    let slow = Jeffcott {
+        speed: 50.0,
+        ..Jeffcott::default()
+    };
+    let below = steady(&slow, &EquilibriumSettings::default()).unwrap();
     assert_eq!(note(&below), 0);
 }
 

@@ -6,6 +6,6 @@ pub(super) mod continuation;
 pub(super) mod directions;
 pub(super) mod finer;
 pub(super) mod located;
-mod nearer;
+pub(super) mod nearer;
 pub(super) mod steady;
 pub(super) mod way;

@@ -8,8 +8,12 @@ use crate::equilibrium::{self, continue_from, goes_back, is_nearer};
 /// Part of an output by which both must differ.
 const APART: f64 = 0.01;
 
-/// That there is one, with the output that differs most.
-pub(super) fn nearer(station: &mut Station<'_>, history: &History) -> Option<String> {
+/// What helps the equilibria of a way, and a diagram of modes about them.
+pub(super) const EQUILIBRIA: &str = "For the other one begin where there is no second one, as beyond a critical speed (a range of a param), or look at `modes`, which take it";
+pub(in crate::app) const DIAGRAM: &str = "Modes and critical values are those of this way, and not those about the other one: go the way from its other end, or make what bends it, as an unbalance, smaller";
+
+/// That there is one, with the output that differs most, and what helps.
+pub(in crate::app) fn nearer(station: &mut Station<'_>, history: &History, cure: &str) -> Option<String> {
     let (scene, at, state) = (&mut *station.scene, &station.at, station.state);
     // What nothing ties is at no certain place.
     if !scene.neutral_motions(at, state).is_empty() || !equilibrium::untied(scene, at, state).is_empty() {
@@ -41,7 +45,7 @@ pub(super) fn nearer(station: &mut Station<'_>, history: &History) -> Option<Str
     }
     let output = &history.columns[most];
     Some(format!(
-        "at {} another equilibrium is nearer to the undeformed shape, with `{}` = {} and not {}: this way came along as a slow change without losses does. For the other one begin where there is no second one, as beyond a critical speed (a range of a param), or look at `modes`, which take it",
+        "at {} another equilibrium is nearer to the undeformed shape, with `{}` = {} and not {}: this way came along as a slow change without losses does. {cure}",
         history.key.at(station.key, 6),
         output.name,
         output.quantity(there[most], 4),

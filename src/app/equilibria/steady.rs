@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use super::buckling::buckling;
 use super::continuation::{EquilibriumProgress, Found, Line, Station};
 use super::finer;
-use super::nearer::nearer;
+use super::nearer::{EQUILIBRIA, nearer};
 use super::way::at_the_end;
 use crate::app::judged::finer::Judging;
 use crate::app::judged::marks::round_off;
@@ -138,7 +138,7 @@ pub fn equilibria(
         };
     }
     let nearer = match (&incomplete, kind) {
-        (None, Kind::Steady) => nearer(&mut station, &history),
+        (None, Kind::Steady) => nearer(&mut station, &history, EQUILIBRIA),
         _ => None,
     };
     let cautions = at_the_end(model, settings).cautions(0.0);

@@ -7,6 +7,7 @@ use super::finer;
 use super::modes::of_finer;
 use super::tracker::Tracker;
 use crate::app::equilibria::continuation::{EquilibriumProgress, Line};
+use crate::app::equilibria::nearer::{DIAGRAM, nearer};
 use crate::app::equilibria::way;
 use crate::app::judged::cautions;
 use crate::app::judged::finer::Judging;
@@ -16,6 +17,7 @@ use crate::app::machine::clock::{Clock, Seconds};
 use crate::app::results::campbell::Campbell;
 use crate::app::results::equilibria::{EquilibriumSettings, Range};
 use crate::app::results::error::RunError;
+use crate::app::results::history::History;
 use crate::app::results::incomplete::Incomplete;
 use crate::equilibrium::{self, Kind};
 use crate::modes::Critical;
@@ -56,6 +58,7 @@ pub fn campbell_watched(
         is_round: true,
         critical: Vec::new(),
         standing: Vec::new(),
+        is_near: true,
         crossings: Vec::new(),
         compositions: Vec::new(),
         mesh_errors: Vec::new(),
@@ -94,7 +97,12 @@ pub fn campbell_watched(
     diagram.incomplete = reason;
     diagram.newton_iterations = line.iterations;
     let leaps = line.warnings();
-    let station = line.station();
+    let mut station = line.station();
+    let nearer = match diagram.incomplete {
+        None => nearer(&mut station, &History::new(model, diagram.key.clone()), DIAGRAM),
+        Some(_) => None,
+    };
+    diagram.is_near = nearer.is_none();
     diagram.t = station.at.t;
     diagram.bodies = station.scene.bodies();
     diagram.masses = station.scene.masses(station.state);
@@ -102,12 +110,14 @@ pub fn campbell_watched(
     diagram.constraints = station.scene.constraints();
     diagram.warnings = cautions::cautioned(model, station.scene.warnings(station.state));
     diagram.warnings.extend(leaps);
+    diagram.warnings.extend(nearer);
     let (at, state) = (station.at, station.state);
     diagram.warnings.extend(equilibrium::untied(station.scene, &at, state));
     diagram.seconds = clock.seconds();
-    let found = match diagram.incomplete {
-        None => on_finer_meshes(model, settings, station.scene, &diagram),
-        Some(_) => None,
+    // The modes of a finer mesh are those about the nearest equilibrium.
+    let found = match (&diagram.incomplete, diagram.is_near) {
+        (None, true) => on_finer_meshes(model, settings, station.scene, &diagram),
+        _ => None,
     };
     let told = Told::of(found, station.scene, (&at, state), |_| diagram.mesh_errors.clone());
     diagram.warnings.extend(told.equilibrium.into_iter().chain(told.modes));

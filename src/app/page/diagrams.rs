@@ -234,7 +234,10 @@ pub(in crate::app) fn campbell_lines(result: &Campbell, frequency: Frequency) ->
         lines.push("With damping no frequency in the reference frame is zero at an undamped critical speed: an unbalance excites most where lightly damped forward modes cross 1x the spin.".into());
     }
     if lines.is_empty() {
-        lines.push("No frequency in the reference frame reaches zero: no critical speed in this range.".into());
+        lines.push(match result.is_near {
+            true => "No frequency in the reference frame reaches zero: no critical speed in this range.".into(),
+            false => "No frequency in the reference frame reaches zero on this way, which ends far from the undeformed shape: of critical speeds about the other equilibrium it says nothing.".into(),
+        });
     }
     for crossing in &result.crossings {
         let (frame, sense) = match crossing.whirl {

@@ -34,6 +34,8 @@ pub struct Campbell {
     /// Whether a frequency in the reference frame is zero at each of them. With damping none is: forward modes
     /// cross the spin elsewhere ([`Campbell::crossings`]).
     pub standing: Vec<bool>,
+    /// Whether the last equilibrium is the one nearest to the undeformed shape: an unbalanced shaft that stiffens as it bends goes on as a rope that is swung.
+    pub is_near: bool,
     /// Where a frequency is that of the spin, or twice it.
     pub crossings: Vec<Crossing>,
     /// What moves in the modes of [`Campbell::tracks`], at the last value at which each is known.
