@@ -15,6 +15,8 @@ const CONSTANT: f64 = 0.01;
 pub(super) const NOTHING: f64 = 1e-3;
 /// Part of what an output is made of that may be the same noise in two runs.
 const LEAST: f64 = 1e-10;
+/// Part of its value by which a number changes that does not.
+const STILL: f64 = 1e-9;
 /// Part beyond which both are different motions.
 pub(super) const WRONG: f64 = 0.5;
 /// What a component of a vector is made of, in largest values of the vector: errors of the others turn into it, those of forces by the root of the tolerance.
@@ -138,8 +140,15 @@ pub(super) fn compared(
             };
             let pairs = here.iter().zip(there);
             let in_columns = |of: &[f64]| norm(of.get(columns.clone()).unwrap_or_default().iter().copied());
-            // What changes nowhere, such as a mass, is measured by its value.
-            let is_still = change == 0.0 && both.iter().all(|[change, _]| *change == 0.0);
+            // What changes nowhere, such as a mass, or a force at rest, is measured by its value.
+            let stays = |rows: &mut dyn Iterator<Item = &[f64]>| {
+                let rows: Vec<&[f64]> = rows.collect();
+                let change = rows.iter().map(|row| distance(row, rows[0])).fold(0.0, f64::max);
+                change <= STILL * value
+            };
+            let is_still = stays(&mut marks.rows.iter().map(|row| &row.1[..]))
+                && stays(&mut here.iter().take(there.len()).map(|row| &row.1[..]))
+                && stays(&mut there.iter().map(|row| &row[..]));
             Compared {
                 output: index,
                 component,

@@ -10,9 +10,8 @@ use std::cell::Cell;
 
 use super::accumulated::Ended;
 use super::compared::{Off, count};
-use super::marks::{Again, MORE, Marks, TOLD, again, is_of_motion, largest, sorted, told};
-use crate::app::writing::numbers::digits;
-use crate::model::{DescribedBody, Fidelity};
+use super::marks::{Again, Marks, TOLD, again, is_of_motion, largest, sorted, told};
+use super::meshes::{on_meshes, time};
 use crate::{Method, Options, Output, Scene, State, StepSize};
 
 /// Elements for each one of the run.
@@ -44,8 +43,6 @@ const LEAST: f64 = 1e-13;
 const ALIKE: f64 = 0.85;
 /// How many smaller tolerances are tried for outputs that may be there, and be off, for all that larger ones tell.
 const OPEN: usize = 2;
-/// Most bodies in the sentence.
-const MOST: usize = 3;
 
 /// How far a run is compared with the same motion on finer meshes and with other steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -215,11 +212,14 @@ impl<'r> Kind<'r> {
         }
     }
 
-    /// What finer meshes make of all of the run with a tolerance near its own, where a larger one found that outputs hardly differ.
+    /// Whether it is settled that outputs depend on the mesh.
+    fn tells_of_meshes(&self) -> bool {
+        self.is_settled && !self.mesh.is_empty()
+    }
+
+    /// What finer meshes make of all of the run with a tolerance near its own, where a larger one found that outputs hardly differ, or found that some do:
+    /// steps that lead another way on one of both meshes are no error of the mesh.
     fn meet_near(&mut self, rtol: f64, beyond: &[Off]) {
-        if !self.mesh.is_empty() {
-            return;
-        }
         let beyond = self.of(beyond);
         self.seen = [beyond.clone(), Vec::new()];
         self.seen_with = rtol;
@@ -346,9 +346,12 @@ pub(in crate::app) fn compare(
             found_so_far.meet(there, rtol, true);
             let beyond = found_so_far.off(there, rtol);
             let open = found_so_far.open(there, rtol);
-            kinds
-                .iter_mut()
-                .for_each(|kind| kind.meet_finer(rtol, seen.until(), &beyond, &open));
+            for kind in &mut kinds {
+                kind.meet_finer(rtol, seen.until(), &beyond, &open);
+                if kind.tells_of_meshes() && there.len() == run.marks.rows.len() {
+                    kind.meet_near(rtol, &beyond);
+                }
+            }
             if kinds.iter().all(|kind| kind.is_settled) {
                 break;
             }
@@ -377,9 +380,14 @@ pub(in crate::app) fn compare(
             .for_each(|kind| kind.meet(rtol, is_last, seen.until(), [&meshes, &steps], &open));
     }
     // A tolerance that suffices to tell of much finds errors of its own steps where those of the run are much less.
-    let near = TEN * run.options.rtol;
+    let is_told = kinds.iter().any(Kind::tells_of_meshes);
+    let near = (TEN * run.options.rtol).min(if is_told { RTOL / TEN } else { RTOL });
     let is_known = found_so_far.sets.iter().any(|set| set.2 && !differ(set.1, near));
     let expected = spent * (RTOL / near).powf(ORDER);
+    if is_told {
+        // Not to tell of a mesh what its steps do is worth as much again.
+        left.set(left.get().max(afforded(SHARE, &own)));
+    }
     if let Some(finer) = finer.as_mut().filter(|_| {
         let is_settled = kinds.iter().all(|kind| kind.is_settled && !kind.is_far);
         is_exact(&run) && near < RTOL && !is_known && is_settled && expected <= left.get()
@@ -526,74 +534,10 @@ fn is_exact(run: &Ended<'_>) -> bool {
     run.method.is_radau() && run.options.step == StepSize::Adaptive
 }
 
-/// A time in s: three decimals, or where these tell little, as many digits.
-fn time(t: f64) -> String {
-    if t.abs() < 0.1 { digits(t, 3) } else { format!("{t:.3}") }
-}
-
 fn not_compared(until: f64, end: f64) -> String {
     format!(
         "Outputs were compared with those of finer meshes and other steps until {} s, which took about the time of the run; from there to {} s nothing is known of their errors. `--thorough` compares all of it, `--unjudged` nothing.",
         time(until),
         time(end)
-    )
-}
-
-/// The meshes of a scene in a sentence on finer ones.
-pub(in crate::app) struct Meshes {
-    /// Bodies that deform or are loaded along their axes, with their elements.
-    pub names: String,
-    /// What else may be too little, how else the finer ones differ, and what else helps, where some are described by modes.
-    pub too: &'static str,
-    pub how: &'static str,
-    pub more: &'static str,
-}
-
-impl Meshes {
-    /// Of the bodies of a scene.
-    pub fn of(bodies: &[DescribedBody]) -> Self {
-        let mut in_modes = false;
-        let mut meshes: Vec<String> = Vec::new();
-        for body in bodies {
-            let deforms = !matches!(body.fidelity, Fidelity::Rigid | Fidelity::Point);
-            if !deforms && !body.is_loaded {
-                continue;
-            }
-            meshes.push(if body.fidelity == Fidelity::Full {
-                format!("`{}` ({})", body.name, body.elements)
-            } else {
-                in_modes |= deforms;
-                format!("`{}` ({}, {})", body.name, body.elements, body.fidelity)
-            });
-        }
-        let others = meshes.len().saturating_sub(MOST);
-        if others > 0 {
-            meshes.truncate(MOST);
-            meshes.push(format!("{others} more"));
-        }
-        let [too, how, more] = if in_modes {
-            [
-                ", or the modes are too few",
-                " and without modes",
-                ", or leave `modal` or `small` out",
-            ]
-        } else {
-            [""; 3]
-        };
-        Self {
-            names: meshes.join(", "),
-            too,
-            how,
-            more,
-        }
-    }
-}
-
-/// That the meshes of bodies are too coarse for `what`, as far as it was compared.
-pub(in crate::app) fn on_meshes(bodies: &[DescribedBody], (what, until): (&str, Option<f64>), outputs: &str) -> String {
-    let Meshes { names, too, how, more } = Meshes::of(bodies);
-    let until = until.map_or(String::new(), |t| format!(" until {} s", time(t)));
-    format!(
-        "The mesh is too coarse for {what}{too}: with twice as many elements{how} in {names} outputs differ{until} by parts of their largest change or value, {outputs}. {MORE}{more}."
     )
 }

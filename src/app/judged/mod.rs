@@ -10,4 +10,5 @@ pub(super) mod finer;
 pub(super) mod finer_model;
 pub(super) mod finer_modes;
 pub(super) mod marks;
+pub(super) mod meshes;
 pub(super) mod unfollowed;
