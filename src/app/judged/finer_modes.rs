@@ -71,6 +71,9 @@ const TOLD_OF_DAMPING: f64 = 2.0 * TOLD;
 /// Damping ratio below which there is none but round-off.
 const UNDAMPED: f64 = 1e-7;
 
+/// Part of a frequency within which the next one is nearly equal.
+const EQUAL: f64 = 0.01;
+
 /// Number of a mode from 0, its rate of growth (1/s) and angular frequency (rad/s).
 pub(in crate::app) type Vibration = (usize, [f64; 2]);
 
@@ -91,7 +94,8 @@ pub(in crate::app) struct Beside {
 }
 
 /// How far frequencies and dampings are off: vibrations, ascending, with the numbers of their modes, rates of growth and frequencies, beside those of a finer
-/// one. Stiffness that a mesh adds raises every frequency, so that they are compared by their places. `None` without any.
+/// one. Stiffness that a mesh adds raises every frequency, so that they are compared by their places; those of nearly equal frequencies, of which one may grow
+/// as the other dies away, by their rates. `None` without any.
 pub(in crate::app) fn compare(
     scene: &dyn Scene,
     own: &[Vibration],
@@ -103,10 +107,9 @@ pub(in crate::app) fn compare(
         values,
         of_values,
     } = beside;
-    let off: Vec<Off> = own
-        .iter()
-        .zip(there)
-        .map(|(&(mode, own), &(_, there))| off(mode + 1, own, there))
+    let off: Vec<Off> = paired(own, there)
+        .into_iter()
+        .map(|[(mode, own), (_, there)]| off(mode + 1, own, there))
         .collect();
     let worst = off.iter().max_by(|a, b| a.frequency.total_cmp(&b.frequency))?;
     let damped = off
@@ -152,5 +155,39 @@ fn off(mode: usize, [re, im]: [f64; 2], [re_there, im_there]: [f64; 2]) -> Off {
         } else {
             0.0
         },
+    }
+}
+
+/// Vibrations beside those of the finer mesh.
+fn paired(own: &[Vibration], there: &[Vibration]) -> Vec<[Vibration; 2]> {
+    let frequency = |of: &Vibration| of.1[1];
+    let count = own.len().min(there.len());
+    let (mut own, mut there) = (own[..count].to_vec(), there[..count].to_vec());
+    let mut from = 0;
+    for next in 1..=count {
+        let is_near = |next: usize| frequency(&own[next]) - frequency(&own[next - 1]) <= EQUAL * frequency(&own[next]);
+        if next < count && is_near(next) {
+            continue;
+        }
+        for all in [&mut own, &mut there] {
+            all[from..next].sort_by(|a, b| a.1[0].total_cmp(&b.1[0]));
+        }
+        from = next;
+    }
+    own.into_iter().zip(there).map(|(own, there)| [own, there]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// One of two equal vibrations grows as the other dies away; their order says nothing.
+    #[test]
+    fn equal_frequencies_are_compared_by_their_rates() {
+        let own = [(0, [2.0, 10.0]), (1, [-2.0, 10.0]), (2, [-1.0, 30.0])];
+        let there = [(0, [-2.0, 9.99]), (1, [2.0, 9.99]), (2, [-1.0, 29.9])];
+        let pairs = paired(&own, &there);
+        assert!(pairs.iter().all(|[own, there]| own.1[0] == there.1[0]), "{pairs:?}");
+        assert_eq!(pairs.len(), 3);
     }
 }

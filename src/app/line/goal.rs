@@ -12,6 +12,9 @@ use crate::nearest::nearest;
 /// The flags of which one says what is looked for.
 const FLAGS: [&str; 3] = ["minimise", "maximise", "fit"];
 
+/// The largest rate of growth of the modes of a point, whichever mode has it.
+pub(in crate::app) const GROWTH: &str = "growth";
+
 /// A column of the table of results: of runs and equilibria `v min`, of modes `mode 1 im`.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::app) struct Sought {
@@ -37,6 +40,7 @@ impl Sought {
     fn read(model: &dyn AnyModel, of: Command, given: &str) -> Result<Self, String> {
         let (head, word) = given.rsplit_once(char::is_whitespace).unwrap_or((given, ""));
         let whats: &[&'static str] = match of {
+            Command::Modes if given.starts_with(GROWTH) => &["max"],
             Command::Modes => &["im", "re"],
             _ => &["last", "min", "max"],
         };
@@ -44,13 +48,20 @@ impl Sought {
             Some(what) => (head.trim(), *what),
             None => (given.trim(), whats[0]),
         };
+        if of == Command::Modes && name == GROWTH {
+            return Ok(Self {
+                name: GROWTH.into(),
+                what: "max",
+                unit: "1/s".into(),
+            });
+        }
         if of == Command::Modes {
             let number = name
                 .strip_prefix("mode ")
                 .and_then(|number| number.trim().parse::<usize>().ok());
             let number = number.filter(|number| *number > 0).ok_or_else(|| {
                 format!(
-                    "`{given}` is no result of modes: write `mode 1 im` (angular frequency) or `mode 1 re` (growth)"
+                    "`{given}` is no result of modes: write `mode 1 im` (angular frequency), `mode 1 re` (its growth) or `growth` (the largest of all modes)"
                 )
             })?;
             let unit = if what == "im" { "rad/s" } else { "1/s" };

@@ -74,7 +74,7 @@ pub(in crate::app) fn flags() -> Vec<Arg> {
         value(
             "minimise",
             "RESULT",
-            "What optimise makes small, e.g. \"tip.x max\": an output with last (default), min or max, or \"mode 1 im\"",
+            "What optimise makes small, e.g. \"tip.x max\": an output with last (default), min or max, \"mode 1 im\" or growth",
         ),
         value("maximise", "RESULT", "What optimise makes large"),
         value(

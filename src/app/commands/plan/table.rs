@@ -5,6 +5,7 @@ use std::fmt::Write;
 use serde_json::{Map, Value, json};
 
 use super::Plan;
+use crate::app::line::goal::GROWTH;
 use crate::app::writing::csv::cell;
 use crate::app::writing::entries::Summary;
 use crate::app::writing::numbers::{digits, in_unit};
@@ -77,6 +78,14 @@ fn values(record: &Summary, outputs: Option<&[usize]>) -> Found {
             let value = mode[format!("{what} [{unit}]").as_str()].as_f64();
             found.push((Head { name, what, unit }, value));
         }
+    }
+    if let Some(margin) = record.get("stability_margin") {
+        let head = Head {
+            name: GROWTH.into(),
+            what: "max",
+            unit: "1/s".into(),
+        };
+        found.push((head, margin.as_f64()));
     }
     found
 }

@@ -188,6 +188,27 @@ fn equilibria_and_modes_are_swept_too() {
     for (found, k) in lowest.iter().zip([50.0_f64, 200.0]) {
         assert!((found / (k.sqrt() - 1.0) - 1.0).abs() < 1e-3, "{found} {k}");
     }
+    // The largest rate of growth is that of some mode, whichever it is.
+    let column = |name: &str| rows[0].iter().position(|head| head == name).unwrap();
+    let [growth, first, second] = ["growth max [1/s]", "mode 1 re [1/s]", "mode 2 re [1/s]"].map(column);
+    for row in &rows[1..] {
+        let [growth, first, second] = [growth, first, second].map(|at| row[at].parse::<f64>().unwrap());
+        assert_eq!(growth, first.max(second));
+    }
+    let least = [
+        "optimise",
+        "stiffness=100..400 N/m",
+        "--of",
+        "modes",
+        "--modes",
+        "2",
+        "--minimise",
+        "growth",
+        "--out",
+        &out,
+    ];
+    let told = done(&least);
+    assert!(told.contains("the least `growth max`"), "{told}");
     done(&["sweep", "--of", "steady", "stiffness=100,400 N/m", "--out", &out]);
     assert_eq!(table(&path)[0][2], "tip.x last [m]");
     fs::remove_dir_all(&path).unwrap();
