@@ -4,6 +4,9 @@ use super::table::{Head, Row, Table};
 use crate::app::line::goal::{Aim, Goal, Sought};
 use crate::app::writing::numbers::digits;
 
+/// Part of a wanted value by which a result may differ from it.
+const MISSED: f64 = 0.01;
+
 impl Sought {
     fn is(&self, head: &Head) -> bool {
         head.name == self.name && head.what == self.what
@@ -83,6 +86,26 @@ impl Goal {
                 all.join(", ")
             }
         }
+    }
+
+    /// What is wanted and no point has, in sentences.
+    pub(super) fn missed(&self, table: &Table, best: &Row) -> Vec<String> {
+        let Aim::Fit(wanted) = &self.0 else {
+            return Vec::new();
+        };
+        let missed = wanted.iter().filter_map(|(sought, value)| {
+            let found = sought.of(table, best)?;
+            let scale = if *value == 0.0 { 1.0 } else { value.abs() };
+            ((found - value).abs() > MISSED * scale).then(|| {
+                format!(
+                    "`{}` is {} at the best point, and not {}: no point of the ranges that were searched has all that is wanted",
+                    sought.words(),
+                    sought.shown(found),
+                    sought.shown(*value)
+                )
+            })
+        });
+        missed.collect()
     }
 
     /// A result that no point has, if there is one.

@@ -219,6 +219,7 @@ fn finish(
         put(&mut summary, "best_point", json!(best.point));
         put(&mut summary, "best_values", best_values(model, plan, best));
         put(&mut summary, "best_results", json!(goal.found(&table, best)));
+        warnings.extend(goal.missed(&table, best));
         warnings.extend(at_bounds(model, plan, bounds, best));
         let text = best_scenario(arguments, plan, best);
         files::write(&arguments.out, BEST, &text).map_err(failure)?;

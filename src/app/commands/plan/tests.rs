@@ -301,6 +301,16 @@ fn what_is_fitted_is_the_closed_form_and_a_search_goes_on_where_it_was() {
     assert_eq!(best.command, Command::Steady);
     assert_eq!(best.model().get(0), found[0]);
 
+    // A pull that no stiffness has beside this place.
+    let missed = done(&with(&[
+        "stiffness=0.01..0.2 kN/m",
+        "--fit",
+        "tip.x=300 cm, pull=480 N",
+        "--fresh",
+    ]));
+    assert!(missed.contains("and not 480 N: no point of the ranges"), "{missed}");
+    assert!(!said.contains("no point of the ranges"), "{said}");
+
     let line = [
         "optimise",
         "stiffness=80..90 N/m",
