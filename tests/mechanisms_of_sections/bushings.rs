@@ -309,3 +309,25 @@ fn a_spinning_rotor_on_a_bearing_that_resists_tilts() {
         );
     }
 }
+
+rncf::model! {
+    /// A rotor on a film that is known up to 400 rad/s.
+    pub model FilmRotor {
+        param speed = 150 rad/s;
+        table film { at = speed; speed = [0, 400] rad/s; k = [1, 9] kN/m; }
+        frame turning = rotating(axis = z, angle = speed * t);
+        rigid rotor in turning { mass = 2 kg; inertia = [0.02, 0.02, 0.03] kg*m^2; }
+        spring oil = bushing(rotor, inertial, stiffness = [film.k(speed), film.k(speed), 1 [kN/m]], rotational_stiffness = [1, 1, 0] kN*m/rad);
+        output x = rotor.x;
+        run { t_end = 1 s; every = 10 ms; }
+    }
+}
+
+/// Beyond the rows not the film acts otherwise as the rotor turns.
+#[test]
+fn a_speed_beyond_the_rows_of_a_table_is_told_as_that() {
+    let beyond = |speed: f64| modes(&FilmRotor { speed }, &EquilibriumSettings::default());
+    assert!(beyond(400.0).is_ok());
+    let told = beyond(500.0).unwrap_err().to_string();
+    assert!(told.contains("`oil` is not finite") && told.contains("table"), "{told}");
+}

@@ -182,6 +182,10 @@ impl MeshScene {
             let Some((name, is_timed)) = self.changed_by_turning(&turning, at.t) else {
                 continue;
             };
+            // Beyond the rows of a table nothing is as it was.
+            if let Some(text) = self.undefined_now(at.t) {
+                return Some(text);
+            }
             let motions = self.motions(at.t);
             let is_prescribed = at.spin.is_some()
                 || (0..motions.len())
