@@ -687,3 +687,42 @@ fn a_way_that_begins_at_rest_finds_the_same_critical_speeds() {
         );
     }
 }
+
+rncf::model! {
+    /// A disc that a drive turns, with a bar on it.
+    pub model DrivenDisc {
+        param speed = 50 rad/s;
+        param start = 50 rad/s;
+        rigid disc { plane xy; mass = 1 kg; inertia = 0.1 kg*m^2; speed = start; }
+        joint bearing = revolute(inertial, disc);
+        joint motor = drive(bearing.angle, speed * t);
+        rigid bar { plane xy; mass = 1 kg; inertia = 0.01 kg*m^2; origin = [0.2, 0, 0] m; velocity = [0 [m/s], 0.2 m * start / 1 rad, 0 [m/s]]; speed = start; }
+        spring mount = bushing(bar, disc.at([0.2, 0, 0] m), stiffness = [1, 1, 0] MN/m, rotational_stiffness = [0, 0, 1] kN*m/rad);
+        output x = bar.in(disc).x;
+        run { t_end = 1 s; every = 10 ms; }
+    }
+}
+
+/// A drive turns at each speed, and the start at one of them: a table with that one row, "no critical speed in this range", was all that was told.
+#[test]
+fn a_drive_that_turns_otherwise_than_the_start_is_told() {
+    let settings = EquilibriumSettings {
+        range: Some(Range {
+            param: 0,
+            from: 10.0,
+            to: 50.0,
+        }),
+        steps: 4,
+        count: 2,
+        ..EquilibriumSettings::default()
+    };
+    let told = campbell(&DrivenDisc::default(), &settings).unwrap_err().to_string();
+    assert!(
+        told.contains("at speed = 10")
+            && told.contains("joint `motor` (drive) moves at t = 1 s, and not as the system turns, with 50 rad/s"),
+        "{told}"
+    );
+    assert!(told.contains("start it with the rate of what drives it"), "{told}");
+    let fits = modes(&DrivenDisc::default(), &EquilibriumSettings::default()).unwrap();
+    assert_eq!(fits.spin, 50.0);
+}
