@@ -224,6 +224,22 @@ fn a_shape_on_a_curved_axis_is_softer_by_the_square_of_its_curvature() {
             ),
             false => assert!(told.is_empty(), "{told:?}"),
         }
+        // Winkler: the neutral fibre of a circle lies at (R + sqrt(R^2 - r^2)) / 2 from the centre, where the stress changes its sign.
+        let neutral = 0.5 * (0.2 + (0.04 - r * r).sqrt());
+        let inner = (neutral - 0.2 + r) / (std::f64::consts::PI * r * r * (0.2 - neutral) * (0.2 - r));
+        let straight = 4.0 / (std::f64::consts::PI * f64::powi(r, 3));
+        let more = inner / straight - 1.0;
+        let told = found.warnings.iter().find_map(|note| {
+            let part = note.split("larger at the inner side by about ").nth(1)?;
+            part.split(' ').next()?.parse::<f64>().ok()
+        });
+        match told {
+            Some(percent) => assert!(
+                (percent / 100.0 / more - 1.0).abs() < 0.3,
+                "{r}: {percent} % for {more}"
+            ),
+            None => assert!(more < 0.025, "{r}: {more}"),
+        }
     }
 }
 
