@@ -20,4 +20,5 @@ mod sections_along_curves;
 mod statics;
 mod table_curves;
 mod table_files;
+mod thick;
 mod timed_elements;

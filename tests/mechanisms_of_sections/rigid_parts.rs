@@ -70,7 +70,9 @@ fn alike<M: Model>(model: &M, places: usize, end: f64) {
         let far = apart(first, &rows, 0..places);
         println!("{way:?}: {far:.1e} m apart, momenta change by {change:.1e} of {largest:.1}");
         assert!(far < 2e-8 && change < 1e-6 * largest, "{far} {change}");
-        assert!(scene.warnings(&states[5]).is_empty());
+        // An arc of 30 mm has more stress at its inner side.
+        let mut warnings = scene.warnings(&states[5]).into_iter();
+        assert!(warnings.all(|warning| warning.text.contains("larger at the inner side by")));
     }
     for (formulation, joints) in [WAYS[0], WAYS[2]] {
         compare_tangents(model, formulation, joints);

@@ -34,7 +34,7 @@ rncf::model! {
     /// The same with a string that does not push, let loose.
     pub model Slack {
         material foam { density = 1 kg/m^3; young = 1 kPa; }
-        section square { area = 1 m^2; second_moment = 0.1 m^4; }
+        section square { area = 1 m^2; second_moment = 1e-4 m^4; }
         body bar {
             planar xy;
             line from [0, 0, 0] m to [1, 0, 0] m;

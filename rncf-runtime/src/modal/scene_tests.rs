@@ -214,7 +214,10 @@ fn a_fast_rotor_is_warned_of_once_for_each_body() {
         (arm.spin, arm.linked, arm.cable.axial) = (spin, false, 1e5);
         let mut scene = build_as(arm, Formulation::Rncf, Joints::Eliminated, &[]).unwrap();
         let state = scene.rest(0.0);
-        scene.warnings(&state)
+        // Its section is not slender.
+        let mut warnings = scene.warnings(&state);
+        warnings.retain(|warning| !warning.text.contains("shear and rotary inertia"));
+        warnings
     };
     for fidelity in [Fidelity::Modal(2), Fidelity::Small(2)] {
         let found = warnings(fidelity, 3.5);

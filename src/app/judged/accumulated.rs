@@ -5,8 +5,8 @@
 //! the run is the error of the run. Where that takes too long, the run is repeated with a hundred times the tolerance, in a fifth of the steps: its
 //! distance, over what the order of the method promises, is the least error of the run.
 
-use super::compared::Off;
-use super::marks::{Again, Marks, TOLD, again, is_of_motion, told};
+use super::compared::{Off, TOLD};
+use super::marks::{Again, Marks, again, is_of_motion, told};
 use crate::{Method, Options, Output, Scene, State, StepSize};
 
 /// Tolerance of the second run, in those of the first, and the largest one.

@@ -1,7 +1,7 @@
 //! How far outputs of a run or of equilibria are from those of finer meshes and other steps, where that is too little for a warning.
 
-use super::compared::Off;
-use super::marks::{TOLD, largest};
+use super::compared::{Off, TOLD};
+use super::marks::largest;
 use crate::Output;
 use crate::app::writing::sentences::listed;
 

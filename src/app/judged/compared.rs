@@ -2,8 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use super::marks::{Marks, TOLD};
 use crate::Output;
+
+/// Part of the largest change of an output from which on its error is told.
+pub(in crate::app) const TOLD: f64 = 0.01;
 
 /// Least change that counts, in tolerances and at most: of the largest value of an output, and where nothing says that it is there, of what it is made of.
 /// Less is what a motion leaves where nothing moves, or a number that should not change.
@@ -98,19 +100,27 @@ impl Compared {
     }
 }
 
+/// Rows of a run, and what round-off makes of its outputs and what they are made of, by columns.
+#[derive(Clone, Copy)]
+pub(super) struct Run<'r> {
+    pub rows: &'r [(f64, Vec<f64>)],
+    pub round_off: &'r [f64],
+    pub operands: &'r [f64],
+}
+
 /// How many there are to compare.
 pub(super) fn count(outputs: &[Output]) -> usize {
     outputs.iter().map(|output| 1 + output.components.len()).sum()
 }
 
-/// All outputs of two runs, each before its components.
+/// All outputs of a run in two others, each before its components.
 pub(super) fn compared(
-    marks: &Marks,
+    run: Run<'_>,
     outputs: &[Output],
     here: &[(f64, Vec<f64>)],
     there: &[Vec<f64>],
 ) -> Vec<Compared> {
-    let Some((_, begin)) = marks.rows.first() else {
+    let Some((_, begin)) = run.rows.first() else {
         return Vec::new();
     };
     let mut first = 0;
@@ -128,7 +138,7 @@ pub(super) fn compared(
                 })
             };
             let own = |rows: &[(f64, Vec<f64>)], count: usize| of(&mut rows.iter().take(count).map(|row| &row.1[..]));
-            let [change, value] = own(&marks.rows, usize::MAX);
+            let [change, value] = own(run.rows, usize::MAX);
             let both = [
                 own(here, there.len()),
                 of(&mut there.iter().take(here.len()).map(|row| &row[..])),
@@ -146,7 +156,7 @@ pub(super) fn compared(
                 let change = rows.iter().map(|row| distance(row, rows[0])).fold(0.0, f64::max);
                 change <= STILL * value
             };
-            let is_still = stays(&mut marks.rows.iter().map(|row| &row.1[..]))
+            let is_still = stays(&mut run.rows.iter().map(|row| &row.1[..]))
                 && stays(&mut here.iter().take(there.len()).map(|row| &row.1[..]))
                 && stays(&mut there.iter().map(|row| &row[..]));
             Compared {
@@ -156,8 +166,8 @@ pub(super) fn compared(
                 size: if is_still { value } else { change.min(value) },
                 value,
                 sizes: both.map(|[change, value]| change.min(value)),
-                operands: in_columns(&marks.operands),
-                round_off: in_columns(&marks.round_off),
+                operands: in_columns(run.operands),
+                round_off: in_columns(run.round_off),
             }
         };
         let whole = of(None);

@@ -9,8 +9,8 @@
 use std::cell::Cell;
 
 use super::accumulated::Ended;
-use super::compared::{Off, count};
-use super::marks::{Again, Marks, TOLD, again, is_of_motion, largest, sorted, told};
+use super::compared::{Off, TOLD, count};
+use super::marks::{Again, Marks, again, is_of_motion, largest, sorted, told};
 use super::meshes::{on_meshes, time};
 use crate::{Method, Options, Output, Scene, State, StepSize};
 

@@ -2,8 +2,9 @@
 //!
 //! The energy that is error (`coarse.rs`) knows most of what elements are too stiff by, and not what locks in all of them alike.
 
+use super::compared::TOLD;
 use super::finer::Judging;
-use super::marks::{MORE, TOLD, percent};
+use super::marks::{MORE, percent};
 use super::meshes::Meshes;
 use super::{agreement, coarse};
 use crate::app::writing::sentences::listed;

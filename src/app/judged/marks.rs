@@ -1,6 +1,6 @@
 //! Outputs of a run at its rows, and of a second run at the same times: how far one is from the other.
 
-use super::compared::{Compared, NOTHING, Off, WRONG, compared, of_outputs};
+use super::compared::{Compared, NOTHING, Off, Run, TOLD, WRONG, compared, of_outputs};
 use crate::app::writing::sentences::listed;
 use crate::archive::{Archive, Keep};
 use crate::{Integrator, Method, Options, Output, Scene, State, Stop};
@@ -8,8 +8,6 @@ use crate::{Integrator, Method, Options, Output, Scene, State, Stop};
 /// Most numbers that are kept, with the times and what a row costs beside them: of longer histories every second, third, .. row.
 const NUMBERS: u64 = 400_000;
 const BESIDE: u64 = 4;
-/// Part of the largest change of an output from which on its error is told.
-pub(in crate::app) const TOLD: f64 = 0.01;
 /// The cure of a coarse mesh. Cubic elements have no step of the moment inside, and no kink between them.
 pub(super) const MORE: &str = "Take more elements in `mesh`: twice as many make it some ten times less, or half where something acts within an element or bends a taut line";
 /// Relative error of a state that many steps leave.
@@ -84,6 +82,14 @@ impl Marks {
         }
     }
 
+    fn run(&self) -> Run<'_> {
+        Run {
+            rows: &self.rows,
+            round_off: &self.round_off,
+            operands: &self.operands,
+        }
+    }
+
     /// The outputs with their distance from the rows of a run with other steps, as part of their largest change, or of their largest value where that is
     /// less; the largest first. Rows that are not there are not compared; `rtol` is the tolerance of the run.
     pub fn differences(&self, outputs: &[Output], rows: &[Vec<f64>], rtol: f64) -> Vec<Off> {
@@ -99,20 +105,20 @@ impl Marks {
         known: &[bool],
         rtol: f64,
     ) -> Vec<Off> {
-        let compared = compared(self, outputs, here, there);
+        let compared = compared(self.run(), outputs, here, there);
         let all = compared.iter().zip(known);
         sorted(of_outputs(all.map(|(of, &is_known)| of.off(is_known, rtol))))
     }
 
     /// Which outputs, and components of them, two runs with different steps find alike.
     pub fn known(&self, outputs: &[Output], here: &[(f64, Vec<f64>)], there: &[Vec<f64>]) -> Vec<bool> {
-        let compared = compared(self, outputs, here, there);
+        let compared = compared(self.run(), outputs, here, there);
         compared.iter().map(Compared::agrees).collect()
     }
 
     /// Which of the same are more than a part of what they are made of, in one of both.
     pub fn above(&self, outputs: &[Output], there: &[Vec<f64>], part: f64) -> Vec<bool> {
-        let compared = compared(self, outputs, &self.rows, there);
+        let compared = compared(self.run(), outputs, &self.rows, there);
         compared
             .iter()
             .map(|of| of.sizes[0].max(of.sizes[1]) > (part * of.operands).max(of.round_off))
@@ -121,7 +127,7 @@ impl Marks {
 
     /// Which outputs, as a whole, differ by no more than the second of two tolerances knows of them, but would be off by much if they were there to the first, that of the run.
     pub fn open(&self, outputs: &[Output], there: &[Vec<f64>], known: &[bool], [own, other]: [f64; 2]) -> Vec<bool> {
-        let compared = compared(self, outputs, &self.rows, there);
+        let compared = compared(self.run(), outputs, &self.rows, there);
         let is_open = |(of, is_known): (&Compared, bool)| {
             let nothing = (NOTHING * own * of.operands).max(of.round_off);
             of.away <= TOLD * of.measure(is_known, other)
@@ -134,7 +140,7 @@ impl Marks {
 
     /// Outputs that miss swings of such amplitudes, as `differences` tells them.
     pub fn lost(&self, outputs: &[Output], amplitudes: &[(usize, f64)], rtol: f64) -> Vec<Off> {
-        let compared = compared(self, outputs, &self.rows, &[]);
+        let compared = compared(self.run(), outputs, &self.rows, &[]);
         let off = |&(output, amplitude): &(usize, f64)| {
             let missing = Compared {
                 away: amplitude,

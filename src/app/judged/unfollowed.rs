@@ -5,8 +5,8 @@
 //! nothing damps it in the model, that is off by its amplitude, at the right positions. No estimate of a step's error sees this. So it is looked at: after the run a few
 //! steps with a far smaller tolerance begin at the same start. What swings in them, lasts and is quicker than the steps of the run is missing in its outputs.
 
-use super::compared::Off;
-use super::marks::{Marks, TOLD};
+use super::compared::{Off, TOLD};
+use super::marks::Marks;
 use crate::app::writing::numbers::digits;
 use crate::app::writing::sentences::listed;
 use crate::{Integrator, Method, Options, Output, Scene, State, Statistics, Stop};

@@ -194,7 +194,7 @@ impl<'a> Check<'a> {
         }
 
         if joint.normal.is_none() && given.turns() {
-            // Directions of moments are those of the axes where little is turned.
+            // What belongs to an angle is a moment about an axis of B while little is turned; what is told is the one that acts.
             for &axis in joint.axes() {
                 let along = joint.own_axis(1, axis)[0].clone();
                 shown[1].1.values[axis] = negate(dot(&moment, &along));

@@ -136,10 +136,9 @@ fn arc_by_sine(cosine: Expr) -> [Expr; 2] {
         .collect();
     let product = multiply(multiply(first.clone(), second.clone()), third.clone());
     let value = divide(horner(&ARC), product.clone());
-    let relative = |slope: Expr, of: Expr| divide(slope, of);
     let lost = add(
-        add(relative(first_slope, first), relative(second_slope.clone(), second)),
-        relative(third_slope, third),
+        add(divide(first_slope, first), divide(second_slope.clone(), second)),
+        divide(third_slope, third),
     );
     let slope = add(
         divide(multiply(horner(&rates), second_slope), product),

@@ -1,5 +1,7 @@
 //! Sections that do not fit their bodies: mostly a second moment in another unit than meant, or an axis that is curved more than a thin beam's.
 
+use std::f64::consts::PI;
+
 use crate::emitted::{BodySpec, SectionShape, SectionSpec};
 use crate::model::Warning;
 use crate::scene::MeshScene;
@@ -13,11 +15,13 @@ const TOLD: f64 = 0.01;
 /// rectangles, 4/5 for circles; and from which on it is told.
 const INNER: f64 = 0.75;
 const TOLD_OF_STRESS: f64 = 0.02;
+/// Young's modulus over the shear modulus and the shear coefficient, of steel and a circle.
+const YOUNG_OVER_SHEAR: f64 = 3.0;
 
 impl MeshScene {
     /// What does not fit, of one body of each name.
     pub(crate) fn thick_sections(&self) -> Vec<Warning> {
-        [too_thick, too_curved, stressed_inside]
+        [too_thick, too_curved, stressed_inside, too_deep]
             .into_iter()
             .flat_map(|find| self.one_of_each_name(|body| find(&self.bodies[body].spec, &self.section_spec(body, 0.0))))
             .collect()
@@ -74,6 +78,25 @@ fn too_curved(body: &BodySpec, section: &SectionSpec) -> Option<Warning> {
             "body `{}`: its section is so thick beside the radius of its axis, {:.3e} m, that a moment turns it too far by {:.1} %: {cure}",
             body.name,
             1.0 / curvature,
+            100.0 * part
+        ),
+        weight: part,
+    })
+}
+
+/// A body without sections that is so short that their shear and rotary inertia count: of a half wave as long as the body they lower the frequency by
+/// `pi^2 (1 + E / (k G)) i^2 / (2 L^2)` (Timoshenko), with the radius of gyration i.
+fn too_deep(body: &BodySpec, section: &SectionSpec) -> Option<Warning> {
+    if body.has_section() {
+        return None;
+    }
+    let square = square_of_gyration(section);
+    let part = 0.5 * (PI / body.line.length()).powi(2) * square * (1.0 + YOUNG_OVER_SHEAR);
+    let is_slender = square.sqrt() <= body.line.length();
+    (is_slender && part.is_finite() && part > TOLD).then(|| Warning {
+        text: format!(
+            "body `{}`: its section is so thick beside its length that shear and rotary inertia count, which an element without sections leaves out: frequencies of half waves as long as the body are too high by about {:.1} %, of the n-th by n^2 of it, and deflections too small by about as much. Take `beam`",
+            body.name,
             100.0 * part
         ),
         weight: part,
