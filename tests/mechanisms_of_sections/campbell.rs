@@ -3,7 +3,9 @@
 
 use rncf::Model;
 use rncf::app::{Campbell, Crossing, EquilibriumSettings, Inertial, Judging, Range, SeenMode, campbell, modes, steady};
+use rncf::equilibrium::Spin;
 use rncf::modes::{Motion, Whirl};
+use rncf::space::Vector;
 
 rncf::model! {
     /// Shaft of 1.5 m and 50 mm with discs at its thirds, on elastic bearings (ROSS, rotor_example).
@@ -725,4 +727,35 @@ fn a_drive_that_turns_otherwise_than_the_start_is_told() {
     assert!(told.contains("start it with the rate of what drives it"), "{told}");
     let fits = modes(&DrivenDisc::default(), &EquilibriumSettings::default()).unwrap();
     assert_eq!(fits.spin, 50.0);
+}
+
+rncf::model! {
+    /// A platform that flies freely, with a momentum wheel.
+    pub model MomentumWheel {
+        param speed = 10 rad/s;
+        rigid platform { mass = 100 kg; inertia = [30, 40, 50] kg*m^2; }
+        rigid wheel { mass = 10 kg; inertia = [20, 10, 10] kg*m^2; angular_velocity = [speed, 0 [rad/s], 0 [rad/s]]; }
+        joint bearing = revolute(platform.at([0, 0, 0] m), wheel.at([0, 0, 0] m), axis = x);
+        joint motor = drive(bearing.angle, speed * t);
+        output rate = platform.angular_velocity;
+        run { t_end = 1 s; every = 10 ms; }
+    }
+}
+
+/// At rest the wheel would stand still, too, and its momentum be left out.
+#[test]
+fn a_wheel_that_a_drive_turns_is_not_left_out_of_modes_at_rest() {
+    let settings = EquilibriumSettings {
+        spin: Some(Spin {
+            velocity: Vector::zeros(),
+            point: Vector::zeros(),
+        }),
+        ..EquilibriumSettings::default()
+    };
+    let told = modes(&MomentumWheel::default(), &settings).unwrap_err().to_string();
+    assert!(
+        told.contains("joint `motor` (drive) moves at t = 1 s, and nothing turns with it"),
+        "{told}"
+    );
+    assert!(modes(&MomentumWheel { speed: 0.0 }, &settings).is_ok());
 }

@@ -15,8 +15,8 @@ const AWAY: f64 = 1e-6;
 /// One plus the cosine of directions that count as opposite.
 const OPPOSITE: f64 = 1e-12;
 /// Places of an axis at which its initial tangent is compared with the undeformed one, and between which sections are carried along it.
-const PLACES: usize = 128;
-const CARRIED: usize = 1024;
+const PLACES: usize = 32;
+const CARRIED: usize = 64;
 
 /// Vectors of a place by [`place_of`]: position, slope, section's y and z axes.
 type Vectors = [Vector; 4];
@@ -85,12 +85,13 @@ impl MeshScene {
         [[at, slope, axes[0], axes[1]], [rate, slope_rate, rates[0], rates[1]]]
     }
 
-    /// Undeformed and initial tangent of a body at a fraction of its axis.
-    fn tangents(&self, body: usize, u: f64) -> [Vector; 2] {
+    /// Undeformed and initial place and unit tangent of a body at a fraction of its axis.
+    fn axes_at(&self, body: usize, u: f64) -> [[Vector; 2]; 2] {
         let spec = &self.bodies[body].spec;
-        let tangent = spec.line.at(u).1;
+        let (point, tangent) = spec.line.at(u);
         let [position, _] = self.parts.initial(body, spec.line.length() * u);
-        [tangent, position.map_or(tangent, |[_, slope]| Vector::from(slope))]
+        let initial = position.map_or([point, tangent], |given| given.map(Vector::from));
+        [[point, tangent], initial].map(|[point, slope]| [point, 1.0 / slope.norm() * slope])
     }
 
     /// What directions turn about that become opposite: in a plane its normal.
@@ -102,36 +103,33 @@ impl MeshScene {
         }
     }
 
-    /// Whether an initial tangent is turned by more than a right angle somewhere: then the smallest rotation comes near to half a turn, whose axis is any.
+    /// Whether an initial tangent in space is turned by more than a right angle somewhere: then the smallest rotation comes near to half a turn, whose axis is
+    /// any. In a plane all rotations are about its normal.
     fn turns_far(&self, body: usize) -> bool {
-        (0..=PLACES).any(|place| {
-            let [tangent, slope] = self.tangents(body, place as f64 / PLACES as f64);
+        let is_far = |place: usize| {
+            let [[_, tangent], [_, slope]] = self.axes_at(body, place as f64 / PLACES as f64);
             tangent.dot(&slope) < 0.0
-        })
+        };
+        self.bodies[body].spec.dimension() == 3 && (0..=PLACES).any(is_far)
     }
 
     /// Section axes of an initial shape that are turned about its tangent as the undeformed ones are about theirs, both beside axes
-    /// that are carried along from the start by smallest rotations.
+    /// that are carried along from the start without turning about the tangent.
     fn carried_section(&self, body: usize, u: f64) -> [Vector; 2] {
         let spec = &self.bodies[body].spec;
         let begin = spec.section(0.0);
-        let about = self.normal(body, begin[0]);
-        let [mut tangent, mut slope] = self.tangents(body, 0.0);
-        let mut undeformed = begin;
-        let mut initial = begin.map(|axis| turned(axis, tangent, slope, about));
+        let [mut undeformed, mut initial] = self.axes_at(body, 0.0);
+        let mut beside = begin;
+        let mut carried = begin.map(|axis| turned(axis, undeformed[1], initial[1], begin[0]));
         for place in 1..=CARRIED {
-            let next = self.tangents(body, u * place as f64 / CARRIED as f64);
-            let carried = |axes: [Vector; 2], from: Vector, to: Vector| {
-                axes.map(|axis| turned(axis, 1.0 / from.norm() * from, to, about))
-            };
-            undeformed = carried(undeformed, tangent, next[0]);
-            initial = carried(initial, slope, next[1]);
-            [tangent, slope] = next;
+            let next = self.axes_at(body, u * place as f64 / CARRIED as f64);
+            beside = along(beside, undeformed, next[0]);
+            carried = along(carried, initial, next[1]);
+            [undeformed, initial] = next;
         }
-        let along = 1.0 / slope.norm() * slope;
         spec.section(u).map(|axis| {
-            let parts = undeformed.map(|other| axis.dot(&other));
-            parts[0] * initial[0] + parts[1] * initial[1] + axis.dot(&tangent) * along
+            let parts = beside.map(|other| axis.dot(&other));
+            parts[0] * carried[0] + parts[1] * carried[1] + axis.dot(&undeformed[1]) * initial[1]
         })
     }
 
@@ -227,6 +225,22 @@ fn in_plane(spec: &BodySpec, vector: Vector) -> Vector {
         return vector;
     }
     Vector::from_fn(|axis, _| if spec.axes.contains(&axis) { vector[axis] } else { 0.0 })
+}
+
+/// Axes across a curve carried from one place and unit tangent of it to the next without turning about the tangent, by two reflections: right to the fourth power
+/// of the distance (Wang, Juettler, Zheng and Liu 2008).
+fn along(axes: [Vector; 2], from: [Vector; 2], to: [Vector; 2]) -> [Vector; 2] {
+    let reflected = |vector: Vector, across: Vector| {
+        let square = across.dot(&across);
+        if square > 0.0 {
+            vector - 2.0 / square * across.dot(&vector) * across
+        } else {
+            vector
+        }
+    };
+    let chord = to[0] - from[0];
+    let turn = to[1] - reflected(from[1], chord);
+    axes.map(|axis| reflected(reflected(axis, chord), turn))
 }
 
 /// A vector turned by the smallest rotation that takes the direction of the unit vector `from` to that of

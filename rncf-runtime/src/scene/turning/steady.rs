@@ -178,6 +178,14 @@ impl MeshScene {
     /// A constraint or force on markers that changes when what turns is turned on, what stands staying;
     /// at the loaded state.
     fn variant(&mut self, spin: &Spin, at: &Uniform) -> Option<String> {
+        if spin.velocity == Vector::zeros()
+            && let Some(name) = self.moved_by_time(at.t)
+        {
+            return Some(format!(
+                "{name} moves at t = {} s, and nothing turns with it: let it rest at that time, or look at another one (`--at`)",
+                Short(at.t)
+            ));
+        }
         for turning in self.turnings(spin) {
             let Some((name, is_timed)) = self.changed_by_turning(&turning, at.t) else {
                 continue;
@@ -213,6 +221,19 @@ impl MeshScene {
             ));
         }
         None
+    }
+
+    /// What is another a while later though nothing turns, by name.
+    fn moved_by_time(&mut self, t: f64) -> Option<String> {
+        let still = Displacement {
+            moved: vec![true; self.buffers.frames.len()],
+            turn: Vector::zeros(),
+            point: Vector::zeros(),
+            shift: Vector::zeros(),
+            is_own: false,
+            later: Some(A_WHILE),
+        };
+        self.changed_by(t, &still)
     }
 
     /// What is another while it turns, by name, and whether for what it does over time.
