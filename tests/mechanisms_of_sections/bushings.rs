@@ -330,4 +330,11 @@ fn a_speed_beyond_the_rows_of_a_table_is_told_as_that() {
     assert!(beyond(400.0).is_ok());
     let told = beyond(500.0).unwrap_err().to_string();
     assert!(told.contains("`oil` is not finite") && told.contains("table"), "{told}");
+    // At rest as well.
+    let still = Film {
+        speed: 500.0,
+        ..Film::default()
+    };
+    let told = modes(&still, &EquilibriumSettings::default()).unwrap_err().to_string();
+    assert!(told.contains("`oil` is not finite"), "{told}");
 }

@@ -49,6 +49,11 @@ fn square_of_gyration(section: &SectionSpec) -> f64 {
     section.second_moments.iter().copied().fold(0.0, f64::max) / section.area
 }
 
+/// Whether it is longer than thick; of what is not more is told already.
+fn is_slender(body: &BodySpec, section: &SectionSpec) -> bool {
+    square_of_gyration(section).sqrt() <= body.line.length()
+}
+
 /// A section whose radius of gyration is longer than the body.
 fn too_thick(body: &BodySpec, section: &SectionSpec) -> Option<Warning> {
     let (radius, length) = (square_of_gyration(section).sqrt(), body.line.length());
@@ -71,9 +76,7 @@ fn too_curved(body: &BodySpec, section: &SectionSpec) -> Option<Warning> {
     } else {
         "its polynomial of bending grows with the stretch. Take `cable(.., bending = exact)`"
     };
-    // Of what is thicker than it is long more is told already.
-    let is_slender = square_of_gyration(section).sqrt() <= body.line.length();
-    (is_slender && part.is_finite() && part > TOLD).then(|| Warning {
+    (is_slender(body, section) && part.is_finite() && part > TOLD).then(|| Warning {
         text: format!(
             "body `{}`: its section is so thick beside the radius of its axis, {:.3e} m, that a moment turns it too far by {:.1} %: {cure}",
             body.name,
@@ -92,8 +95,7 @@ fn too_deep(body: &BodySpec, section: &SectionSpec) -> Option<Warning> {
     }
     let square = square_of_gyration(section);
     let part = 0.5 * (PI / body.line.length()).powi(2) * square * (1.0 + YOUNG_OVER_SHEAR);
-    let is_slender = square.sqrt() <= body.line.length();
-    (is_slender && part.is_finite() && part > TOLD).then(|| Warning {
+    (is_slender(body, section) && part.is_finite() && part > TOLD).then(|| Warning {
         text: format!(
             "body `{}`: its section is so thick beside its length that shear and rotary inertia count, which an element without sections leaves out: frequencies of half waves as long as the body are too high by about {:.1} %, of the n-th by n^2 of it, and deflections too small by about as much. Take `beam`",
             body.name,
@@ -134,8 +136,7 @@ fn stressed_inside(body: &BodySpec, section: &SectionSpec) -> Option<Warning> {
     });
     let depth = depths.fold(0.0, f64::max);
     let part = INNER * depth;
-    let is_slender = square_of_gyration(section).sqrt() <= body.line.length();
-    (is_slender && part.is_finite() && part > TOLD_OF_STRESS).then(|| Warning {
+    (is_slender(body, section) && part.is_finite() && part > TOLD_OF_STRESS).then(|| Warning {
         text: format!(
             "body `{}`: its outermost fibre is {depth:.2} of the radius of its axis away from that: stresses of bending and torsion are those of a straight bar, and larger at the inner side by about {:.0} %. Multiply them by the factor of Winkler or Wahl",
             body.name,

@@ -174,18 +174,14 @@ impl MeshScene {
             let (mass, first) = (rigid.mass, rigid.moment);
             let trace: f64 = (0..3).map(|i| rigid.inertia[(i, i)]).sum();
             let unit = |i: usize, j: usize| f64::from(u8::from(i == j));
+            let second = |i: usize, j: usize| 0.5 * trace * unit(i, j) - rigid.inertia[(i, j)];
             let second: Matrix = match spec.motions {
                 Motions::Shifting | Motions::ShiftingPlanar { .. } => Matrix::zeros(),
+                // Of what is unplaced in a plane half lies along either axis of it, and nothing along its normal.
                 Motions::Planar { normal } => {
-                    let own = unplaced(&rigid.inertia, normal);
-                    let others = |i: usize| (0..3).find(|&other| other != i && other != normal);
-                    Matrix::from_fn(|i, j| match (others(i), i == normal || j == normal) {
-                        (_, true) | (None, _) => 0.0,
-                        (Some(other), _) if i == j => rigid.inertia[(other, other)] + 0.5 * own,
-                        _ => -rigid.inertia[(i, j)],
-                    })
+                    Matrix::from_fn(|i, j| if [i, j].contains(&normal) { 0.0 } else { second(i, j) })
                 }
-                _ => Matrix::from_fn(|i, j| 0.5 * trace * unit(i, j) - rigid.inertia[(i, j)]),
+                _ => Matrix::from_fn(second),
             };
             for (mass, at) in particles(mass, first.into(), rows(&second)) {
                 let (frame, is_point) = (spec.frame, true);
@@ -198,12 +194,8 @@ impl MeshScene {
 
     /// Planar bodies whose mass is spread in a way that nothing tells, under gravity that depends on the place.
     pub(crate) fn spread_alike(&self) -> Vec<Warning> {
-        let mut around = self
-            .dead_loads
-            .specs
-            .iter()
-            .filter(|load| load.kind == LoadKind::Around);
-        let Some(load) = around.next() else {
+        let mut loads = self.dead_loads.specs.iter();
+        let Some(load) = loads.find(|load| load.kind == LoadKind::Around) else {
             return Vec::new();
         };
         let free = self.frames.free.iter().filter_map(|free| {

@@ -172,7 +172,8 @@ impl MeshScene {
                     .map(|condition| self.joint_obstacle(condition, &frames))
                     .find_map(|found| found)
             })
-            .or(variant)
+            // Beyond the rows of a table nothing is as it was.
+            .or_else(|| variant.map(|told| self.undefined_now(at.t).unwrap_or(told)))
     }
 
     /// A constraint or force on markers that changes when what turns is turned on, what stands staying;
@@ -190,10 +191,6 @@ impl MeshScene {
             let Some((name, is_timed)) = self.changed_by_turning(&turning, at.t) else {
                 continue;
             };
-            // Beyond the rows of a table nothing is as it was.
-            if let Some(text) = self.undefined_now(at.t) {
-                return Some(text);
-            }
             let motions = self.motions(at.t);
             let is_prescribed = at.spin.is_some()
                 || (0..motions.len())

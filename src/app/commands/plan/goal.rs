@@ -7,6 +7,12 @@ use crate::app::writing::numbers::digits;
 /// Part of a wanted value by which a result may differ from it.
 const MISSED: f64 = 0.01;
 
+/// How far a result is from a wanted value, as a part of that where it is not zero.
+fn part_off(found: f64, wanted: f64) -> f64 {
+    let scale = if wanted == 0.0 { 1.0 } else { wanted };
+    (found - wanted) / scale
+}
+
 impl Sought {
     fn is(&self, head: &Head) -> bool {
         head.name == self.name && head.what == self.what
@@ -42,8 +48,7 @@ impl Goal {
             Aim::Fit(wanted) => {
                 let mut sum = 0.0;
                 for (sought, value) in wanted {
-                    let scale = if *value == 0.0 { 1.0 } else { *value };
-                    sum += ((sought.of(table, row)? - value) / scale).powi(2);
+                    sum += part_off(sought.of(table, row)?, *value).powi(2);
                 }
                 sum
             }
@@ -95,8 +100,7 @@ impl Goal {
         };
         let missed = wanted.iter().filter_map(|(sought, value)| {
             let found = sought.of(table, best)?;
-            let scale = if *value == 0.0 { 1.0 } else { value.abs() };
-            ((found - value).abs() > MISSED * scale).then(|| {
+            (part_off(found, *value).abs() > MISSED).then(|| {
                 format!(
                     "`{}` is {} at the best point, and not {}: no point of the ranges that were searched has all that is wanted",
                     sought.words(),
