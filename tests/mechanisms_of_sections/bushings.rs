@@ -331,10 +331,7 @@ fn a_speed_beyond_the_rows_of_a_table_is_told_as_that() {
     let told = beyond(500.0).unwrap_err().to_string();
     assert!(told.contains("`oil` is not finite") && told.contains("table"), "{told}");
     // At rest as well.
-    let still = Film {
-        speed: 500.0,
-        ..Film::default()
-    };
+    let still = Film { speed: 500.0 };
     let told = modes(&still, &EquilibriumSettings::default()).unwrap_err().to_string();
     assert!(told.contains("`oil` is not finite"), "{told}");
 }
