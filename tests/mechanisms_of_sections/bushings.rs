@@ -315,9 +315,10 @@ rncf::model! {
     pub model FilmRotor {
         param speed = 150 rad/s;
         table film { at = speed; speed = [0, 400] rad/s; k = [1, 9] kN/m; }
+        let across = film.k(speed);
         frame turning = rotating(axis = z, angle = speed * t);
         rigid rotor in turning { mass = 2 kg; inertia = [0.02, 0.02, 0.03] kg*m^2; }
-        spring oil = bushing(rotor, inertial, stiffness = [film.k(speed), film.k(speed), 1 [kN/m]], rotational_stiffness = [1, 1, 0] kN*m/rad);
+        spring oil = bushing(rotor, inertial, stiffness = [across, across, 1 [kN/m]], rotational_stiffness = [1, 1, 0] kN*m/rad);
         output x = rotor.x;
         run { t_end = 1 s; every = 10 ms; }
     }

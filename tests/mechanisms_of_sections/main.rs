@@ -4,6 +4,7 @@
 mod bushings;
 mod campbell;
 mod chains;
+mod circulatory;
 mod discs;
 mod ladder;
 mod lateral;

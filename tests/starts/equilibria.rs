@@ -467,3 +467,32 @@ fn what_static_leaves_out_is_told() {
         found.warnings
     );
 }
+
+rncf::model! {
+    /// A mass that is pulled against something that gives way at 10 N.
+    pub model Yielding {
+        param pull = 1 N;
+        rigid mass { plane xy; mass = 1 kg; inertia = 1 kg*m^2; }
+        joint guide = prismatic(inertial, mass, axis = x);
+        spring soft = law(mass, inertial.at([-1, 0, 0] m), force = 10 [N] * (length / 1 [m] - 1) * exp(2 - length / 1 [m]));
+        load pulls = force(mass, [pull, 0, 0]);
+        output x = mass.x;
+    }
+}
+
+/// A diagram begins at the first of its steps that has an equilibrium, and leaves out none behind it.
+#[test]
+fn steps_without_an_equilibrium_alone_are_left_out_of_a_diagram() {
+    let settings = EquilibriumSettings {
+        range: Some(Range {
+            param: 0,
+            from: 19.0,
+            to: 1.0,
+        }),
+        steps: 9,
+        ..EquilibriumSettings::default()
+    };
+    let found = campbell(&Yielding::default(), &settings).unwrap();
+    // Next to the largest pull a step is halved.
+    assert_eq!(found.keys, [9.0, 8.0, 7.0, 5.0, 3.0, 1.0]);
+}

@@ -1,5 +1,6 @@
 //! Starts in relative equilibrium, cautions, and strings that go slack.
 
+mod assembled;
 mod coils;
 mod equilibria;
 mod slack;

@@ -1,11 +1,12 @@
 //! Continuation of equilibria from the start, in the scale of the motion or of the loads.
 
+use super::assembled::assembled;
+use super::distance::distance;
 use super::negative::Negative;
 use super::newton::{Failure, Newton, Patience};
 use super::spun_up::{SpunUp, from_rest};
 use crate::error::{Short, SolveError, SolveErrorKind};
 use crate::model::{Kind, Scene, Uniform};
-use crate::space::product;
 use crate::system::State;
 
 /// Smallest increment of the scale.
@@ -105,7 +106,7 @@ pub(super) fn along(
     patience: Patience,
     mut visit: impl FnMut(&mut dyn Scene, &Continued),
 ) -> Result<Equilibrium, SolveError> {
-    let mut last = scene.uniform_guess(at);
+    let mut last = assembled(scene, at);
     check(scene, at, &last)?;
     let mut newton = Newton::new(scene);
     let largest = largest.clamp(SMALLEST, 1.0);
@@ -186,7 +187,7 @@ pub(super) fn along(
 /// The equilibrium at the whole angular velocity that the start flows to: where next to rest nothing is stiff, as hinged
 /// blades, no way leads there.
 pub(super) fn settled(scene: &mut dyn Scene, newton: &mut Newton, at: &Uniform) -> Option<Continued> {
-    let mut state = scene.uniform_guess(at);
+    let mut state = assembled(scene, at);
     let turning = angular_velocity(scene, at);
     let speed = if turning > 0.0 {
         turning
@@ -223,7 +224,7 @@ pub(super) fn settled(scene: &mut dyn Scene, newton: &mut Newton, at: &Uniform) 
 /// The equilibrium next to the start without loads, if two least loads find as many negative directions of the stiffness there; `None` where they do not, as
 /// of what nothing ties or stiffens.
 pub fn unloaded(scene: &mut dyn Scene, at: &Uniform) -> Option<Continued> {
-    let start = scene.uniform_guess(at);
+    let start = assembled(scene, at);
     check(scene, at, &start).ok()?;
     let mut newton = Newton::new(scene);
     let mut near = |scale: f64| {
@@ -264,7 +265,7 @@ fn angular_velocity(scene: &dyn Scene, at: &Uniform) -> f64 {
 /// that lies straight and hangs on one end: its stiffness there is round-off, and need not be found singular. Nor does it stay
 /// where the whole load leads away along a motion that nothing ties.
 fn rests_nowhere(scene: &mut dyn Scene, newton: &mut Newton, at: &Uniform) -> bool {
-    let start = scene.uniform_guess(at);
+    let start = assembled(scene, at);
     let mut stays = |part: f64| {
         let mut state = start.clone();
         let (result, _) = newton.solve(scene, &at.scaled(part * at.scale), &mut state, Patience::Strict);
@@ -282,7 +283,7 @@ fn rests_nowhere(scene: &mut dyn Scene, newton: &mut Newton, at: &Uniform) -> bo
 /// # Errors
 /// [`SolveErrorKind::NoEquilibrium`] if it is one, or settles nowhere.
 pub fn settle(scene: &mut dyn Scene, at: &Uniform) -> Result<Continued, SolveError> {
-    let guess = scene.uniform_guess(at);
+    let guess = assembled(scene, at);
     check(scene, at, &guess)?;
     let mut newton = Newton::new(scene);
     let found = rests_nowhere(scene, &mut newton, at).then(|| settled(scene, &mut newton, at));
@@ -382,19 +383,6 @@ pub(super) fn attempt(
     } else {
         (Err(leapt), wasted + iterations)
     }
-}
-
-/// Largest difference of two states' positions and orientations, relative to the sizes of the unknowns.
-pub(super) fn distance(scene: &dyn Scene, a: &State, b: &State) -> f64 {
-    let mut b = b.clone();
-    // In the charts of a.
-    for (index, &unknown) in scene.turns().iter().enumerate() {
-        let away = product(&a.turns[index].inverse(), &b.orientation(index, unknown));
-        b.x[unknown..unknown + 3].copy_from_slice(away.scaled_axis().as_slice());
-    }
-    // Those of equilibria have just begun anew.
-    let parts = a.x.iter().zip(&b.x).zip(scene.sizes());
-    parts.fold(0.0, |largest: f64, ((a, b), size)| largest.max((a - b).abs() / size))
 }
 
 /// The equilibrium near a guess, e.g. that of nearby parameters: positions, orientations and

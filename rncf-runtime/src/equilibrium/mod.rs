@@ -2,14 +2,17 @@
 //! the velocities and accelerations of the uniform motion, by continuation from the start or from a
 //! guess.
 
+mod assembled;
 mod continuation;
 mod critical;
+mod distance;
 mod negative;
 mod newton;
 mod spun_up;
 mod untied;
 
 pub use crate::model::{Kind, Spin, Uniform};
+pub use assembled::assembled;
 pub use continuation::{
     CUTS, Continued, Equilibrium, continue_from, follow, goes_back, is_nearer, settle, static_load, steady, unloaded,
 };

@@ -127,6 +127,8 @@ pub(super) struct Newton {
     pub(super) inverse_sizes: Vec<f64>,
     /// Multipliers of the phase conditions.
     held: Vec<f64>,
+    /// What acts on a start that is no equilibrium, and does not count; nothing where it is empty.
+    pub(super) unbalanced: Vec<f64>,
     /// Largest energy of a force over the size of its unknown, J.
     acting: f64,
     /// The first increment of x, the sum of all, and whether increments grew or were shortened.
@@ -179,6 +181,7 @@ impl Newton {
             inverse_sizes: scene.sizes().iter().map(|size| 1.0 / size).collect(),
             held: vec![0.0; phases.len()],
             phases,
+            unbalanced: Vec::new(),
             acting: 0.0,
             first: Vec::new(),
             moved: Vec::new(),
@@ -205,8 +208,9 @@ impl Newton {
             self.phases = phases;
         } else {
             let untied = std::mem::take(&mut self.untied);
+            let unbalanced = std::mem::take(&mut self.unbalanced);
             *self = Self::with_phases(scene, phases);
-            self.untied = untied;
+            (self.untied, self.unbalanced) = (untied, unbalanced);
         }
         self.held.fill(0.0);
     }
@@ -396,6 +400,8 @@ impl Newton {
         let (forces, others) = self.increments.split_at_mut(n);
         let violations = &mut others[..m];
         scene.uniform_residual(at, state, forces);
+        let still = forces.iter_mut().zip(&self.unbalanced);
+        still.for_each(|(force, part)| *force -= part);
         scene.small_motions(at, state, &mut self.tangent);
         let energies = forces.iter().zip(&self.inverse_sizes);
         self.acting = energies.fold(0.0, |largest: f64, (force, inverse)| {

@@ -39,7 +39,7 @@ pub(super) fn lowest(pencil: &Pencil, count: usize) -> Result<Vec<Pair>, Failure
         // A motion with inertia has two eigenvalues, and none of them is infinite.
         let is_lost = pairs.len() < 2 * moving;
         let finite = farthest(&pairs, 2 * moving);
-        let (mut modes, is_checked) = distinct(pencil, (shift, finite), pairs, asked)?;
+        let (mut modes, is_checked) = distinct(pencil, (shift, finite), pairs, [count, asked])?;
         // Of a motion that drifts two eigenvalues make one mode.
         if modes.len() < count && !(is_all && is_checked) {
             if asked >= 2 * n {
@@ -73,12 +73,12 @@ fn farthest(pairs: &[Pair], count: usize) -> f64 {
 }
 
 /// Refines the pairs of about `count` modes and joins what is one mode; the lowest |s| first. `true` if
-/// there were no more. Up to `finite` no eigenvalue stands for an infinite one.
+/// there were no more. Up to `finite` no eigenvalue stands for an infinite one; beyond those that are wanted what fits nothing is left out.
 fn distinct(
     pencil: &Pencil,
     (shift, finite): (f64, f64),
     mut pairs: Vec<Pair>,
-    count: usize,
+    [wanted, count]: [usize; 2],
 ) -> Result<(Vec<Pair>, bool), Failure> {
     pairs.sort_by(|a, b| order(a.s, b.s));
     let slow = pairs.partition_point(|pair| pair.s.norm() <= SLOW * shift);
@@ -95,12 +95,11 @@ fn distinct(
         let near = |pair: &Pair| (pair.s - first).norm() <= CLOSE * (first.norm() + shift);
         let (group, rest): (Vec<Pair>, Vec<Pair>) = pairs.into_iter().partition(near);
         pairs = rest;
-        let size = group.len();
         match refinement.group(group) {
             Some(group) => modes.extend(group),
             // Infinite eigenvalues come out as very large ones that fit nothing.
             None if first.norm() >= BEYOND * shift && first.norm() > finite => {}
-            None if modes.len() + size > count && modes.len() >= count => {}
+            None if modes.len() >= wanted => {}
             None => return Err(Failure::Inexact(modes.len())),
         }
     }

@@ -1,6 +1,7 @@
 //! The values of the co-rotating stiffness next to zero: each that passes zero along a parameter is a critical one.
 
 use super::matrices::{error, symmetrise, tangent, with_constraints};
+use super::pair::Failure;
 use super::spectrum;
 use crate::error::SolveError;
 use crate::linalg::c64;
@@ -71,7 +72,13 @@ fn values(
     let free = pencil.unknowns().saturating_sub(pencil.constraints());
     let mut asked = 2 * count;
     loop {
-        let pairs = spectrum::lowest(&pencil, asked).map_err(|failure| error(scene, at, &failure))?;
+        let mut found = spectrum::lowest(&pencil, asked);
+        if let Err(Failure::Inexact(exact @ 1..)) = found {
+            // Beside much larger ones the others are round-off; those next to zero are not.
+            asked = free;
+            found = spectrum::lowest(&pencil, exact);
+        }
+        let pairs = found.map_err(|failure| error(scene, at, &failure))?;
         // Of a value below the range there are two eigenvalues +-s.
         let one = pairs.iter().map(|pair| pair.s).filter(|s| s.im > 0.0 || s.re >= 0.0);
         let mut values: Vec<f64> = one.map(|s| value(s) - beside).collect();

@@ -8,7 +8,9 @@ use crate::app::results::equilibria::EquilibriumSettings;
 use crate::app::results::error::RunError;
 use crate::app::results::history::Column;
 use crate::app::writing::numbers::in_unit;
-use crate::equilibrium::{CUTS, Continued, Kind, Uniform, continue_from, follow, goes_back, settle, unloaded};
+use crate::equilibrium::{
+    CUTS, Continued, Equilibrium, Kind, Uniform, assembled, continue_from, follow, goes_back, settle, unloaded,
+};
 use crate::error::SolveErrorKind;
 use crate::{AnyModel, Scene, SolveError, State};
 
@@ -88,6 +90,32 @@ pub(in crate::app) struct Station<'l> {
     pub spin: f64,
 }
 
+/// An equilibrium that is found from the start, with its scene.
+type Fresh = (Box<dyn Scene>, Uniform, Equilibrium);
+
+/// The first of the steps of a range at which an equilibrium is found from the start, where there are some from there on.
+fn first_of(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Option<(u32, Fresh)> {
+    let found = |step: u32| {
+        let share = f64::from(step) / f64::from(settings.steps);
+        let (mut scene, at) = placed(model, Kind::Steady, settings, share).ok()?;
+        let found = follow(scene.as_mut(), &at, 1.0, |_, _| ()).ok()?;
+        Some((scene, at, found))
+    };
+    let leaps = std::iter::successors(Some(1_u32), |step| step.checked_mul(2));
+    let mut leaps = leaps.take_while(|&step| step <= settings.steps);
+    let (mut last, mut first) = leaps.find_map(|step| Some((step, found(step)?)))?;
+    // There is none at half of it.
+    let mut none = last / 2;
+    while last - none > 1 {
+        let step = none + (last - none) / 2;
+        match found(step) {
+            Some(earlier) => (last, first) = (step, earlier),
+            None => none = step,
+        }
+    }
+    Some((last, first))
+}
+
 impl<'m> Line<'m> {
     /// The first equilibrium: at the first value of the parameter, or without spin and loads.
     ///
@@ -109,7 +137,7 @@ impl<'m> Line<'m> {
                 None
             })
         };
-        let mut rest = scene.uniform_guess(&at);
+        let mut rest = assembled(scene.as_mut(), &at);
         let is_along_spin = settings.range.is_none() && kind == Kind::Steady;
         let mut begins_balanced = settings.range.is_some() || is_balanced(scene.as_mut(), &at, &rest);
         // Loads move what is undeformed at rest; a declared initial shape is none of theirs.
@@ -120,17 +148,13 @@ impl<'m> Line<'m> {
             let mut found = follow(scene.as_mut(), &at, 1.0, |_, _| ());
             // Where there is no equilibrium at the first value, as of hinged blades at rest, it begins at a later one; not where nothing could be one.
             let may_begin_later = kind == Kind::Steady && scene.uniform_obstacle(&at, &rest).is_none();
-            let mut step = 1;
-            while found.is_err() && may_begin_later && step <= settings.steps {
-                let share = f64::from(step) / f64::from(settings.steps);
-                if let Ok((mut other, there)) = placed(model, kind, settings, share)
-                    && let Ok(later) = follow(other.as_mut(), &there, 1.0, |_, _| ())
-                {
-                    leaps.push([0.0, share]);
-                    place = u64::from(step) * PARTS;
-                    (scene, at, found) = (other, there, Ok(later));
-                }
-                step *= 2;
+            if found.is_err()
+                && may_begin_later
+                && let Some((step, later)) = first_of(model, settings)
+            {
+                leaps.push([0.0, f64::from(step) / f64::from(settings.steps)]);
+                place = u64::from(step) * PARTS;
+                (scene, at, found) = (later.0, later.1, Ok(later.2));
             }
             let found = found.map_err(|error| {
                 let why = reason(&error, true);
@@ -281,7 +305,7 @@ impl<'m> Line<'m> {
         if self.kind == Kind::Static {
             return false;
         }
-        let guess = scene.uniform_guess(&at);
+        let guess = assembled(scene.as_mut(), &at);
         let Ok(found) = continue_from(scene.as_mut(), &at, &guess) else {
             return false;
         };

@@ -3,7 +3,7 @@
 
 use super::continuation::Station;
 use crate::app::results::history::History;
-use crate::equilibrium::{self, continue_from, goes_back, is_nearer};
+use crate::equilibrium::{self, assembled, continue_from, goes_back, is_nearer};
 
 /// Part of an output by which both must differ.
 const APART: f64 = 0.01;
@@ -19,7 +19,7 @@ pub(in crate::app) fn nearer(station: &mut Station<'_>, history: &History, cure:
     if !scene.neutral_motions(at, state).is_empty() || !equilibrium::untied(scene, at, state).is_empty() {
         return None;
     }
-    let start = scene.uniform_guess(at);
+    let start = assembled(scene, at);
     if goes_back(scene, at, &start, state) != Some(false) {
         return None;
     }

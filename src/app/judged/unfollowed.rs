@@ -32,6 +32,8 @@ const CHANGES: usize = 5;
 const LASTING: f64 = 0.7;
 /// Steps of the run in a period that follow it.
 const FOLLOWED: f64 = 4.0;
+/// Part of a swing that an output has where the time in it stands still, if it is one of the motion.
+const OF_MOTION: f64 = 0.1;
 /// Most outputs that are told.
 const MOST: usize = 4;
 /// Part of the amplitude within which no change of sign counts.
@@ -97,13 +99,8 @@ fn lost(scene: &mut dyn Scene, start: State, run: Followed<'_>, outputs: &[Outpu
         time: ENOUGH * step,
     };
     let states = look(scene, start, (run.t_end, finer), &ends)?;
-    let mut read = |state: &State| {
-        let mut row = vec![0.0; scene.output_columns()];
-        scene.outputs(state, &mut row);
-        row
-    };
-    let rows: Vec<(f64, Vec<f64>)> = states.iter().map(|state| (state.t, read(state))).collect();
-    let last = read(run.end);
+    let rows: Vec<(f64, Vec<f64>)> = states.iter().map(|state| (state.t, row(scene, state))).collect();
+    let last = row(scene, run.end);
     let mut nothing = vec![0.0; last.len()];
     let mut operands = nothing.clone();
     for state in states.iter().step_by(LOOKED_AT).chain([run.end]) {
@@ -114,6 +111,19 @@ fn lost(scene: &mut dyn Scene, start: State, run: Followed<'_>, outputs: &[Outpu
     }
     let mut found = missing(outputs, &rows, &last, &nothing, step);
     found.retain(|missed| !shows(&run.marks.rows, rows[rows.len() - 1].0, missed));
+    // What an output has of the time alone no step loses.
+    let standing = states[states.len() / 2].t;
+    found.retain(|missed| {
+        let of_motion = states.iter().map(|state| {
+            let still = State {
+                t: standing,
+                ..state.clone()
+            };
+            (state.t, row(scene, &still)[missed.column])
+        });
+        let left = swing(&of_motion.collect::<Vec<_>>());
+        left.is_some_and(|left| left.amplitude >= OF_MOTION * missed.swing.amplitude)
+    });
     let amplitudes: Vec<(usize, f64)> = found.iter().map(|of| (of.output, of.swing.amplitude)).collect();
     let off = run.marks.lost(outputs, &amplitudes, rtol);
     found.retain(|missed| off.iter().any(|off| off.output == missed.output && off.part > TOLD));
@@ -131,6 +141,13 @@ fn lost(scene: &mut dyn Scene, start: State, run: Followed<'_>, outputs: &[Outpu
         "The start sets off vibrations that last and are quicker than the steps of the run ({step:.1e} s in the mean), which lose them: {names} show the mean that they swing about, without the swing. Give `damping` to what vibrates, start in equilibrium (`--start steady`, `start .. = spinning(..)`), or follow them with `--rtol {finer:.0e}`."
     ));
     Some(Lost { told, off })
+}
+
+/// Outputs at a state, SI.
+fn row(scene: &mut dyn Scene, state: &State) -> Vec<f64> {
+    let mut row = vec![0.0; scene.output_columns()];
+    scene.outputs(state, &mut row);
+    row
 }
 
 /// What ends the look, where it comes first.

@@ -11,7 +11,7 @@ use crate::app::pictures::Shapes;
 use crate::app::results::equilibria::EquilibriumSettings;
 use crate::app::results::error::RunError;
 use crate::app::results::modes::{Modes, SeenMode, grows, is_round};
-use crate::equilibrium::{Uniform, follow};
+use crate::equilibrium::{Uniform, assembled, follow};
 use crate::model::DescribedBody;
 use crate::modes::{self, Mode, Wanted};
 use crate::{AnyModel, Formulation, Joints, Scene, SolveError, State};
@@ -130,7 +130,7 @@ fn about(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<About, 
     };
     let told = |error: SolveError| RunError::Equilibrium(error.to_string());
     let found = follow(scene.as_mut(), &at, 1.0, |_, _| ()).map_err(told)?;
-    let state = found.state().cloned().unwrap_or_else(|| scene.uniform_guess(&at));
+    let state = found.state().cloned().unwrap_or_else(|| assembled(scene.as_mut(), &at));
     let shapes = lowest_and_growing(scene.as_mut(), &at, &state, settings.count).map_err(told)?;
     let modes = shapes
         .iter()

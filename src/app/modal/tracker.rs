@@ -7,7 +7,7 @@ use crate::app::equilibria::way;
 use crate::app::results::campbell::{Campbell, Crossing};
 use crate::app::results::modes::{Inertial, SeenMode, is_round};
 use crate::equilibrium::{Continued, Uniform};
-use crate::modes::{self, Composition, Mode, Wanted, Whirl};
+use crate::modes::{self, Composition, Critical, Mode, Wanted, Whirl};
 use crate::{Scene, SolveError, State};
 
 /// Modes that are looked at beyond those shown, so that one that leaves them is not lost at once: as many of these as can be had.
@@ -36,12 +36,60 @@ pub(in crate::app) struct Tracker {
     is_shown: Vec<bool>,
     /// What the meshes of the bodies make of each track.
     mesh_errors: Vec<Judged>,
-    /// Negative directions of the stiffness at the last step where they are known, and that step.
+    /// Of the symmetric part of the stiffness.
+    symmetric: Known,
+    /// Of the whole of it, where circulatory forces act: it is singular where a frequency is zero, and without damping its symmetric part is, too.
+    whole: Known,
+    /// Whether circulatory forces act at the last step.
+    circulates: bool,
+}
+
+/// What is known of the directions in which a stiffness is negative.
+#[derive(Default)]
+struct Known {
+    /// Those at the last step where they are known, and that step.
     measured: Option<(Measured, Found)>,
     /// Whether they are not known at the last step alone.
     is_skipped: bool,
-    /// Whether nothing turns and circulatory forces act at the last step, so that the whole stiffness is asked.
-    diverges: bool,
+}
+
+/// How they are measured at an equilibrium, with the values of the stiffness or without.
+type Measuring = fn(&mut dyn Scene, &Uniform, &State, bool) -> Result<Measured, SolveError>;
+
+/// Those of the whole stiffness.
+fn whole(scene: &mut dyn Scene, at: &Uniform, state: &State, _: bool) -> Result<Measured, SolveError> {
+    directions::whole(scene, at, state)
+}
+
+impl Known {
+    /// The critical values in the last step, to whose end `measured` belongs, if they are asked for.
+    fn locate(
+        &mut self,
+        line: &mut Line<'_>,
+        measured: Option<Measured>,
+        measuring: Measuring,
+        is_asked: bool,
+    ) -> Vec<Critical> {
+        let last = line.last_two().1.clone();
+        let Some(measured) = measured else {
+            // A step may lie just where a stiffness vanishes: the next one tells what it becomes.
+            if std::mem::replace(&mut self.is_skipped, true) {
+                self.measured = None;
+            }
+            return Vec::new();
+        };
+        self.is_skipped = false;
+        let Some((before, first)) = self.measured.replace((measured.clone(), last.clone())) else {
+            return Vec::new();
+        };
+        if before.negative == measured.negative || !is_asked {
+            return Vec::new();
+        }
+        let mut measure = |scene: &mut dyn Scene, at: &Uniform, step: &Continued, with_values| {
+            measuring(scene, at, &step.state, with_values).ok()
+        };
+        line.critical([&first, &last], [before, measured], &mut measure)
+    }
 }
 
 /// By how much the meshes of the bodies make a frequency too high, rad/s, and the largest frequency at which that was looked at.
@@ -105,14 +153,16 @@ impl Tracker {
         let (at, key, spin) = (station.at, station.key, station.spin);
         let told = |error: SolveError| format!("at {} = {key} {}: {error}", diagram.key.name, diagram.key.unit);
         let found = Looked::at(station.scene, &at, station.state, count).map_err(told)?;
-        let diverged = self.diverges;
-        self.diverges = spin == 0.0 && modes::is_circulatory(station.scene, &at, station.state);
-        let measured = Some(measured(station.scene, &at, station.state, (false, self.diverges)).map_err(told)?);
+        let symmetric = directions::turning(station.scene, &at, station.state, false).map_err(told)?;
+        let circulated = self.circulates;
+        self.circulates = modes::is_circulatory(station.scene, &at, station.state);
+        let whole = if self.circulates {
+            directions::whole(station.scene, &at, station.state).ok()
+        } else {
+            Some(symmetric.clone())
+        };
         diagram.keys.push(key);
         diagram.spins.push(spin);
-        if diverged != self.diverges {
-            self.measure_again(line);
-        }
         let before = self.last.clone();
         let expected: Vec<Mode> = before
             .iter()
@@ -169,7 +219,8 @@ impl Tracker {
         }
         // At rest nothing tells the sign of what only turning makes stiff, as hinged blades.
         let is_loose = spin == 0.0 && found.modes.iter().any(|mode| size(mode) == 0.0);
-        self.locate(line, diagram, measured.filter(|_| !is_loose));
+        let measured = [Some(symmetric), whole].map(|measured| measured.filter(|_| !is_loose));
+        self.locate(line, diagram, measured, circulated || self.circulates);
         self.cross(line, diagram, &before);
         Ok(())
     }
@@ -273,45 +324,32 @@ impl Tracker {
         None
     }
 
-    /// What was measured at the step before, as it is at the last one: a way may begin at rest.
-    fn measure_again(&mut self, line: &mut Line<'_>) {
-        let diverges = self.diverges;
-        let mut measure = |scene: &mut dyn Scene, at: &Uniform, step: &Continued, with_values| {
-            measured(scene, at, &step.state, (with_values, diverges)).ok()
-        };
-        self.measured = self.measured.take().and_then(|(_, found)| {
-            let again = line.looked_at(found.share, &found.state, false, &mut measure)?;
-            Some((again.measured, found))
-        });
-    }
-
-    /// The critical values in the last step.
-    fn locate(&mut self, line: &mut Line<'_>, diagram: &mut Campbell, measured: Option<Measured>) {
-        let last = line.last_two().1.clone();
-        let Some(measured) = measured else {
-            // A step may lie just where a stiffness vanishes: the next one tells what it becomes.
-            if std::mem::replace(&mut self.is_skipped, true) {
-                self.measured = None;
-            }
-            return;
-        };
-        self.is_skipped = false;
-        let Some((before, first)) = self.measured.replace((measured.clone(), last.clone())) else {
-            return;
-        };
-        let diverges = self.diverges;
-        if before.negative == measured.negative {
-            return;
-        }
-        let mut measure = |scene: &mut dyn Scene, at: &Uniform, step: &Continued, with_values| {
-            self::measured(scene, at, &step.state, (with_values, diverges)).ok()
-        };
-        let found = line.critical([&first, &last], [before, measured], &mut measure);
+    /// The critical values in the last step. Where nothing turns the whole stiffness alone tells them.
+    fn locate(
+        &mut self,
+        line: &mut Line<'_>,
+        diagram: &mut Campbell,
+        [symmetric, whole]: [Option<Measured>; 2],
+        circulates: bool,
+    ) {
+        let turns = diagram.spins.iter().rev().take(2).any(|&spin| spin > 0.0);
+        let known = diagram.critical.len();
+        let found = self
+            .symmetric
+            .locate(line, symmetric, directions::turning, turns || !circulates);
         for critical in found {
-            diagram
-                .standing
-                .push(stands(line, critical.value, &first.state, diagram));
+            let (first, last) = line.last_two();
+            let guess = first.unwrap_or(last).state.clone();
+            let stands = stands(line, critical.value, &guess, diagram);
+            diagram.standing.push(stands);
             diagram.critical.push(critical);
+        }
+        for critical in self.whole.locate(line, whole, self::whole, circulates) {
+            let is_known = |other: &Critical| (other.value - critical.value).abs() <= ALIKE * critical.value.abs();
+            if !diagram.critical[known..].iter().any(is_known) {
+                diagram.standing.push(true);
+                diagram.critical.push(critical);
+            }
         }
     }
 
@@ -527,20 +565,6 @@ fn standing(looked: &Looked, expected: f64, spin: f64) -> Option<f64> {
     let still = looked.modes.iter().filter(|mode| mode.im <= WIDTH * spin);
     let off = still.map(|mode| (mode.re - expected).abs()).reduce(f64::min);
     off.filter(|off| *off <= NEAR * spin)
-}
-
-/// The negative directions of the stiffness, of all of it where it `diverges`; whether with its values next to zero.
-fn measured(
-    scene: &mut dyn Scene,
-    at: &Uniform,
-    state: &State,
-    (with_values, diverges): (bool, bool),
-) -> Result<Measured, SolveError> {
-    if diverges {
-        directions::whole(scene, at, state)
-    } else {
-        directions::turning(scene, at, state, with_values)
-    }
 }
 
 /// The diagonal of the mass matrix: shapes of different modes are nearly orthogonal with it.

@@ -41,7 +41,7 @@ impl<'a> Check<'a> {
             }
             // What has a meaning where it is used has none where it stands.
             let (locals, is_along) = (std::mem::take(&mut self.locals), std::mem::take(&mut self.is_along));
-            let typed = self.expr(value, Scope::Parameter);
+            let typed = self.with_lookups(|check| check.expr(value, Scope::Parameter));
             (self.locals, self.is_along) = (locals, is_along);
             self.leave();
             self.values.insert(text, typed);
@@ -49,6 +49,11 @@ impl<'a> Check<'a> {
         let typed = self.values.get(text).cloned().flatten()?;
         if scope == Scope::Constant && fold::constant(&typed.value).is_none() {
             self.errors.at(used.span, say::param_in_constant(text));
+            return None;
+        }
+        // What it is looked up for must be one that looks up tables.
+        if looks_up(&typed.value) && !self.may_look_up() {
+            self.errors.at(used.span, say::LOOKUP_ELSEWHERE);
             return None;
         }
         Some(typed)
@@ -105,8 +110,17 @@ impl<'a> Check<'a> {
         for item in self.items(Keyword::Const) {
             self.constant(item, &item.name);
         }
+    }
+
+    /// Checks derived quantities that nothing uses; they may look up tables.
+    pub(super) fn quantities(&mut self) {
         for item in self.items(Keyword::Let) {
-            self.derived(item, &item.name, Scope::Parameter);
+            self.with_lookups(|check| check.derived(item, &item.name, Scope::Parameter));
         }
     }
+}
+
+/// Whether a value hangs on what a table has somewhere.
+fn looks_up(value: &Value) -> bool {
+    matches!(value, Value::Lookup { .. }) || value.parts().into_iter().any(looks_up)
 }

@@ -19,8 +19,6 @@ pub const VANISHES: &str = "this is too small a number: something of it is round
 pub const EXPONENT_RANGE: &str = "the exponent of this unit is too large to make sense";
 pub const WHOLE_EXPONENTS: &str = "a parameter needs a unit with whole exponents";
 pub const VECTOR_IN_EXPRESSION: &str = "a vector has no place in an expression: write one expression per component";
-pub const UNIT_OF_EXPRESSION: &str =
-    "the unit behind the brackets is for literals only: give each component its own dimension, e.g. `[x(t), 0 m, 0 m]`";
 pub const HERTZ: &str =
     "hertz counts cycles and is no angular velocity: write `rad/s`, `rpm` or `deg/s`, or `2*pi` times the frequency";
 pub const ANGLE_IN_HERTZ: &str = "hertz counts cycles, and this is an angle or angular velocity: tell it in `rad/s`, `rpm` or `deg/s`, or divide it by `2*pi`";
@@ -167,6 +165,7 @@ pub const SHARED_INSIDE: &str = "only the ends of bodies are shared: use `start`
 pub const SAME_END: &str = "both are the same end: two different ends become one node";
 
 messages! {
+    unit_of_expression(found, kind) = "the unit behind the brackets is that of plain numbers, beside which values that are {kind} stand as they are; this is {found}";
     curved_energy(part) = "`{part}` has a stress where the axis is curved, or its section twisted, without one: its derivative by an inner product of the fields does not vanish there. Declare what it is of as a `strain` of the element, in a plane e.g. `strain k = cross(a, b);`";
     modes_of_timed(word, element) = "`{word}` describes a body by its stiffness at one time, and the energy of `{element}` changes with `t`: leave `{word}` out, so that all nodal vectors describe the body";
     quantity_as_repetitions(name) = "`{name}` is a quantity; a loop needs a count: declare `param {name}: count = 6;`";

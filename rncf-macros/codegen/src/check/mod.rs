@@ -116,6 +116,7 @@ pub fn check_with_elements(tree: &Tree, library: &Library, errors: &mut Errors) 
     check.params();
     check.repeats();
     check.tables();
+    check.quantities();
     check.motions();
     check.frames();
     check.materials();

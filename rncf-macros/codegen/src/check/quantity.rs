@@ -185,12 +185,11 @@ impl<'a> Check<'a> {
     /// An expression of the dimension that a field asks for.
     pub(super) fn quantity(&mut self, expr: &'a Expr, scope: Scope, wanted: Wanted) -> Option<model::Expr> {
         let typed = self.expr(expr, scope)?;
-        let is_wanted = self.is_wanted(expr, &typed, wanted);
-        if is_wanted && fold::constant(&typed.value).is_some_and(|value| !value.is_finite()) {
-            self.errors.at(expr.area, say::NOT_FINITE);
+        if !self.is_wanted(expr, &typed, wanted) {
             return None;
         }
-        is_wanted.then_some(typed.value)
+        self.is_finite(&typed.value, expr.area)?;
+        Some(typed.value)
     }
 
     /// Whether the dimension is what the field asks for; reports where it is not.
@@ -305,7 +304,11 @@ impl<'a> Check<'a> {
     ) -> Option<Vec<model::Expr>> {
         let values = components.iter().map(|component| match unit {
             None => self.component(component, scope, wanted),
-            Some(unit) => self.scaled_literal(component, unit),
+            Some(unit) => {
+                let typed = self.with_unit(component, (unit, 0), scope)?;
+                self.is_finite(&typed.value, component.area)?;
+                Some(typed.value)
+            }
         });
         // All mistakes are told at once.
         values.collect::<Vec<_>>().into_iter().collect()
@@ -328,10 +331,8 @@ impl<'a> Check<'a> {
             return None;
         }
         let mut is_rate = true;
-        if unit.is_none() {
-            for component in components {
-                is_rate &= self.is_no_frequency(component, scope);
-            }
+        for component in components {
+            is_rate &= self.is_no_frequency(component, scope);
         }
         is_rate.then_some(vector)
     }
@@ -363,22 +364,48 @@ impl<'a> Check<'a> {
         self.quantity(expr, scope, wanted)
     }
 
-    /// A literal times the unit behind the brackets.
-    pub(super) fn scaled_literal(&mut self, expr: &Expr, unit: Compound) -> Option<model::Expr> {
+    /// A component of brackets with a unit behind them: numbers are multiplied by it, values of its dimension stay.
+    pub(super) fn with_unit(&mut self, expr: &'a Expr, unit: (Compound, i8), scope: Scope) -> Option<Typed> {
+        let (compound, hertz) = unit;
+        let is_angle = compound.dimension[5] != 0;
+        let in_unit = |value| Typed {
+            value,
+            dimension: Dimension::of(compound.dimension),
+            nature: Nature {
+                angle: is_angle,
+                hertz,
+                pi: 0,
+            },
+        };
         match &expr.kind {
-            ExprKind::Number { text, unit: None } => self.number(text, unit, expr.area).map(model::Expr::Number),
-            ExprKind::Negate(inner) => {
-                let value = self.scaled_literal(inner, unit)?;
-                Some(match value {
+            ExprKind::Number { text, unit: None } => {
+                let value = self.number(text, compound, expr.area)?;
+                return Some(in_unit(model::Expr::Number(value)));
+            }
+            ExprKind::Negate(inner) if bare_literal(inner).is_some() => {
+                let value = match self.with_unit(inner, unit, scope)?.value {
                     model::Expr::Number(value) => model::Expr::Number(-value),
                     other => model::Expr::Negate(Box::new(other)),
-                })
+                };
+                return Some(in_unit(value));
             }
-            _ => {
-                self.errors.at(expr.area, say::UNIT_OF_EXPRESSION);
-                None
-            }
+            _ => {}
         }
+        let typed = self.expr(expr, scope)?;
+        let is_number = typed.dimension.is_none() && !typed.nature.angle;
+        if is_number {
+            let one = self.number("1", compound, expr.area)?;
+            let both = (Box::new(typed.value), Box::new(model::Expr::Number(one)));
+            return Some(in_unit(model::Expr::Binary(model::Binary::Multiply, both.0, both.1)));
+        }
+        let wanted = Dimension::of(compound.dimension);
+        if typed.dimension != wanted || wanted.is_none() && !is_angle {
+            let kind = wanted.describe(is_angle);
+            self.errors
+                .at(expr.area, say::unit_of_expression(&typed.describe(), &kind));
+            return None;
+        }
+        Some(typed)
     }
 }
 

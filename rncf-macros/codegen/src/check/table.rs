@@ -116,7 +116,7 @@ impl<'a> Check<'a> {
         let mut dimension: Option<Dimension> = None;
         for part in components {
             let typed = match compound {
-                Some(compound) => self.with_unit(part, compound?, 0),
+                Some(compound) => self.with_unit(part, (compound?, 0), Scope::Constant),
                 None => self.expr(part, Scope::Constant),
             }?;
             let first = *dimension.get_or_insert(typed.dimension);
@@ -432,7 +432,7 @@ impl<'a> Check<'a> {
         arguments: &'a [Argument],
         scope: Scope,
     ) -> Option<Typed> {
-        if !self.looks_up && !self.particle.contains_key(PARTICLE) {
+        if !self.may_look_up() {
             self.errors.at(expr.area, say::LOOKUP_ELSEWHERE);
             return None;
         }
@@ -463,6 +463,11 @@ impl<'a> Check<'a> {
             },
             ..typed
         })
+    }
+
+    /// Whether a table has a meaning at a certain place here.
+    pub(super) fn may_look_up(&self) -> bool {
+        self.looks_up || self.particle.contains_key(PARTICLE)
     }
 
     /// Resolves what tables are looked up in.

@@ -8,7 +8,7 @@ use crate::joints::algebra;
 use crate::model::{self, Binary, FrameId};
 use crate::parse::tree::{Call, Expr, ExprKind, UnitText};
 use crate::suggest;
-use crate::units::{Compound, Dimension};
+use crate::units::Dimension;
 
 /// A vector and what it is.
 #[derive(Clone, Debug)]
@@ -237,9 +237,8 @@ impl<'a> Check<'a> {
     ) -> Option<Vectorial> {
         let typed: Vec<Option<Typed>> = match unit {
             Some(unit) => {
-                let compound = self.unit(unit)?;
-                let cycles = hertz(unit);
-                let parts = components.iter().map(|part| self.with_unit(part, compound, cycles));
+                let unit = (self.unit(unit)?, hertz(unit));
+                let parts = components.iter().map(|part| self.with_unit(part, unit, scope));
                 parts.collect()
             }
             None => components.iter().map(|part| self.expr(part, scope)).collect(),
@@ -270,20 +269,6 @@ impl<'a> Check<'a> {
             dimension: first.dimension,
             nature,
             frame: None,
-        })
-    }
-
-    pub(super) fn with_unit(&mut self, part: &Expr, unit: Compound, hertz: i8) -> Option<Typed> {
-        let value = self.scaled_literal(part, unit)?;
-        let nature = Nature {
-            angle: unit.dimension[5] != 0,
-            hertz,
-            pi: 0,
-        };
-        Some(Typed {
-            value,
-            dimension: Dimension::of(unit.dimension),
-            nature,
         })
     }
 

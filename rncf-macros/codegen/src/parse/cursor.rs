@@ -136,6 +136,14 @@ impl Cursor {
         }
     }
 
+    /// The group behind the next token.
+    pub fn second_group(&self) -> Option<&Group> {
+        match self.peek_second() {
+            Some(TokenTree::Group(group)) => Some(group),
+            _ => None,
+        }
+    }
+
     /// Whether the token after the next is this word.
     pub fn is_second_word(&self, word: &str) -> bool {
         matches!(self.peek_second(), Some(TokenTree::Ident(ident)) if ident == word)

@@ -40,6 +40,9 @@ const STOP: &[&str] = &[
     "pub",
 ];
 
+/// Those of them that are names of motions and frames as well.
+const NAMES: &[&str] = &["angle", "radius", "direction", "normal", "line", "arc", "plane"];
+
 /// Whether the next word may be a unit symbol.
 pub fn is_unit_next(cursor: &Cursor) -> bool {
     let Some(word) = cursor.word().map(ToString::to_string) else {
@@ -233,6 +236,18 @@ fn member(cursor: &mut Cursor, depth: usize) -> Parsed<Expr> {
     Ok(base)
 }
 
+/// Whether a word with which statements go on is a name here: `line[i]`, `angle(t)`; behind the word stands no vector.
+fn is_named(cursor: &Cursor) -> bool {
+    if !NAMES.iter().any(|word| cursor.is_word(word)) {
+        return false;
+    }
+    match cursor.second_group() {
+        Some(group) if group.delimiter() == Delimiter::Bracket => !is_list(group),
+        Some(group) => group.delimiter() == Delimiter::Parenthesis,
+        None => false,
+    }
+}
+
 /// A name that may go on with numbers of repetitions and words behind dots.
 pub(super) fn reference(cursor: &mut Cursor, what: &str) -> Parsed<Name> {
     let mark = cursor.mark();
@@ -271,7 +286,7 @@ fn primary(cursor: &mut Cursor, depth: usize) -> Parsed<Expr> {
     if cursor.is_word("if") {
         return conditional(cursor, depth);
     }
-    let ends = STOP.iter().any(|word| cursor.is_word(word)) && !cursor.is_second_punct_or_end();
+    let ends = STOP.iter().any(|word| cursor.is_word(word)) && !cursor.is_second_punct_or_end() && !is_named(cursor);
     if cursor.word().is_none() || ends {
         return Err(cursor.expected("a value"));
     }

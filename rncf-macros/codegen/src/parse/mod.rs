@@ -79,8 +79,8 @@
 //! factor      = SYMBOL [ "^" [ "-" ] WHOLE ] | "1" | "(" unit ")"
 //! ```
 //!
-//! Items may be used before they are declared. A unit behind a vector is for literal components
-//! only; otherwise each component has its own dimension, and a bare `0` needs no unit in a vector.
+//! Items may be used before they are declared. A unit behind a vector is that of its plain
+//! numbers; values of its dimension may stand beside them. A bare `0` needs no unit in a vector.
 //! `t` is time: tonnes are written `[t]`, or as the first symbol of a compound unit. In outputs,
 //! `BODY.start`, `BODY.end` and `BODY.at(expr)` have `x y z` (also as `position.x`), `velocity`
 //! and `slope`; joints have `force` and `moment`; without a component the output is a vector.

@@ -1,6 +1,7 @@
 //! Models without mistakes, and what they become.
 
 use super::*;
+use crate::check::fold;
 use crate::model::Binary as Operator;
 use crate::model::{
     BodyId, Comparison, Evaluation, Expr, FrameId, Function, INERTIAL, JointId, JointKind, Line, LoadKind, Location,
@@ -126,6 +127,73 @@ fn properties_are_exact_to_the_last_bit() {
     };
     assert_eq!(from, &[Number(0.0), Number(0.0), Number(0.0)]);
     assert_eq!(to, &[Number(8.0), Number(0.0), Number(0.0)]);
+}
+
+/// A unit behind brackets is that of plain numbers; what has the dimension stays as it is.
+#[test]
+fn numbers_and_quantities_share_a_unit() {
+    let components = |vector: &str| {
+        let model = model(&SPIN_UP.replace("[0, -g, 0]", vector));
+        let LoadKind::Gravity(gravity) = &model.loads[0].kind else {
+            panic!("gravity")
+        };
+        gravity.each_ref().map(|value| fold::constant(value).unwrap())
+    };
+    assert_eq!(components("[0, -g, 0] mm/s^2"), [0.0, -9.81, 0.0]);
+    assert_eq!(components("[2 * 3 - 1, g / 2, 0] mm/s^2"), [0.005, 4.905, 0.0]);
+    assert_eq!(components("[-(1 + 1), 3 [m/s^2], 0] mm/s^2"), [-0.002, 3.0, 0.0]);
+}
+
+/// A quantity of a table at params is used where tables are looked up, and nowhere else.
+#[test]
+fn quantities_look_up_tables() {
+    let text = |radius: &str| {
+        format!(
+            "pub model Film {{
+                param speed = 10 rad/s;
+                table film {{ at = speed; speed = [0, 400] rad/s; k = [1, 9] kN/m; r = [1, 2] mm; }}
+                let across = film.k(speed) / 2;
+                let inner = film.r(speed);
+                frame turning = rotating(axis = z, angle = speed * t);
+                rigid rotor in turning {{ mass = 2 kg; inertia = [1, 1, 1] kg*m^2; origin = [{radius}, 0, 0]; }}
+                spring oil = bushing(rotor, inertial, stiffness = [across, across, 1 [kN/m]]);
+                output x = rotor.x;
+            }}"
+        )
+    };
+    let (model, mistakes) = run(&text("1 mm"));
+    let told: Vec<&str> = mistakes.iter().map(|mistake| mistake.message.as_str()).collect();
+    assert!(told.is_empty() && model.is_some(), "{told:?}");
+    let (_, mistakes) = run(&text("inner"));
+    let [mistake] = &mistakes[..] else {
+        panic!("{mistakes:?}")
+    };
+    assert!(
+        mistake.message.starts_with("a table is looked up in motions"),
+        "{}",
+        mistake.message
+    );
+    assert_eq!(mistake.area.source_text().as_deref(), Some("inner"));
+}
+
+/// Words with which statements go on may be names of motions and frames.
+#[test]
+fn words_of_statements_are_names() {
+    let model = model(
+        "pub model Lines {
+            motion angle(t) = 2 [rad/s] * t;
+            motion radius(t) = 1 [m/s] * t;
+            frame hub = rotating(axis = z, angle = angle(t) + 30 deg);
+            frame cart = moving(origin = [radius(t), 0, 0]);
+            for i in 0..2 {
+                frame line[i] in hub = rotating(axis = z, angle = i * pi / 4);
+                rigid leg[i] in line[i] { plane xy; mass = 1 kg; inertia = 1 kg*m^2; }
+                joint root[i] = weld(leg[i], line[i]);
+            }
+            output far = leg[1].x;
+        }",
+    );
+    assert_eq!(model.frames[4].name, "line[1]");
 }
 
 #[test]
@@ -321,9 +389,6 @@ fn outputs_are_told_in_the_unit_that_is_asked_for() {
     };
     assert_eq!((turned.unit.as_str(), plain.unit.as_str()), ("deg", "rad"));
     let degree = std::f64::consts::PI / 180.0;
-    assert_eq!(
-        super::super::fold::constant(&turned.components[0].1),
-        Some(0.5 / degree)
-    );
+    assert_eq!(fold::constant(&turned.components[0].1), Some(0.5 / degree));
     assert_eq!((tip.unit.as_str(), tip.components.len()), ("mm", 2));
 }

@@ -1,0 +1,73 @@
+//! Where an equilibrium is looked for: the start, or what became of it where motions have turned or shifted what it is tied to.
+
+use super::distance::distance;
+use super::newton::{Newton, Patience};
+use crate::model::{Scene, Uniform};
+use crate::system::{ConstraintLevel, State};
+
+/// Largest and smallest step, as parts of the time: half a turn in one step would lead nowhere.
+const LARGEST: f64 = 1.0 / 64.0;
+const SMALLEST: f64 = 1.0 / 16384.0;
+/// Distance over the sizes (rad of what turns) that one step may lead: within it no joint holds a second time.
+const NEXT: f64 = 0.5;
+
+/// A state from which an equilibrium at the time of `at` may be looked for: [`Scene::uniform_guess`], or where motions have moved what
+/// it is tied to, the state without loads that has followed them from t = 0. A joint that turned by more than a quarter turn holds half
+/// a turn away, too.
+pub fn assembled(scene: &mut dyn Scene, at: &Uniform) -> State {
+    let guess = scene.uniform_guess(at);
+    let begun = Uniform::at_rest(0.0).scaled(0.0);
+    let start = scene.uniform_guess(&Uniform { spin: at.spin, ..begun });
+    // What turns uniformly is carried on with it.
+    let is_carried = start.x != guess.x || start.turns != guess.turns;
+    if at.t == 0.0 || is_carried || balance(scene, 0.0, &start) == balance(scene, at.t, &start) {
+        return guess;
+    }
+    followed(scene, at.t, start).unwrap_or(guess)
+}
+
+/// Forces without loads, and violations of the constraints, at a time.
+fn balance(scene: &mut dyn Scene, t: f64, state: &State) -> [Vec<f64>; 2] {
+    let mut state = state.clone();
+    state.t = t;
+    let at = Uniform::at_rest(t).scaled(0.0);
+    scene.uniform_state(&at, &mut state);
+    let [mut forces, mut violations] = [vec![0.0; scene.unknowns()], vec![0.0; scene.constraints()]];
+    scene.uniform_residual(&at, &state, &mut forces);
+    scene.constraint(ConstraintLevel::Position, &state, &mut violations);
+    [forces, violations]
+}
+
+/// The state at time `t` (s) that is led there from `start` by the motions, without loads; `None` where the way ends. Where no equilibrium
+/// is near the start, as of what hangs on springs, what acts on it is left out of account.
+fn followed(scene: &mut dyn Scene, t: f64, start: State) -> Option<State> {
+    let mut newton = Newton::new(scene);
+    let mut next = |scene: &mut dyn Scene, t: f64, last: &State, unbalanced: &[f64]| {
+        let mut state = last.clone();
+        state.t = t;
+        newton.unbalanced = unbalanced.to_vec();
+        let (result, _) = newton.solve(scene, &Uniform::at_rest(t).scaled(0.0), &mut state, Patience::Strict);
+        (result.is_ok() && distance(scene, last, &state) <= NEXT).then_some(state)
+    };
+    let (mut last, unbalanced) = match next(scene, 0.0, &start, &[]) {
+        Some(balanced) => (balanced, Vec::new()),
+        None => {
+            let [forces, _] = balance(scene, 0.0, &start);
+            (start, forces)
+        }
+    };
+    let (mut part, mut increment) = (0.0, LARGEST);
+    while part < 1.0 {
+        let target = f64::min(part + increment, 1.0);
+        if let Some(state) = next(scene, target * t, &last, &unbalanced) {
+            (last, part) = (state, target);
+            increment = LARGEST.min(2.0 * increment);
+        } else {
+            increment *= 0.5;
+            if increment < SMALLEST {
+                return None;
+            }
+        }
+    }
+    Some(last)
+}

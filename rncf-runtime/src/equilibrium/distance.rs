@@ -1,0 +1,18 @@
+//! How far apart two states are.
+
+use crate::model::Scene;
+use crate::space::product;
+use crate::system::State;
+
+/// Largest difference of two states' positions and orientations, relative to the sizes of the unknowns.
+pub(super) fn distance(scene: &dyn Scene, a: &State, b: &State) -> f64 {
+    let mut b = b.clone();
+    // In the charts of a.
+    for (index, &unknown) in scene.turns().iter().enumerate() {
+        let away = product(&a.turns[index].inverse(), &b.orientation(index, unknown));
+        b.x[unknown..unknown + 3].copy_from_slice(away.scaled_axis().as_slice());
+    }
+    // Those of equilibria have just begun anew.
+    let parts = a.x.iter().zip(&b.x).zip(scene.sizes());
+    parts.fold(0.0, |largest: f64, ((a, b), size)| largest.max((a - b).abs() / size))
+}
