@@ -11,6 +11,9 @@ rncf::model! {
     pub model Quintic {
         /// Elements.
         param elements: count = 1;
+        /// What acts per length, along the axis and across it.
+        param along = 0 N/m;
+        param across = 0 N/m;
 
         /// Centre line with position and slope at three nodes.
         element quintic(section, material) {
@@ -38,7 +41,10 @@ rncf::model! {
         section slender { area = 1 m^2; second_moment = 1e-4 m^4; }
         body beam in inertial { planar xy; line from [0, 0, 0] m to [1, 0, 0] m; mesh elements * quintic(slender, unit); }
         joint root = clamp(beam.start, inertial);
+        load weight = distributed(beam, [along, across, 0]);
         output tip = beam.end.position;
+        output inside = beam.at(0.7 m).moment;
+        output drawn = beam.at(0.7 m).axial_force;
     }
 }
 
@@ -143,7 +149,13 @@ const CANTILEVER: [f64; 2] = [3.516_015_268_7, 22.034_491_564_7];
 #[test]
 fn a_quintic_element_converges_with_the_eighth_order() {
     let error = |elements: usize| {
-        let found = frequencies(&Quintic { elements }, 2);
+        let found = frequencies(
+            &Quintic {
+                elements,
+                ..Quintic::default()
+            },
+            2,
+        );
         [0, 1].map(|k| (found[k] / CANTILEVER[k] - 1.0).abs())
     };
     let errors = [1, 2, 4].map(error);
@@ -152,6 +164,26 @@ fn a_quintic_element_converges_with_the_eighth_order() {
     let order = (errors[0][1] / errors[1][1]).log2();
     assert!(order > 7.0, "order {order}: {errors:?}");
     assert!(errors[2][1] < 1e-7 && errors[1][0] < 1e-7, "{errors:?}");
+}
+
+/// What acts per length counts within an element as at its ends: six shape functions of a vector need six points.
+#[test]
+fn sections_within_a_quintic_element_carry_what_acts_beyond_them() {
+    for elements in 1..=3 {
+        let model = Quintic {
+            elements,
+            along: 1e-4,
+            across: 1e-5,
+        };
+        let [.., inside, drawn] = at_rest(&model, 1.0)[..] else {
+            panic!("four outputs")
+        };
+        assert!(
+            (inside / (1e-5 * 0.3 * 0.3 / 2.0) - 1.0).abs() < 1e-4,
+            "{elements}: {inside}"
+        );
+        assert!((drawn / (1e-4 * 0.3) - 1.0).abs() < 1e-4, "{elements}: {drawn}");
+    }
 }
 
 /// Fixed and free: `w_k^2 = 6/h^2 (1 - cos b)/(2 + cos b)` with `b = (2 k - 1) pi/(2 n)`, of linear elements with their

@@ -76,6 +76,10 @@ impl<'a> Check<'a> {
         }
         let library = Arc::clone(&self.library);
         let element = &library.elements[id];
+        if element.is_planar() && space == Some(Space::Spatial) {
+            self.errors.at(call.name.span, say::element_of_plane(word));
+            return None;
+        }
         let (options, quadrature, evaluation) = self.options(element, space, call);
         let (section, material) = self.property_arguments(call)?;
         let defaults = vec![0; element.options.len()];

@@ -19,6 +19,7 @@ pub const VANISHES: &str = "this is too small a number: something of it is round
 pub const EXPONENT_RANGE: &str = "the exponent of this unit is too large to make sense";
 pub const WHOLE_EXPONENTS: &str = "a parameter needs a unit with whole exponents";
 pub const VECTOR_IN_EXPRESSION: &str = "a vector has no place in an expression: write one expression per component";
+pub const ACCELERATION: &str = "an acceleration is known when all that acts is: only an `output` can observe it; what resists one is a mass, `fixture`, and a sensor is a small `rigid` on a spring and a damper";
 pub const HERTZ: &str =
     "hertz counts cycles and is no angular velocity: write `rad/s`, `rpm` or `deg/s`, or `2*pi` times the frequency";
 pub const ANGLE_IN_HERTZ: &str = "hertz counts cycles, and this is an angle or angular velocity: tell it in `rad/s`, `rpm` or `deg/s`, or divide it by `2*pi`";
@@ -185,6 +186,7 @@ messages! {
     shared_and_held(line) = "this end is held by the joint in line {line}: a node is shared or held; to tie both ends there, hold the other one in the same way and leave this out";
     shared_frames(first, second) = "the bodies are in the frames `{first}` and `{second}`: only nodes in the same frame are shared; use `spherical` or `weld` between them";
     shared_twice(other) = "`{other}` makes one node of these ends already";
+    merged_sections(first, second) = "the stiffnesses of `{first}` and `{second}` differ, so that their strains do where they meet, and merged ends have one slope: use `weld`, or `share` with a joint between them";
     merged_elements(first, second) = "`{first}` and `{second}` have different elements, whose slopes are not alike: use `share`, or the same element";
     duplicate_statement(name, line) = "{name} is already given in line {line}: one is enough";
     twice(name) = "`{name}` is given twice";
@@ -239,6 +241,7 @@ messages! {
     positive(what) = "{what} must be greater than zero";
     not_negative(what) = "{what} must not be negative";
     matrix_rows(what, unit) = "{what} has three numbers along the axes, `[a, b, c] {unit}`, or three rows of three, `[[a, b, c], [d, e, f], [g, h, i]] {unit}`";
+    element_of_plane(element) = "the sections of `{element}` have the direction `r_y` alone, as those in a plane: make the body planar, e.g. `planar xy;`, or give the element vectors of `r_z`, too";
     missing_statement(body, what) = "body `{body}` lacks {what}";
     not_imported(word, body) = "`{word}` says how a body of elements lies, and body `{body}` comes from a file: leave it out";
     import_without_modes(body) = "body `{body}` comes from a file and has no elements: say how many modes describe it, `modal(6);` or `small(6);`, or `rigid;`";
@@ -324,7 +327,7 @@ messages! {
     different_axes(first, second) = "these have components in the axes of `{first}` and of `{second}`: write `.in(..)` behind one of them";
     no_center(name) = "`{name}` has no centre of mass of its own: only a `rigid` body has";
     no_component(axis) = "this vector has no {axis} component";
-    only_in_outputs(word) = "`{word}` is known when the motion is: only an `output` can observe it";
+    only_in_outputs(word) = "only an `output` can observe `{word}`";
     rate_in_constraint(word) = "a constraint ties positions, directions and angles: `{word}` has no place in it";
     point_mass_turns(name) = "`{name}` is a point mass and has no orientation: give it an `inertia`";
     point_mass_joint(name, word) = "`{name}` is a point mass and has no orientation for a `{word}`: give it an `inertia`, or use `spherical` or `distance`";

@@ -4,9 +4,9 @@ use super::end::Held;
 use super::joint::Known;
 use super::place::Place;
 use super::repeat::has_index;
-use super::{Check, Shape, say};
+use super::{Check, Shape, fold, say};
 use crate::errors::Area;
-use crate::model::{Fidelity, Location, RepeatId, Share};
+use crate::model::{Body, Expr as Value, Fidelity, Location, RepeatId, Share};
 use crate::parse::tree::{Call, Expr, Item};
 
 /// Words for shared nodes, and what is written.
@@ -77,6 +77,8 @@ impl<'a> Check<'a> {
             say::PLANAR_AND_SPATIAL.into()
         } else if word == "merge" && first.element != second.element {
             say::merged_elements(&first.name, &second.name)
+        } else if word == "merge" && strains_jump(first, second) {
+            say::merged_sections(&first.name, &second.name)
         } else if let Some(other) = self.model.shares.iter().find(is_same) {
             say::shared_twice(&other.name)
         } else if item.repeat.is_some() && !has_index(&a.at) && !has_index(&b.at) {
@@ -87,4 +89,20 @@ impl<'a> Check<'a> {
         self.errors.at(areas[1], message);
         None
     }
+}
+
+/// Properties that no strain hangs on: what two bodies of one node may have of their own.
+const UNSTRAINED: &[&str] = &["density", "damping", "yield", "extent_y", "extent_z"];
+
+/// Whether two bodies have different stiffnesses where they meet, so that their strains differ there; of what varies along them nothing is known.
+fn strains_jump(first: &Body, second: &Body) -> bool {
+    let differ = |a: &Value, b: &Value| {
+        let varies = [a, b].into_iter().any(fold::has_arclength);
+        !varies && (a != b || fold::has_index(a))
+    };
+    let counts = |name: &str| !UNSTRAINED.contains(&name);
+    first.properties.iter().any(|(name, a)| {
+        let other = second.properties.get(name);
+        counts(name) && other.is_some_and(|b| differ(a, b))
+    })
 }

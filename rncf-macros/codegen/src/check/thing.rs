@@ -275,7 +275,7 @@ impl<'a> Check<'a> {
             }
             ("acceleration", _) => {
                 if scope != Scope::Output {
-                    self.errors.at(field.span, say::only_in_outputs(&field.text));
+                    self.errors.at(field.span, say::ACCELERATION);
                     return None;
                 }
                 let seen = frame.or_else(|| Self::default_frame(&spot))?;

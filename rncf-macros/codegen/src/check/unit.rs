@@ -47,7 +47,7 @@ impl Check<'_> {
             Some(_) if word == "t" && text.factors.len() == 1 && !text.is_delimited => say::LONE_T.into(),
             Some(unit) => return Some(unit),
             None if is_declared && at == 0 => say::missing_star(word),
-            None if is_declared => say::name_in_unit(word),
+            None if is_declared || at > 0 && self.is_told(word) => say::name_in_unit(word),
             None => match ascii::suggestion(word) {
                 Some(plain) => say::not_ascii(word, &plain),
                 None => unknown(word),
@@ -55,6 +55,12 @@ impl Check<'_> {
         };
         self.errors.at(name.span, message);
         None
+    }
+
+    /// Whether a part is told a value of this name.
+    fn is_told(&self, word: &str) -> bool {
+        let is_it = |name: &str| name.rsplit_once('.').is_some_and(|(_, own)| own == word);
+        self.tree.given.iter().any(|given| is_it(&given.name))
     }
 
     /// Names that could be units as well, each told once, where it is declared.

@@ -20,6 +20,9 @@ pub use rank::{Coefficients, Rules, STRETCHES, points_for};
 pub use word::word;
 pub use written::{Definition, Nature, When, Written, WrittenTerm};
 
+/// Coordinates of the largest element, for which the runtime has memory: its `MAX_SIZE`.
+pub const LARGEST: usize = 48;
+
 /// Name of what stands between the interfaces of a body from a file, which no text can name.
 pub const BETWEEN_INTERFACES: &str = "(interfaces)";
 
@@ -265,6 +268,11 @@ impl Element {
     /// Whether its nodes carry the section's directions.
     pub fn has_section(&self) -> bool {
         self.vectors.iter().any(|vector| vector.of != Interpolant::Position)
+    }
+
+    /// Whether its sections have one direction alone, so that they lie in a plane.
+    pub fn is_planar(&self) -> bool {
+        self.has_section() && !self.vectors.iter().any(|vector| vector.of == Interpolant::SectionZ)
     }
 
     /// Whether its nodes carry the slope of the axis.

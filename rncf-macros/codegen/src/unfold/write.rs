@@ -13,6 +13,9 @@ use crate::vocabulary::members::Thing;
 /// Deepest expression that becomes of those that stand for each other.
 const DEEPEST: usize = 400;
 
+/// Arguments that name axes, whatever else is called so.
+const AXES_OF: [&str; 2] = ["axis", "cross"];
+
 impl<'t> Unfold<'t, '_> {
     /// Everything that is planned, with the loops that stay.
     pub(super) fn written(mut self) -> Tree {
@@ -281,9 +284,13 @@ impl<'t> Unfold<'t, '_> {
     }
 
     pub(super) fn arguments(&mut self, at: &Place, arguments: &'t [Argument]) -> Vec<Argument> {
-        let argument = |argument: &'t Argument| Argument {
-            name: argument.name.clone(),
-            value: self.expr(at, &argument.value),
+        let argument = |argument: &'t Argument| {
+            let name = argument.name.clone();
+            let is_axis = name.as_ref().is_some_and(|name| AXES_OF.contains(&name.text.as_str()));
+            let before = is_axis.then(|| std::mem::replace(&mut self.local, vec!["x", "y", "z"]));
+            let value = self.expr(at, &argument.value);
+            self.local = before.unwrap_or_else(|| std::mem::take(&mut self.local));
+            Argument { name, value }
         };
         arguments.iter().map(argument).collect()
     }

@@ -9,7 +9,7 @@
 //! F = sum_b I_b f_b,   M = sum_ab G_ab q_a x f_b - r x F
 //! ```
 
-use crate::emitted::{BodySpec, FIVE, Interpolant, LANES, Parts};
+use crate::emitted::{BodySpec, FIVE, Interpolant, LANES, Parts, legendre};
 use crate::linalg::Cholesky;
 
 /// A body of a model.
@@ -80,6 +80,15 @@ struct OfLength {
     known: Vec<Reach>,
 }
 
+/// A rule that is exact for products of two of so many shape functions: polynomials of a degree less than their number.
+fn rule(functions: usize) -> Vec<(f64, f64)> {
+    if functions <= FIVE.len() {
+        FIVE.to_vec()
+    } else {
+        legendre(functions)
+    }
+}
+
 const INTERPOLANTS: [Interpolant; 3] = [Interpolant::Position, Interpolant::SectionY, Interpolant::SectionZ];
 
 impl OfLength {
@@ -102,7 +111,7 @@ impl OfLength {
         let nodal = body.spec.nodal;
         let own: Vec<usize> = (0..nodal.len()).filter(|&vector| nodal[vector].of == of).collect();
         let mut matrix = vec![0.0; own.len() * own.len()];
-        for (xi, weight) in FIVE {
+        for (xi, weight) in rule(own.len()) {
             let shapes = self.shapes(body, of, 0, xi);
             for (place, entry) in matrix.iter_mut().enumerate() {
                 let (row, column) = (own[place / own.len()], own[place % own.len()]);
@@ -144,7 +153,8 @@ impl OfLength {
         let count = body.spec.nodal.len();
         // Of the force per length at its nodal values.
         let (mut forces, mut levers) = (vec![0.0; count], vec![0.0; count * count]);
-        for (point, weight) in FIVE {
+        let functions = |of| body.spec.nodal.iter().filter(|vector| vector.of == of).count();
+        for (point, weight) in rule(INTERPOLANTS.map(functions).into_iter().fold(0, usize::max)) {
             let part = xi * weight * self.length;
             for of in INTERPOLANTS {
                 let shapes = self.shapes(body, of, 0, xi * point);

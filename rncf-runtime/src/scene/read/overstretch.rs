@@ -9,6 +9,8 @@ use crate::space::Vector;
 
 /// Stretch that no material bears: natural rubber breaks at 8 or 9.
 pub(super) const MOST: f64 = 10.0;
+/// Part by which a section shrinks from which on it is told that stresses do not see it.
+const SHRUNK: f64 = 0.02;
 /// Middle and ends of an element.
 const PLACES: [f64; 3] = [0.0, 0.5, 1.0];
 
@@ -47,5 +49,47 @@ impl MeshScene {
             }
         }
         most
+    }
+
+    /// Those of some bodies whose sections have shrunk: stresses are forces over undeformed ones.
+    pub(crate) fn shrunk_sections(&self, bodies: &[usize]) -> Vec<Warning> {
+        let found = bodies.iter().filter_map(|&body| {
+            let part = 1.0 / self.smallest_section(body)? - 1.0;
+            (part > SHRUNK).then(|| Warning {
+                text: format!(
+                    "body `{}`: its section is smaller than the undeformed one, over which stresses are told: those in the material (Cauchy's) are larger by up to {:.0} %",
+                    self.bodies[body].spec.label(),
+                    100.0 * part
+                ),
+                weight: part,
+            })
+        });
+        found.collect()
+    }
+
+    /// The smallest area of a section along a body, as a part of the undeformed one, in a plane with the same strain across it; `None` of a
+    /// body without sections.
+    fn smallest_section(&self, body: usize) -> Option<f64> {
+        let (spec, connectivity) = (&self.bodies[body].spec, &self.bodies[body].connectivity);
+        let mut shape = vec![0.0; spec.nodal.len()];
+        let mut smallest = f64::INFINITY;
+        for element in 0..spec.count {
+            for xi in PLACES {
+                let components = connectivity.element(element);
+                let mut axis = |of: Interpolant| {
+                    spec.interpolates(of).then(|| {
+                        self.parts.shapes(body, element, of, 0, xi, &mut shape);
+                        Vector::from(weighted(&self.buffers.q, components, spec.dimension(), &shape))
+                    })
+                };
+                let y = axis(Interpolant::SectionY)?;
+                let area = match axis(Interpolant::SectionZ) {
+                    Some(z) => y.cross(&z).norm(),
+                    None => y.norm_squared(),
+                };
+                smallest = smallest.min(area);
+            }
+        }
+        Some(smallest)
     }
 }

@@ -18,8 +18,11 @@ pub const OF_SECTION: &str =
 pub const PRODUCT_OF: &str = "the fields of the element are multiplied: write e.g. `dot(a, b)` with `field a = r_x;`";
 pub const NOT_FINITE_AT_REST: &str = "this has no finite value, stress or stiffness where nothing is deformed";
 pub const CROSS_IN_SPACE: &str = "`cross(a, b)` is a number in the plane alone: write this part `in plane`, and in space its square, `dot(a, a)*dot(b, b) - dot(a, b)^2`";
+pub const Z_ALONE: &str = "a section with `r_z` has `r_y`, too: in a plane `r_y` alone is its direction, in space both are; declare vectors of `r_y`, or call these so";
 
 messages! {
+    too_large(most, size, place) = "an element has at most {most} coordinates, and this one {size} {place}: declare fewer vectors, and take more elements in `mesh`";
+    without_directions(coefficient, property) = "`{coefficient}` is of `section.{property}`, and the sections of this element have no directions, `r_y` and `r_z`: write `section.second_moment`, which in a plane is that about its normal";
     timed_strain(name) = "`{name}` counts from the stress-free shape at every time, so that `t` would cancel: let `t` stand in the energy, e.g. `1/2*EA*({name} - heat)^2` with `let heat = ..;`";
     damping_of_parts(word) = "`{word}` stands in elements of the library alone: all strains of an element have the damping of its material";
     timed_inertia(name) = "`{name}` changes with time, and mass does not: leave out `t`";

@@ -5,7 +5,9 @@ use std::collections::HashMap;
 
 use super::{Draft, say};
 use crate::check::{Check, fold};
-use crate::elements::{Coefficients, Density, Element, Field, Rules, STRETCHES, Term, at_rest, field_invariants};
+use crate::elements::{
+    Coefficients, Density, Element, Field, Interpolant, LARGEST, Rules, STRETCHES, Term, at_rest, field_invariants,
+};
 use crate::model::{ElementQuantity, Expr as Value};
 use crate::parse::tree::Item;
 use crate::symbolic::{Graph, Id, Invariant};
@@ -33,13 +35,39 @@ impl<'a> Check<'a> {
             self.errors.at(one.0.span, say::unused_vector(&one.0.text));
         }
         self.unused_names(draft);
+        self.directions(element, draft);
+        let dimensions: &[usize] = if element.is_planar() { &[2] } else { &[2, 3] };
+        for &dimension in dimensions {
+            let size = element.vectors_in(dimension).count() * dimension;
+            if size > LARGEST {
+                let message = say::too_large(&LARGEST.to_string(), &size.to_string(), place(dimension));
+                self.errors.at(item.name.span, message);
+            }
+        }
         let values = self.values_of(draft);
-        for dimension in [2, 3] {
+        for &dimension in dimensions {
             for options in choices(element) {
                 if self.errors.len() != before {
                     return;
                 }
                 self.sound_in(item, element, draft, (dimension, &options), &values);
+            }
+        }
+    }
+
+    /// Whether a section has both of its directions, or none, and nothing that needs them.
+    fn directions(&mut self, element: &Element, draft: &Draft<'a>) {
+        let first = |of: Interpolant| draft.vectors.iter().find(|(_, vector)| vector.of == of);
+        if let (Some((name, _)), None) = (first(Interpolant::SectionZ), first(Interpolant::SectionY)) {
+            self.errors.at(name.span, say::Z_ALONE);
+        }
+        if element.has_section() {
+            return;
+        }
+        for (name, one, _) in &draft.coefficients {
+            let needs = ["second_moment_y", "second_moment_z"];
+            if let Some(property) = one.factors.iter().find(|factor| needs.contains(*factor)) {
+                self.errors.at(name.span, say::without_directions(one.name, property));
             }
         }
     }
@@ -98,7 +126,7 @@ impl<'a> Check<'a> {
         (dimension, options): (usize, &[usize]),
         values: &Coefficients,
     ) {
-        let place = if dimension == 2 { "in the plane" } else { "in space" };
+        let place = place(dimension);
         for (at, term) in draft.written.terms.iter().enumerate() {
             if term.when.applies(dimension, options)
                 && let Some(message) = missing(draft, &term.density, dimension, options, place)
@@ -190,6 +218,10 @@ impl<'a> Check<'a> {
             }
         }
     }
+}
+
+fn place(dimension: usize) -> &'static str {
+    if dimension == 2 { "in the plane" } else { "in space" }
 }
 
 /// One part of the energy where nothing is deformed.
