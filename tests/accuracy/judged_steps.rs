@@ -272,3 +272,32 @@ fn what_stands_still_is_judged_by_its_value() {
         "{own:.1e} {other:.1e}"
     );
 }
+
+rncf::model! {
+    /// A slow mass on a spring, and what a sensor makes of it.
+    pub model Modulated {
+        rigid mass { plane xy; mass = 1 kg; origin = [0.1, 0, 0] m; }
+        spring coil = linear(mass, inertial.at([-1, 0, 0] m), stiffness = 1 N/m, length = 1 m);
+        output carrier = sin(2 * pi * 300 [Hz] * t);
+        output modulated = mass.x * sin(2 * pi * 300 [Hz] * t);
+        run { t_end = 20 s; every = 7 ms; }
+    }
+}
+
+/// What an output has of the time alone no step loses.
+#[test]
+fn what_outputs_have_of_the_time_is_no_vibration() {
+    let found = run(&Modulated {}, &judged(1e-6, Judging::Affordable)).unwrap();
+    let right = found
+        .history
+        .keys
+        .iter()
+        .map(|t| (2.0 * std::f64::consts::PI * 300.0 * t).sin());
+    let off = found
+        .history
+        .column(0)
+        .zip(right)
+        .map(|(own, right)| (own - right).abs());
+    assert!(off.fold(0.0, f64::max) < 1e-9);
+    assert!(found.warnings.is_empty(), "{:?}", found.warnings);
+}

@@ -1,6 +1,7 @@
 //! Materials that are given by their energy: one that is linear against the beam by its moduli, a hyperelastic one
 //! against its closed forms.
 
+use rncf::app::{EquilibriumSettings, static_equilibria};
 use rncf_test_models::Materials;
 
 use crate::running::{WAYS, apart, at_rest, build, rows, run};
@@ -61,6 +62,30 @@ fn neo_hookean_bar_in_tension_and_compression() {
 }
 
 /// The lowest longitudinal vibration, kicked in its own shape, decays as that of a rod.
+/// Stresses are forces over the undeformed section, which is told with how much smaller the section has become.
+#[test]
+fn shrunk_sections_are_told() {
+    let area = std::f64::consts::PI * 1e-4;
+    for pull in [1.0, 400.0] {
+        let model = Materials {
+            pull,
+            ..Materials::default()
+        };
+        let found = static_equilibria(&model, &EquilibriumSettings::default()).unwrap();
+        let told = found
+            .warnings
+            .iter()
+            .find(|warning| warning.contains("its section is smaller"));
+        let part = 100.0 * (stretches(pull / area)[1].powi(-2) - 1.0);
+        if pull == 1.0 {
+            assert!(part < 2.0 && told.is_none(), "{part} {told:?}");
+        } else {
+            let told = told.expect("a note");
+            assert!(told.contains(&format!("larger by up to {part:.0} %")), "{part}: {told}");
+        }
+    }
+}
+
 #[test]
 fn damping_dissipates_as_in_a_rod() {
     let model = Materials {

@@ -218,7 +218,6 @@ impl Scene for MeshScene {
         let stretched = self.strongly_stretched();
         warnings.extend(self.giving_way(&stretched));
         warnings.extend(self.overstretched(&stretched));
-        warnings.extend(self.shrunk_sections(&stretched));
         warnings.extend(self.strained_fixtures());
         warnings.extend(self.between_points(state.t));
         let missed = self.missed.get_or_init(|| self.missed_within_elements());

@@ -295,6 +295,15 @@ impl<'m> Line<'m> {
         }
     }
 
+    /// Whether no load acts at the last equilibrium.
+    fn is_unloaded(&mut self) -> bool {
+        let scene = self.scene.as_mut();
+        let [mut loaded, mut unloaded] = [vec![0.0; scene.unknowns()], vec![0.0; scene.unknowns()]];
+        scene.uniform_residual(&self.at, &self.state, &mut loaded);
+        scene.uniform_residual(&self.at.scaled(0.0), &self.state, &mut unloaded);
+        loaded == unloaded
+    }
+
     /// The equilibrium at the next full step, found from the start of the scene.
     fn leap(&mut self) -> bool {
         let target = ((self.place / PARTS + 1) * PARTS).min(self.total());
@@ -378,7 +387,8 @@ impl<'m> Line<'m> {
             Ok(found) => found.strayed && self.increment > 2 * SHORT,
             Err(_) => false,
         };
-        if (leapt || found.is_err()) && self.kind == Kind::Static && self.settings.range.is_none() && self.place == 0 {
+        let is_first = self.kind == Kind::Static && self.place == 0;
+        if (leapt || found.is_err()) && is_first && (self.settings.range.is_none() || self.is_unloaded()) {
             found = match settle(scene.as_mut(), &at) {
                 Err(_) if leapt => return Err(LEAPT.into()),
                 Err(_) => found,

@@ -35,7 +35,7 @@ pub(in crate::app) struct Own<'e> {
     pub settings: &'e EquilibriumSettings,
     pub history: &'e History,
     pub critical: &'e [Critical],
-    /// Whether the way ends where it should.
+    /// Whether no equilibrium is missing at its end.
     pub is_whole: bool,
     pub bodies: &'e [DescribedBody],
     pub unknowns: usize,

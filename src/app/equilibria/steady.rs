@@ -220,7 +220,8 @@ fn look_again(
         settings: &result.settings,
         history: &result.history,
         critical: &result.critical,
-        is_whole: result.incomplete.is_none(),
+        // Where an output has no value, equilibria go on all the same.
+        is_whole: !matches!(result.incomplete, Some(Incomplete::Equilibrium(_))),
         bodies: &result.bodies,
         unknowns: result.unknowns,
         iterations: result.newton_iterations,

@@ -1,5 +1,5 @@
 //! Axes that are stretched as no material is: a load is far too large, or a stiffness far too small. The law of the
-//! material goes on, and a run alone does not tell.
+//! material goes on, and a run alone does not tell. And sections that a stretch has made smaller.
 
 use crate::emitted::Interpolant;
 use crate::model::Warning;
@@ -9,22 +9,35 @@ use crate::space::Vector;
 
 /// Stretch that no material bears: natural rubber breaks at 8 or 9.
 pub(super) const MOST: f64 = 10.0;
-/// Part by which a section shrinks from which on it is told that stresses do not see it.
+/// Part by which a section shrinks from which on it is told that stresses do not see it, and the stretch up to which no section shrinks so much.
 const SHRUNK: f64 = 0.02;
+pub(super) const UNSHRUNK: f64 = 1.01;
 /// Middle and ends of an element.
 const PLACES: [f64; 3] = [0.0, 0.5, 1.0];
 
 impl MeshScene {
-    /// Those of some bodies whose axes are stretched too far at the loaded state.
+    /// Those of some bodies whose axes are stretched too far at the loaded state, or so far that their sections have shrunk: stresses are forces
+    /// over undeformed ones.
     pub(crate) fn overstretched(&self, bodies: &[usize]) -> Vec<Warning> {
         let found = bodies.iter().filter_map(|&body| {
             let (stretch, x) = self.most_stretched(body);
-            (stretch > MOST).then(|| Warning {
+            let label = self.bodies[body].spec.label();
+            if stretch > MOST {
+                return Some(Warning {
+                    text: format!(
+                        "body `{label}`: its axis is stretched to {stretch:.0} times its length at x = {x:.4} m, as no material is: look for a load that is far too large, or an `area` or `young` that is far too small"
+                    ),
+                    weight: stretch,
+                });
+            }
+            let smallest = (stretch > UNSHRUNK).then(|| self.smallest_section(body))??;
+            let part = 1.0 / smallest - 1.0;
+            (part > SHRUNK).then(|| Warning {
                 text: format!(
-                    "body `{}`: its axis is stretched to {stretch:.0} times its length at x = {x:.4} m, as no material is: look for a load that is far too large, or an `area` or `young` that is far too small",
-                    self.bodies[body].spec.label()
+                    "body `{label}`: its section is smaller than the undeformed one, over which stresses are told: those in the material (Cauchy's) are larger by up to {:.0} %",
+                    100.0 * part
                 ),
-                weight: stretch,
+                weight: part,
             })
         });
         found.collect()
@@ -49,22 +62,6 @@ impl MeshScene {
             }
         }
         most
-    }
-
-    /// Those of some bodies whose sections have shrunk: stresses are forces over undeformed ones.
-    pub(crate) fn shrunk_sections(&self, bodies: &[usize]) -> Vec<Warning> {
-        let found = bodies.iter().filter_map(|&body| {
-            let part = 1.0 / self.smallest_section(body)? - 1.0;
-            (part > SHRUNK).then(|| Warning {
-                text: format!(
-                    "body `{}`: its section is smaller than the undeformed one, over which stresses are told: those in the material (Cauchy's) are larger by up to {:.0} %",
-                    self.bodies[body].spec.label(),
-                    100.0 * part
-                ),
-                weight: part,
-            })
-        });
-        found.collect()
     }
 
     /// The smallest area of a section along a body, as a part of the undeformed one, in a plane with the same strain across it; `None` of a

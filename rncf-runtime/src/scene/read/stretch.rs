@@ -4,7 +4,7 @@
 use pulp::Arch;
 
 use super::compression::{LEAST_STRETCH, THREE};
-use super::overstretch::MOST;
+use super::overstretch::{MOST, UNSHRUNK};
 use crate::emitted::{Fidelity, Interpolant, Line, MAX_SIZE};
 use crate::linalg::{Vectorised, dispatch};
 use crate::scene::MeshScene;
@@ -52,7 +52,8 @@ impl MeshScene {
             dimension: spec.dimension(),
         };
         let [least, most] = dispatch(Arch::new(), of);
-        least > LEAST_STRETCH * LEAST_STRETCH * (1.0 + ROUNDING) && most < MOST * MOST * (1.0 - ROUNDING)
+        let bound = if spec.has_section() { UNSHRUNK } else { MOST };
+        least > LEAST_STRETCH * LEAST_STRETCH * (1.0 + ROUNDING) && most < bound * bound * (1.0 - ROUNDING)
     }
 }
 
