@@ -233,6 +233,9 @@ fn modes_with_mass(
     is_definite: bool,
 ) -> Result<NaturalModes, Indefinite> {
     let factor = Cholesky::new(size, stiffness)?;
+    if is_definite {
+        Cholesky::new(size, mass)?;
+    }
     // L^-1 M L^-T
     let mut flexibility = mass.to_vec();
     for _ in 0..2 {
@@ -254,10 +257,12 @@ fn modes_with_mass(
         return Err(Indefinite);
     }
     let massive = inverse.iter().take_while(|own| **own > MASSLESS * inverse[0]).count();
-    let (count, needed) = match (is_definite, count.min(massive)) {
-        (true, _) => (count, size),
-        (false, 0) => (0, 0),
-        (false, some) => (some, (same(some - 1) + 1).min(massive)),
+    let known = if is_definite { size } else { massive };
+    let count = count.min(known);
+    let needed = if count == 0 {
+        0
+    } else {
+        (same(count - 1) + 1).min(known)
     };
     vectors.truncate(needed);
     for vector in &mut vectors {
@@ -265,7 +270,7 @@ fn modes_with_mass(
     }
     orthonormalise(size, mass, &mut vectors)?;
     let mut first = 0;
-    while first < count.min(size) {
+    while first < count {
         let last = same(first).min(needed - 1);
         align(&mut vectors[first..=last]);
         first = last + 1;
