@@ -150,11 +150,11 @@ impl<'m> Line<'m> {
             let may_begin_later = kind == Kind::Steady && scene.uniform_obstacle(&at, &rest).is_none();
             if found.is_err()
                 && may_begin_later
-                && let Some((step, later)) = first_of(model, settings)
+                && let Some((step, (other, there, later))) = first_of(model, settings)
             {
                 leaps.push([0.0, f64::from(step) / f64::from(settings.steps)]);
                 place = u64::from(step) * PARTS;
-                (scene, at, found) = (later.0, later.1, Ok(later.2));
+                (scene, at, found) = (other, there, Ok(later));
             }
             let found = found.map_err(|error| {
                 let why = reason(&error, true);
