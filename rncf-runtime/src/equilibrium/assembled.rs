@@ -5,9 +5,10 @@ use super::newton::{Newton, Patience};
 use crate::model::{Scene, Uniform};
 use crate::system::{ConstraintLevel, State};
 
-/// Largest and smallest step, as parts of the time: half a turn in one step would lead nowhere.
+/// Largest and smallest step, as parts of the time: half a turn in one step would lead nowhere, and what turns some hundred times is not
+/// followed.
 const LARGEST: f64 = 1.0 / 64.0;
-const SMALLEST: f64 = 1.0 / 16384.0;
+const SMALLEST: f64 = 1.0 / 512.0;
 /// Distance over the sizes (rad of what turns) that one step may lead: within it no joint holds a second time.
 const NEXT: f64 = 0.5;
 
