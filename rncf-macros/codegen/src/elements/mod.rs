@@ -21,7 +21,7 @@ pub use word::word;
 pub use written::{Definition, Nature, When, Written, WrittenTerm};
 
 /// Coordinates of the largest element, for which the runtime has memory: its `MAX_SIZE`.
-pub const LARGEST: usize = 48;
+pub const LARGEST: usize = 32;
 
 /// Name of what stands between the interfaces of a body from a file, which no text can name.
 pub const BETWEEN_INTERFACES: &str = "(interfaces)";
