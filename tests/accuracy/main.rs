@@ -35,6 +35,7 @@ mod pictures;
 // The study uses the rest.
 #[allow(dead_code)]
 mod random_scenes;
+mod rates;
 mod reference;
 mod resumed;
 mod runs;

@@ -3,7 +3,9 @@
 // Models from one template do not use all of its params.
 #![allow(deprecated)]
 
+use rncf::app::{EquilibriumSettings, modes};
 use rncf::equilibrium::Uniform;
+use rncf::modes::Motion;
 use rncf::steady;
 
 use crate::running::{WAYS, apart, build, rows, run};
@@ -159,5 +161,28 @@ fn shaft_that_spins_freely() {
             assert!(worst < 1e-3 * whirl.abs());
             assert!(other < 1e-5);
         }
+    }
+}
+
+rncf::model! {
+    /// A block that swings about `x` and one about `z`, each on its spring.
+    model Swings {
+        rigid roll { mass = 1 kg; inertia = [1, 1, 1] kg*m^2; }
+        rigid yaw { mass = 1 kg; inertia = [1, 1, 1] kg*m^2; }
+        joint about_x = revolute(inertial, roll, axis = x);
+        joint about_z = revolute(inertial, yaw, axis = z);
+        spring first = torsional(about_x, stiffness = 1 N*m/rad);
+        spring second = torsional(about_z, stiffness = 4 N*m/rad);
+        output turned = about_z.angle;
+    }
+}
+
+#[test]
+fn what_is_rigid_moves_as_that_at_rest_whatever_its_axis() {
+    let found = modes(&Swings {}, &EquilibriumSettings::default()).unwrap();
+    let frequencies: Vec<f64> = found.modes.iter().map(|mode| mode.im).collect();
+    assert!((frequencies[0] - 1.0).abs() < 1e-9 && (frequencies[1] - 2.0).abs() < 1e-9);
+    for composition in &found.compositions {
+        assert_eq!(composition.motions, [(Motion::Translation, 1.0)]);
     }
 }

@@ -144,7 +144,7 @@ impl History {
     pub(in crate::app) fn push(&mut self, key: f64, row: &[f64]) -> Result<(), String> {
         if let Some(index) = row.iter().position(|value| !value.is_finite()) {
             return Err(format!(
-                "output `{}` is not finite at {} = {key} {}: a function or table in it is outside its range, or a divisor zero",
+                "output `{}` is not finite at {} = {key} {}: a function or table in it is outside its range, or a divisor or a section is zero",
                 self.columns[index].name, self.key.name, self.key.unit
             ));
         }
@@ -286,7 +286,7 @@ mod tests {
         let error = table().push(1.0, &[0.0, f64::NAN, 0.0]).unwrap_err();
         assert_eq!(
             error,
-            "output `tip.y` is not finite at t = 1 s: a function or table in it is outside its range, or a divisor zero"
+            "output `tip.y` is not finite at t = 1 s: a function or table in it is outside its range, or a divisor or a section is zero"
         );
     }
 }

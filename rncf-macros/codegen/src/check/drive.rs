@@ -112,9 +112,7 @@ impl<'a> Check<'a> {
     }
 
     fn coordinate_of(&mut self, built: &Built, name: &Name, field: &Name) -> Option<Coordinate> {
-        let coordinates = built
-            .kind
-            .map_or(&[][..], |kind| kind.coordinates[usize::from(built.normal.is_some())]);
+        let coordinates = coordinates(built);
         let word = field.text.as_str();
         if !coordinates.contains(&word) {
             let message = say::no_coordinate(&name.text, &built.word, word, &has(coordinates));
@@ -204,10 +202,33 @@ impl<'a> Check<'a> {
         None
     }
 
-    /// `J.angle`, `J.slide`, `J.force` or `J.moment`.
+    /// `J.rate` of a joint with one coordinate.
+    fn rate_of_joint(&mut self, name: &Name, field: &Name, scope: Scope) -> Option<Typed> {
+        let built = self.built_joint(name)?;
+        let &[word] = coordinates(&built) else {
+            let message = say::no_rate(&name.text, &built.word, &has(coordinates(&built)));
+            self.errors.at(field.span, message);
+            return None;
+        };
+        self.allows_rates(field, scope)?;
+        let coordinate = Name::new(word, field.span);
+        Some(match self.coordinate_of(&built, name, &coordinate)? {
+            Coordinate::Angle(angle, _) => Typed {
+                nature: angular(),
+                ..Typed::new(angle.rate(), Dimension::of([0, 0, -1, 0, 0, 0]))
+            },
+            Coordinate::Slide(slide, _) => Typed::new(slide.rate(), Dimension::of([1, 0, -1, 0, 0, 0])),
+        })
+    }
+
+    /// `J.angle`, `J.slide`, `J.rate`, `J.force` or `J.moment`.
     pub(super) fn of_joint(&mut self, name: &'a Name, field: &'a Name, scope: Scope) -> Option<Thing<'a>> {
         let known = self.joints.get(name.text.as_str())?.clone();
         let word = field.text.as_str();
+        if word == "rate" {
+            let typed = self.rate_of_joint(name, field, scope)?;
+            return Some(Thing::Value(Quantity::Scalar(typed)));
+        }
         let is_coordinate = matches!(word, "angle" | "slide");
         if is_coordinate {
             let built = self.built_joint(name)?;
@@ -247,11 +268,8 @@ impl<'a> Check<'a> {
             "moment" => true,
             _ => {
                 let mut words = vec!["force", "moment"];
-                words.extend(
-                    built
-                        .kind
-                        .map_or(&[][..], |kind| kind.coordinates[usize::from(built.normal.is_some())]),
-                );
+                words.extend(coordinates(&built));
+                words.extend((coordinates(&built).len() == 1).then_some("rate"));
                 self.errors
                     .at(field.span, suggest::unknown("quantity of a joint", word, words));
                 return None;
@@ -270,6 +288,13 @@ impl<'a> Check<'a> {
             (exerted, _) => Some(exerted),
         }
     }
+}
+
+/// The coordinates of a joint, in space or in its plane.
+fn coordinates(built: &Built) -> &'static [&'static str] {
+    built
+        .kind
+        .map_or(&[][..], |kind| kind.coordinates[usize::from(built.normal.is_some())])
 }
 
 /// `; it has a and b`, or nothing.

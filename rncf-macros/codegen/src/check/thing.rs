@@ -318,7 +318,7 @@ impl<'a> Check<'a> {
     }
 
     /// Whether velocities may stand here; reports where they may not.
-    fn allows_rates(&mut self, field: &Name, scope: Scope) -> Option<()> {
+    pub(super) fn allows_rates(&mut self, field: &Name, scope: Scope) -> Option<()> {
         if scope >= Scope::Force {
             return Some(());
         }

@@ -218,6 +218,16 @@ impl Slide {
         dot(&observed(self.axis, 0, self.normal), &both(&second, &first, subtract))
     }
 
+    /// Its rate, m/s.
+    pub fn rate(&self) -> Expr {
+        let apart = |derivative: usize| {
+            let [first, second] = self.points.map(|point| observed(point, derivative, self.normal));
+            both(&second, &first, subtract)
+        };
+        let axis = |derivative: usize| observed(self.axis, derivative, self.normal);
+        algebra::add(dot(&axis(1), &apart(0)), dot(&axis(0), &apart(1)))
+    }
+
     /// Markers of the first and of the second party.
     pub fn parties(&self) -> [Vec<MarkerId>; 2] {
         let first = vec![self.axis, self.points[0]];

@@ -286,11 +286,8 @@ impl MeshScene {
             (second.0, energy(&turn, &spun, first.1)),
         ];
         for (motion, value) in parts {
-            let motion = if axis.is_none() && motion != Motion::Torsion {
-                Motion::Translation
-            } else {
-                motion
-            };
+            // At rest no direction is another than the others.
+            let motion = if axis.is_none() { Motion::Translation } else { motion };
             energies.motions[motion as usize] += value.max(0.0);
             total += value.max(0.0);
         }
