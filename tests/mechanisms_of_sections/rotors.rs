@@ -173,7 +173,8 @@ rncf::model! {
         joint about_z = revolute(inertial, yaw, axis = z);
         spring first = torsional(about_x, stiffness = 1 N*m/rad);
         spring second = torsional(about_z, stiffness = 4 N*m/rad);
-        output turned = about_z.angle;
+        output turned = about_x.angle;
+        output other = about_z.angle;
     }
 }
 

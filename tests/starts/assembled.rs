@@ -73,3 +73,44 @@ fn what_hangs_on_springs_follows_a_trolley() {
         assert!((value - expected).abs() < 1e-9, "{there:?} {shifted:?}");
     }
 }
+
+rncf::model! {
+    /// A four-bar whose coupler and rocker are flexible and whose crank turns on and on.
+    pub model FourBar {
+        material alu { density = 2700 kg/m^3; young = 70 GPa; poisson = 0.33; }
+        section bar = rectangle(y = 6 mm, z = 25 mm);
+        motion th(t) = if t < 1 s { 10 [rad/s^2] * t^2/2 } else { 10 [rad/s]*t - 5 rad };
+        frame crank = rotating(axis = z, angle = th(t));
+        frame fc = free(plane = xy, origin = [0.1, 0, 0] m, angle = acos(0.4375));
+        body coupler in fc { planar xy; line from [0, 0, 0] m to [0.35, 0, 0] m; mesh 4 * cable(bar, alu); chord; }
+        frame fr = free(plane = xy, origin = [0.5, 0, 0] m, angle = pi - acos(0.6171875));
+        body rocker in fr { planar xy; line from [0, 0, 0] m to [0.4, 0, 0] m; mesh 4 * cable(bar, alu); chord; }
+        joint a = revolute(coupler.start, crank.at([0.1, 0, 0] m));
+        joint b = revolute(coupler.end, rocker.end);
+        joint c = revolute(rocker.start, inertial.at([0.5, 0, 0] m));
+        output p = rocker.end.in(inertial).position;
+        run { t_end = 2 s; every = 5 ms; }
+    }
+}
+
+/// Where the rocker's end is at a crank angle, of the circuit that it starts in.
+fn rocker_end(angle: f64) -> [f64; 2] {
+    let [crank, coupler, rocker, ground] = [0.1, 0.35, 0.4, 0.5];
+    let (x, y) = (crank * f64::cos(angle), crank * f64::sin(angle));
+    let diagonal = f64::hypot(ground - x, y);
+    let along = (coupler * coupler - rocker * rocker + diagonal * diagonal) / (2.0 * diagonal);
+    let across = (coupler * coupler - along * along).sqrt();
+    let (c, s) = ((ground - x) / diagonal, -y / diagonal);
+    [x + along * c - across * s, y + along * s + across * c]
+}
+
+#[test]
+fn linkages_follow_their_crank_round_and_round() {
+    for t in [0.3_f64, 0.38, 0.5, 0.8, 1.0, 2.0] {
+        let angle = if t < 1.0 { 5.0 * t * t } else { 10.0 * t - 5.0 };
+        let found = at_rest(&FourBar {}, t);
+        let expected = rocker_end(angle);
+        println!("{t}: {found:?} {expected:?}");
+        assert!(f64::hypot(found[0] - expected[0], found[1] - expected[1]) < 1e-7);
+    }
+}

@@ -28,6 +28,15 @@ pub enum MarkerSpec {
         /// Where.
         at: Place,
     },
+    /// A place beside the axis of a flexible body, fixed in a section: `r + A (s_a + y y_a + z z_a) q_a`.
+    SectionPoint {
+        /// Body.
+        body: usize,
+        /// Where on the axis.
+        at: Place,
+        /// y and z, m, along the section's axes.
+        beside: [f64; 2],
+    },
     /// The slope of a flexible body, not normalised: `A s_a'(x) q_a`.
     BodySlope {
         /// Body.

@@ -1,15 +1,18 @@
 //! Where an equilibrium is looked for: the start, or what became of it where motions have turned or shifted what it is tied to.
 
-use super::distance::distance;
+use super::distance::farthest;
 use super::newton::{Newton, Patience};
 use crate::model::{Scene, Uniform};
 use crate::system::{ConstraintLevel, State};
 
-/// Largest and smallest step, as parts of the time: half a turn in one step would lead nowhere, and what turns some hundred times is not
-/// followed.
+/// Largest and smallest step, as parts of the time: half a turn in one step would lead nowhere.
 const LARGEST: f64 = 1.0 / 64.0;
-const SMALLEST: f64 = 1.0 / 512.0;
-/// Distance over the sizes (rad of what turns) that one step may lead: within it no joint holds a second time.
+const SMALLEST: f64 = 1.0 / 16384.0;
+/// Most steps: what turns some hundred times is not followed.
+const MOST: usize = 1024;
+/// Violation of constraints over the largest size up to which what was carried on is assembled.
+const ASSEMBLED: f64 = 1e-6;
+/// Distance over the largest size (rad of what turns) that one step may lead: within it no joint holds a second time.
 const NEXT: f64 = 0.5;
 
 /// A state from which an equilibrium at the time of `at` may be looked for: [`Scene::uniform_guess`], or where motions have moved what
@@ -19,9 +22,20 @@ pub fn assembled(scene: &mut dyn Scene, at: &Uniform) -> State {
     let guess = scene.uniform_guess(at);
     let begun = Uniform::at_rest(0.0).scaled(0.0);
     let start = scene.uniform_guess(&Uniform { spin: at.spin, ..begun });
-    // What turns uniformly is carried on with it.
+    // What turns uniformly is carried on with it, and stays assembled where nothing ties it to what does not turn.
     let is_carried = start.x != guess.x || start.turns != guess.turns;
-    if at.t == 0.0 || is_carried || balance(scene, 0.0, &start) == balance(scene, at.t, &start) {
+    let stays = if is_carried {
+        let [[_, before], [_, after]] = [balance(scene, 0.0, &start), balance(scene, at.t, &guess)];
+        let sizes = scene.sizes();
+        let size = sizes.iter().copied().fold(1.0, f64::max);
+        before
+            .iter()
+            .zip(&after)
+            .all(|(before, after)| after.abs() <= before.abs() + ASSEMBLED * size)
+    } else {
+        balance(scene, 0.0, &start) == balance(scene, at.t, &start)
+    };
+    if at.t == 0.0 || stays {
         return guess;
     }
     followed(scene, at.t, start).unwrap_or(guess)
@@ -48,7 +62,7 @@ fn followed(scene: &mut dyn Scene, t: f64, start: State) -> Option<State> {
         state.t = t;
         newton.unbalanced = unbalanced.to_vec();
         let (result, _) = newton.solve(scene, &Uniform::at_rest(t).scaled(0.0), &mut state, Patience::Strict);
-        (result.is_ok() && distance(scene, last, &state) <= NEXT).then_some(state)
+        (result.is_ok() && farthest(scene, last, &state) <= NEXT).then_some(state)
     };
     let (mut last, unbalanced) = match next(scene, 0.0, &start, &[]) {
         Some(balanced) => (balanced, Vec::new()),
@@ -58,10 +72,13 @@ fn followed(scene: &mut dyn Scene, t: f64, start: State) -> Option<State> {
         }
     };
     let (mut part, mut increment) = (0.0, LARGEST);
-    while part < 1.0 {
+    for _ in 0..MOST {
         let target = f64::min(part + increment, 1.0);
         if let Some(state) = next(scene, target * t, &last, &unbalanced) {
             (last, part) = (state, target);
+            if part == 1.0 {
+                return Some(last);
+            }
             increment = LARGEST.min(2.0 * increment);
         } else {
             increment *= 0.5;
@@ -70,5 +87,5 @@ fn followed(scene: &mut dyn Scene, t: f64, start: State) -> Option<State> {
             }
         }
     }
-    Some(last)
+    None
 }

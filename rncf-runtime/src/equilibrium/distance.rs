@@ -6,6 +6,16 @@ use crate::system::State;
 
 /// Largest difference of two states' positions and orientations, relative to the sizes of the unknowns.
 pub(super) fn distance(scene: &dyn Scene, a: &State, b: &State) -> f64 {
+    over(scene, a, b, &scene.sizes())
+}
+
+/// The same over the largest size: what is carried far without turning is near.
+pub(super) fn farthest(scene: &dyn Scene, a: &State, b: &State) -> f64 {
+    let largest = scene.sizes().iter().copied().fold(0.0, f64::max);
+    over(scene, a, b, &vec![largest; a.x.len()])
+}
+
+fn over(scene: &dyn Scene, a: &State, b: &State, sizes: &[f64]) -> f64 {
     let mut b = b.clone();
     // In the charts of a.
     for (index, &unknown) in scene.turns().iter().enumerate() {
@@ -13,6 +23,6 @@ pub(super) fn distance(scene: &dyn Scene, a: &State, b: &State) -> f64 {
         b.x[unknown..unknown + 3].copy_from_slice(away.scaled_axis().as_slice());
     }
     // Those of equilibria have just begun anew.
-    let parts = a.x.iter().zip(&b.x).zip(scene.sizes());
+    let parts = a.x.iter().zip(&b.x).zip(sizes);
     parts.fold(0.0, |largest: f64, ((a, b), size)| largest.max((a - b).abs() / size))
 }

@@ -196,6 +196,7 @@ pub(crate) fn check_instances(parts: &dyn Parts, bodies: &[BodySpec]) -> Result<
     }
     for marker in parts.markers() {
         if let MarkerSpec::BodyPoint { body, .. }
+        | MarkerSpec::SectionPoint { body, .. }
         | MarkerSpec::BodySlope { body, .. }
         | MarkerSpec::BodySection { body, .. }
         | MarkerSpec::InSection { body, .. }

@@ -87,6 +87,7 @@ pub(in crate::app) fn compare(model: &dyn AnyModel, own: &Own<'_>, goes_on: &mut
     }
     let mut rows: Vec<Row> = Vec::new();
     let mut critical = Vec::new();
+    let mut beyond = None;
     loop {
         let is_balanced = line.begins_balanced || line.last_two().0.is_some();
         let station = line.station();
@@ -107,10 +108,11 @@ pub(in crate::app) fn compare(model: &dyn AnyModel, own: &Own<'_>, goes_on: &mut
             ));
         }
         if let Err(text) = line.advance() {
-            if own.is_whole {
-                // That Newton's iteration fails there says nothing of the own mesh.
+            if own.is_whole && rows.len() < 2 {
+                // That Newton's iteration does not even begin says nothing of the own mesh.
                 return Some(Found::nothing(&text));
             }
+            beyond = rows.last().map(|row| row.0).filter(|_| own.is_whole);
             break;
         }
         critical.extend(buckling(&mut line));
@@ -131,7 +133,16 @@ pub(in crate::app) fn compare(model: &dyn AnyModel, own: &Own<'_>, goes_on: &mut
     let values = told_of_values(key, own.critical, &critical);
     let of_values = farthest(own.critical, &critical);
     let ends = told_of_ends(key, ends, own.is_whole).filter(|_| values.is_none());
-    let names: Vec<String> = told(outputs, &off).into_iter().chain(values).chain(ends).collect();
+    let beyond = beyond.map(|last| {
+        let last = key.at(last, 4);
+        format!("no equilibrium is found beyond {last}, and none may be there")
+    });
+    let names: Vec<String> = told(outputs, &off)
+        .into_iter()
+        .chain(values)
+        .chain(ends)
+        .chain(beyond)
+        .collect();
     Some(Found {
         is_compared: true,
         told: (!names.is_empty()).then(|| on_meshes(own.bodies, (THESE, None), &names.join(", "))),

@@ -7,6 +7,7 @@
 
 use super::compared::{Off, TOLD};
 use super::marks::Marks;
+use crate::app::results::run::StepTaken;
 use crate::app::writing::numbers::digits;
 use crate::app::writing::sentences::listed;
 use crate::{Integrator, Method, Options, Output, Scene, State, Statistics, Stop};
@@ -46,6 +47,19 @@ struct Swing {
     period: f64,
     /// In the unit of the output.
     amplitude: f64,
+    /// Time of the middle of where it was seen, s, and its rate of decay, 1/s.
+    seen: f64,
+    decay: f64,
+}
+
+impl Swing {
+    /// What is left of it at a time, s.
+    fn at(&self, t: f64) -> Self {
+        Self {
+            amplitude: self.amplitude * (-self.decay * (t - self.seen).max(0.0)).exp(),
+            ..*self
+        }
+    }
 }
 
 /// An output that misses a vibration.
@@ -75,6 +89,8 @@ pub(in crate::app) struct Followed<'r> {
     pub t_end: f64,
     pub rtol: f64,
     pub statistics: &'r Statistics,
+    /// Its steps, of a long run some of them.
+    pub taken: &'r [StepTaken],
     /// State at the end.
     pub end: &'r State,
     pub marks: &'r Marks,
@@ -109,7 +125,7 @@ fn lost(scene: &mut dyn Scene, start: State, run: Followed<'_>, outputs: &[Outpu
             *nothing = f64::max(*nothing, SMALL * rtol * size);
         }
     }
-    let mut found = missing(outputs, &rows, &last, &nothing, step);
+    let mut found = missing(outputs, &rows, &last, &nothing, run.taken);
     found.retain(|missed| !shows(&run.marks.rows, rows[rows.len() - 1].0, missed));
     // What an output has of the time alone no step loses.
     let standing = states[states.len() / 2].t;
@@ -178,8 +194,14 @@ fn look(scene: &mut dyn Scene, start: State, (t_end, rtol): (f64, f64), ends: &E
     Some(states)
 }
 
-/// Outputs that swing quicker than steps of `step` (s) follow, by more than is nothing in a column.
-fn missing(outputs: &[Output], rows: &[(f64, Vec<f64>)], last: &[f64], nothing: &[f64], step: f64) -> Vec<Missed> {
+/// Outputs that swing quicker than steps follow, by more than is nothing in a column: what is left of it at the first step that is too long.
+fn missing(
+    outputs: &[Output],
+    rows: &[(f64, Vec<f64>)],
+    last: &[f64],
+    nothing: &[f64],
+    taken: &[StepTaken],
+) -> Vec<Missed> {
     let mut first = 0;
     let columns: Vec<std::ops::Range<usize>> = outputs
         .iter()
@@ -198,22 +220,20 @@ fn missing(outputs: &[Output], rows: &[(f64, Vec<f64>)], last: &[f64], nothing: 
     for (index, columns) in columns.iter().enumerate() {
         let swings = columns.clone().filter_map(|column| {
             let values: Vec<(f64, f64)> = rows.iter().map(|(t, row)| (*t, row[column])).collect();
-            swing(&values)
-                .filter(|swing| swing.amplitude > nothing[column])
-                .map(|swing| (column, swing))
+            let swing = swing(&values)?;
+            let too_long = taken.iter().find(|step| swing.period < FOLLOWED * step.h)?;
+            let left = swing.at(too_long.t - too_long.h);
+            (left.amplitude > nothing[column]).then_some((column, left))
         });
         let Some((column, swing)) = swings.max_by(|a, b| a.1.amplitude.total_cmp(&b.1.amplitude)) else {
             continue;
         };
-        let part = swing.amplitude / sizes[index];
-        if swing.period < FOLLOWED * step {
-            found.push(Missed {
-                output: index,
-                column,
-                swing,
-                part,
-            });
-        }
+        found.push(Missed {
+            output: index,
+            column,
+            swing,
+            part: swing.amplitude / sizes[index],
+        });
     }
     found
 }
@@ -247,10 +267,12 @@ fn swing(values: &[(f64, f64)]) -> Option<Swing> {
     (changes >= CHANGES && lasts && whole.is_finite()).then(|| Swing {
         period: 2.0 * span / changes as f64,
         amplitude: whole,
+        seen: values[0].0 + 0.5 * span,
+        decay: (early / late).ln().max(0.0) * 2.0 / span,
     })
 }
 
-/// Values at even times, on lines between those given.
+/// Values at even times, on cubics through the four values around each: on lines a parabola through long steps would swing.
 fn evenly(values: &[(f64, f64)]) -> Option<Vec<f64>> {
     let (from, to) = (values.first()?.0, values.last()?.0);
     let mut at = 0;
@@ -259,12 +281,12 @@ fn evenly(values: &[(f64, f64)]) -> Option<Vec<f64>> {
         while at + 2 < values.len() && values[at + 1].0 < t {
             at += 1;
         }
-        let ((t0, y0), (t1, y1)) = (values[at], values[(at + 1).min(values.len() - 1)]);
-        if t1 > t0 {
-            y0 + (y1 - y0) * (t - t0) / (t1 - t0)
-        } else {
-            y0
-        }
+        let around = &values[at.saturating_sub(1)..(at + 3).min(values.len())];
+        let shares = around.iter().enumerate().map(|(k, (tk, yk))| {
+            let others = around.iter().enumerate().filter(|(other, _)| *other != k);
+            others.fold(*yk, |share, (_, (other, _))| share * (t - other) / (tk - other))
+        });
+        shares.sum()
     });
     (to > from).then(|| even.collect())
 }
@@ -312,6 +334,7 @@ mod tests {
             t_end: result.settings.t_end.unwrap(),
             rtol: settings.options.rtol,
             statistics: &result.statistics,
+            taken: &result.steps,
             end: &result.state,
             marks: &result.marks,
         };
@@ -363,8 +386,40 @@ mod tests {
         for smooth in [|t: f64| t.exp(), |t: f64| (3.0 * t).sin(), |t: f64| 1.0 / (0.1 + t)] {
             assert_eq!(swing(&seen(smooth)), None);
         }
+        // Nor does a parabola in few long steps.
+        let few: Vec<(f64, f64)> = (0..12).map(f64::from).map(|t| (t, t * t)).collect();
+        assert_eq!(swing(&few), None);
         // What dies within the look leaves the mean.
         assert_eq!(swing(&seen(|t| 1.0 + (-4.0 * t).exp() * (40.0 * t).cos())), None);
+    }
+
+    /// Steps of one length.
+    fn even(h: f64) -> Vec<StepTaken> {
+        (1..10).map(|k| StepTaken { t: f64::from(k) * h, h }).collect()
+    }
+
+    #[test]
+    fn what_has_died_away_before_steps_grow_long_is_not_missed() {
+        let outputs = [Output {
+            name: "rate",
+            unit: "m/s",
+            time_exponent: 0.0,
+            components: &[],
+            doc: "",
+        }];
+        let rows: Vec<(f64, Vec<f64>)> = seen(|t| t)
+            .iter()
+            .map(|&(t, _)| (t, vec![(-0.5 * t).exp() * (40.0 * t).cos()]))
+            .collect();
+        let grown = |t: f64| {
+            let mut steps = even(0.01);
+            steps.push(StepTaken { t: t + 0.1, h: 0.1 });
+            missing(&outputs, &rows, &[0.0], &[1e-5], &steps)
+        };
+        let [soon, late] = [1.0, 12.0].map(grown);
+        assert!((soon[0].part / (-0.5_f64).exp() - 1.0).abs() < 0.1, "{soon:?}");
+        assert!(late[0].part < 4e-3, "{late:?}");
+        assert!(grown(40.0).is_empty());
     }
 
     #[test]
@@ -382,12 +437,12 @@ mod tests {
             vec![1.0 + quick, 1e-6 * quick, 1.0 + 1e-3 * quick]
         };
         let rows: Vec<(f64, Vec<f64>)> = seen(|t| t).iter().map(|&(t, _)| (t, values(t))).collect();
-        let found = missing(&outputs, &rows, &values(1.0), &[1e-5; 3], 0.1);
+        let found = missing(&outputs, &rows, &values(1.0), &[1e-5; 3], &even(0.1));
         let of: Vec<usize> = found.iter().map(|missed| missed.output).collect();
         assert_eq!(of, [0, 2], "{found:?}");
-        assert!(missing(&outputs, &rows, &values(1.0), &[1e-5; 3], 0.01).is_empty());
+        assert!(missing(&outputs, &rows, &values(1.0), &[1e-5; 3], &even(0.01)).is_empty());
         // Of small things a small number is all.
-        let found = missing(&outputs, &rows, &values(1.0), &[1e-5, 1e-8, 1e-5], 0.1);
+        let found = missing(&outputs, &rows, &values(1.0), &[1e-5, 1e-8, 1e-5], &even(0.1));
         assert!(found.len() == 3 && found[1].output == 1, "{found:?}");
     }
 

@@ -236,6 +236,8 @@ fn unknown(model: &dyn AnyModel, name: &str) -> String {
     }
 }
 
+const PER_SECOND: Dimension = [0, 0, -1, 0, 0, 0];
+
 fn count(text: &str) -> Result<f64, String> {
     match text.parse::<u32>() {
         Ok(count) if count >= 1 => Ok(f64::from(count)),
@@ -259,7 +261,7 @@ fn quantity(text: &str, declared: &str, dimension: Dimension) -> Result<f64, Str
         ));
     }
     let unit = Unit::parse(symbols)?;
-    if unit.dimension != dimension {
+    if unit.dimension != dimension && !is_angle_left_out(unit.dimension, dimension) {
         return Err(mismatch(symbols, unit.dimension, declared, dimension));
     }
     let value = unit.to_si(number);
@@ -269,8 +271,14 @@ fn quantity(text: &str, declared: &str, dimension: Dimension) -> Result<f64, Str
     Ok(value)
 }
 
+/// Whether two dimensions differ by radians alone, which are 1, as `N*m` and `N*m/rad`. What is counted per second stays open.
+fn is_angle_left_out(found: Dimension, declared: Dimension) -> bool {
+    let without = |dimension: Dimension| [&dimension[..5], &[0]].concat();
+    let rest = without(declared);
+    without(found) == rest && rest.iter().any(|exponent| *exponent != 0) && rest != PER_SECOND
+}
+
 fn mismatch(symbols: &str, found: Dimension, declared: &str, dimension: Dimension) -> String {
-    const PER_SECOND: Dimension = [0, 0, -1, 0, 0, 0];
     const ANGULAR_VELOCITY: Dimension = [0, 0, -1, 0, 0, 1];
     if found == PER_SECOND && dimension == ANGULAR_VELOCITY {
         return format!("`{symbols}` leaves open what is counted; write rad/s, rpm or deg/s");

@@ -136,6 +136,7 @@ fn look_again(
             t_end,
             rtol: run.options.rtol,
             statistics: &result.statistics,
+            taken: &result.steps,
             end: &result.state,
             marks: &result.marks,
         };

@@ -101,6 +101,7 @@ impl<'a> Check<'a> {
             | Marker::Matching { frame, .. }
             | Marker::Normal { frame, .. } => Owner::Frame(*frame),
             Marker::BodyPoint { body, .. }
+            | Marker::SectionPoint { body, .. }
             | Marker::BodySlope { body, .. }
             | Marker::BodySection { body, .. }
             | Marker::InSection { body, .. }

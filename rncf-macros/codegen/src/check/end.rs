@@ -74,6 +74,9 @@ impl<'a> Check<'a> {
         let Spot::Flexible(place) = &first.spot else {
             return None;
         };
+        if place.beside.is_some() {
+            return None;
+        }
         let (frame, own) = (second.frame()?, place.body.frame?);
         let is_linear = frame == own || !self.is_free(frame) && !self.is_free(own);
         let is_planar = place.body.space.and_then(normal).is_some();

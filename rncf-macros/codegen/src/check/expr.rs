@@ -66,6 +66,8 @@ const TIME: super::quantity::Wanted = super::quantity::Wanted {
     unit: "s",
 };
 
+/// What stands for a sign: conditions must not depend on the state.
+const SIGN: &str = "tanh(x / small)`, or of the time `if t < 1 s { -1 } else { 1 }";
 /// Names that functions have elsewhere.
 const OTHER_NAMES: [(&str, &str); 10] = [
     ("log", "ln"),
@@ -76,8 +78,8 @@ const OTHER_NAMES: [(&str, &str); 10] = [
     ("arctan2", "atan2"),
     ("fabs", "abs"),
     ("pow", "x^n"),
-    ("sign", "if x < 0 { -1 } else { 1 }"),
-    ("sgn", "if x < 0 { -1 } else { 1 }"),
+    ("sign", SIGN),
+    ("sgn", SIGN),
 ];
 
 /// What is said of a name, and where it is written like a unit how that is told from it.

@@ -17,10 +17,7 @@ impl Check<'_> {
     /// The marker of a place.
     pub(super) fn point_marker(&mut self, spot: &Spot) -> MarkerId {
         let marker = match spot.clone() {
-            Spot::Flexible(place) => Marker::BodyPoint {
-                body: place.body.id,
-                at: place.at,
-            },
+            Spot::Flexible(place) => Marker::on_section(place.body.id, place.at, place.beside),
             Spot::Rigid { frame, at } => Marker::Point { frame, at },
         };
         self.marker(marker)

@@ -62,6 +62,13 @@ pub const HOLD_NOT_REPEATED: &str =
     "in a loop `hold` is for positions of ends: hold axes of sections, and places in between, outside of the loop";
 pub const SLOPE_SHEARS: &str = "the slope of a body with cross-sections shears against the section, and without limit where it is held: use the section's axes, `ey` and `ez`";
 pub const PLACE_EXPECTED: &str = "a place on a body is expected here: `beam.start`, `beam.end` or `beam.at(4 m)`";
+pub const BESIDE_LINE: &str =
+    "a centre line has no section that a place beside it could be fixed in: weld a `rigid` body to it, or use a `beam`";
+pub const BESIDE_ALONG: &str = "a place beside the axis lies in the section: its first component is a literal 0, another place along the axis is `beam.at(..)`";
+pub const BESIDE_PLANE: &str =
+    "the section of a planar body has one axis: the third component of `beside` is a literal 0";
+pub const BESIDE_TWICE: &str = "this place is beside the axis already: add both distances in one `beside`";
+pub const BESIDE_CARRIED: &str = "forces, moments and stresses are those of a whole section: ask the place on the axis";
 pub const TORSION: &str = "a moment along the axis would twist the body, and a centre line carries no torsion: use components across the axis";
 pub const OBSERVED_OUTSIDE_OUTPUT: &str =
     "what bodies and joints do is known in outputs, constraints, springs and loads alone: write it there";

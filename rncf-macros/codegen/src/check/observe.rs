@@ -96,8 +96,8 @@ impl<'a> Check<'a> {
             .chain([&field])
             .map(|word| word.text.as_str())
             .collect::<Vec<_>>();
-        let is_elsewhere =
-            words.contains(&"in") || words.contains(&"acceleration") || words.iter().any(|word| is_balance(word));
+        let elsewhere = ["in", "beside", "acceleration"];
+        let is_elsewhere = words.iter().any(|word| elsewhere.contains(word) || is_balance(word));
         let name = name.text.as_str();
         if self.names.get(name).is_some_and(|item| item.keyword == Keyword::Spring) {
             return false;

@@ -19,6 +19,12 @@ const PLACE: Wanted = Wanted {
     dimension: [1, 0, 0, 0, 0, 0],
     unit: "m",
 };
+const OFFSET: Wanted = Wanted {
+    what: "the distance from the axis",
+    dimension: [1, 0, 0, 0, 0, 0],
+    unit: "m",
+};
+const BESIDE: &str = "beam.end.beside([0, 20, 0] mm)";
 const POINT: Wanted = Wanted {
     what: "a point of a frame",
     dimension: [1, 0, 0, 0, 0, 0],
@@ -30,6 +36,8 @@ const POINT: Wanted = Wanted {
 pub struct Place {
     pub body: body::Known,
     pub at: Location,
+    /// How far beside the axis, m, along the section's y and z axes.
+    pub beside: Option<[Value; 2]>,
     /// Whether the body has cross-sections, or a centre line alone; neither where it has mistakes.
     pub has_section: bool,
     pub is_line: bool,
@@ -41,6 +49,7 @@ impl Place {
         Party::Place {
             body: self.body.id,
             at: self.at.clone(),
+            beside: self.beside.clone(),
             section: self.body.frame.filter(|_| self.has_section),
         }
     }
@@ -137,7 +146,13 @@ impl<'a> Check<'a> {
                         area,
                     });
                 }
-                let place = self.place(expr)?;
+                let place = match (field.text.as_str(), arguments) {
+                    ("beside", arguments) => {
+                        let place = self.place(base)?;
+                        self.beside(place, expr, arguments.as_deref())?
+                    }
+                    _ => self.place(expr)?,
+                };
                 Some(Hold {
                     spot: Spot::Flexible(place),
                     is_bare: false,
@@ -245,6 +260,7 @@ impl<'a> Check<'a> {
             return Some(Place {
                 body,
                 at,
+                beside: None,
                 has_section: has_section == Some(true),
                 is_line: has_section == Some(false),
             });
@@ -287,8 +303,42 @@ impl<'a> Check<'a> {
         Some(Place {
             body,
             at: place_of(instance, at),
+            beside: None,
             has_section: has_section == Some(true),
             is_line: has_section == Some(false),
+        })
+    }
+
+    /// `PLACE.beside([0, y, z] m)`: a place that is fixed in the section.
+    pub(super) fn beside(&mut self, place: Place, expr: &Expr, arguments: Option<&'a [Argument]>) -> Option<Place> {
+        let Some([Argument { name: None, value }]) = arguments else {
+            self.errors.at(expr.area, say::usage("beside", BESIDE));
+            return None;
+        };
+        let vector = self.vector(value, Scope::Parameter, OFFSET)?;
+        if !place.has_section {
+            if place.is_line {
+                self.errors.at(expr.area, say::BESIDE_LINE);
+            }
+            return None;
+        }
+        if place.beside.is_some() {
+            self.errors.at(expr.area, say::BESIDE_TWICE);
+            return None;
+        }
+        let is_planar = place.body.space.and_then(normal).is_some();
+        let [along, y, z] = vector.values;
+        if fold::constant(&along) != Some(0.0) {
+            self.errors.at(vector.areas[0], say::BESIDE_ALONG);
+            return None;
+        }
+        if is_planar && fold::constant(&z) != Some(0.0) {
+            self.errors.at(vector.areas[2], say::BESIDE_PLANE);
+            return None;
+        }
+        Some(Place {
+            beside: Some([y, z]),
+            ..place
         })
     }
 

@@ -56,7 +56,8 @@ impl<'a> Check<'a> {
             _ => None,
         };
         let is_free = |frame: Option<FrameId>| frame.is_some_and(|frame| self.is_free(frame));
-        is_body && (is_free(carrier) || is_free(axes) || self.observes(arguments.positional[1]))
+        let is_beside = matches!(&place.kind, ExprKind::Member { field, .. } if field.text == "beside");
+        is_body && (is_beside || is_free(carrier) || is_free(axes) || self.observes(arguments.positional[1]))
     }
 
     /// `force(PLACE, [..], in = F)` or `moment(..)` on markers.

@@ -324,7 +324,7 @@ impl<'m> Start<'m> {
     /// Whether a marker is a point, not a direction.
     pub fn is_point(&self, marker: MarkerId) -> bool {
         match &self.model.markers[marker.0] {
-            Marker::Point { .. } | Marker::BodyPoint { .. } => true,
+            Marker::Point { .. } | Marker::BodyPoint { .. } | Marker::SectionPoint { .. } => true,
             Marker::Matching { marker, .. } => self.is_point(*marker),
             _ => false,
         }
@@ -337,6 +337,13 @@ impl<'m> Start<'m> {
             Marker::Direction { frame, along } => self.pose(*frame).direction(self.vector(along)),
             Marker::BodyPoint { body, at } => {
                 let (place, _) = self.initial_place(*body, at);
+                self.pose(self.model.bodies[body.0].frame).point(place)
+            }
+            Marker::SectionPoint { body, at, beside } => {
+                let (place, _) = self.initial_place(*body, at);
+                let axes = self.initial_section(*body, at);
+                let apart = beside.iter().zip(axes);
+                let place = apart.fold(place, |sum, (by, axis)| add(sum, scale(self.value(by), axis)));
                 self.pose(self.model.bodies[body.0].frame).point(place)
             }
             Marker::BodySlope { body, at } => {

@@ -110,7 +110,10 @@ impl<'a> Check<'a> {
         arguments: Option<&'a [Argument]>,
         scope: Scope,
     ) -> Option<Thing<'a>> {
-        let takes = matches!(field.text.as_str(), "in" | "at" | "direction" | "angular_momentum");
+        let takes = matches!(
+            field.text.as_str(),
+            "in" | "at" | "beside" | "direction" | "angular_momentum"
+        );
         if arguments.is_some() && !takes {
             self.errors.at(expr.area, say::no_arguments(&field.text));
             return None;
@@ -124,6 +127,10 @@ impl<'a> Check<'a> {
             (Thing::Constraint(name), None) => self.of_constraint(name, field, scope),
             (Thing::Joint(name), None) => self.of_joint(name, field, scope),
             (Thing::Spring(name), None) => self.of_spring(name, field, scope),
+            (Thing::Place(Spot::Flexible(place), None), arguments) if field.text == "beside" => {
+                let place = self.beside(place, expr, arguments)?;
+                Some(Thing::Place(Spot::Flexible(place), None))
+            }
             (Thing::Place(spot, None), Some(arguments)) if field.text == "in" => {
                 let frame = self.in_argument(expr, arguments)?;
                 Some(Thing::Place(spot, Some(frame)))
@@ -264,6 +271,10 @@ impl<'a> Check<'a> {
         if let Spot::Flexible(place) = &spot
             && is_carried(&field.text)
         {
+            if place.beside.is_some() {
+                self.errors.at(field.span, say::BESIDE_CARRIED);
+                return None;
+            }
             return self.carried(place, frame, field, scope).map(Thing::Value);
         }
         let vector = match (field.text.as_str(), &spot) {

@@ -178,6 +178,12 @@ impl Parts<'_> {
                 self.body_at(*body, at),
                 self.place(at)
             ),
+            Marker::SectionPoint { body, at, beside } => format!(
+                "SectionPoint {{ body: {}, at: {}, beside: {} }}",
+                self.body_at(*body, at),
+                self.place(at),
+                self.array(beside)
+            ),
             Marker::BodySlope { body, at } => format!(
                 "BodySlope {{ body: {}, at: {} }}",
                 self.body_at(*body, at),

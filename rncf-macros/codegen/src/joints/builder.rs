@@ -19,6 +19,8 @@ pub enum Party {
         body: BodyId,
         /// Where.
         at: Location,
+        /// How far beside the axis, m, along the section's y and z axes.
+        beside: Option<[Expr; 2]>,
         /// Of a body with cross-sections its declared frame, in whose axes directions are given; `None`
         /// of a centre line.
         section: Option<FrameId>,
@@ -89,7 +91,7 @@ impl<'m> Builder<'m> {
                 at: algebra::numbers([0.0; 3]),
             },
             Party::Frame { .. } => return None,
-            Party::Place { body, at, .. } => Marker::BodyPoint { body, at },
+            Party::Place { body, at, beside, .. } => Marker::on_section(body, at, beside),
         };
         Some(self.marker(party, marker))
     }
@@ -197,6 +199,7 @@ impl<'m> Builder<'m> {
                 body,
                 at,
                 section: Some(_),
+                ..
             } => Some((*body, at.clone())),
             _ => None,
         }

@@ -41,7 +41,7 @@ fn is_of_differences(model: &Model, law: &[Expr], places: &[bool]) -> bool {
 
 fn is_place(model: &Model, marker: MarkerId) -> bool {
     match &model.markers[marker.0] {
-        Marker::Point { .. } | Marker::BodyPoint { .. } => true,
+        Marker::Point { .. } | Marker::BodyPoint { .. } | Marker::SectionPoint { .. } => true,
         Marker::Matching { marker: other, .. } => is_place(model, *other),
         _ => false,
     }

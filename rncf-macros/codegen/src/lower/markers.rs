@@ -105,6 +105,7 @@ pub fn describe(model: &Model, name: &str, markers: &[MarkerId]) -> String {
             Marker::Point { frame: of, .. } => format!("a point of {}", frame(of)),
             Marker::Direction { frame: of, .. } => format!("a direction of {}", frame(of)),
             Marker::BodyPoint { body: of, .. } => format!("a place on {}", body(of)),
+            Marker::SectionPoint { body: of, .. } => format!("a place beside the axis of {}", body(of)),
             Marker::BodySlope { body: of, .. } => format!("a slope of {}", body(of)),
             Marker::BodySection { body: of, axis, .. } => {
                 format!("the {} axis of a section of {}", ["x", "y", "z"][*axis], body(of))

@@ -81,6 +81,15 @@ pub enum Marker {
         /// Where.
         at: Location,
     },
+    /// A place beside the axis of a flexible body, fixed in a section.
+    SectionPoint {
+        /// Body.
+        body: BodyId,
+        /// Where on the axis.
+        at: Location,
+        /// y and z, m, along the section's axes.
+        beside: [Expr; 2],
+    },
     /// The slope of a flexible body, not normalised.
     BodySlope {
         /// Body.
@@ -208,10 +217,19 @@ pub struct Fixture {
 }
 
 impl Marker {
+    /// A place on the axis of a body, or beside it.
+    pub fn on_section(body: BodyId, at: Location, beside: Option<[Expr; 2]>) -> Self {
+        match beside {
+            None => Marker::BodyPoint { body, at },
+            Some(beside) => Marker::SectionPoint { body, at, beside },
+        }
+    }
+
     /// The body and the place on it; none of what is fixed in a frame.
     pub fn on_body(&self) -> Option<(BodyId, &Location)> {
         match self {
             Marker::BodyPoint { body, at }
+            | Marker::SectionPoint { body, at, .. }
             | Marker::BodySlope { body, at }
             | Marker::BodySection { body, at, .. }
             | Marker::InSection { body, at, .. }
@@ -235,6 +253,7 @@ impl Marker {
             | Marker::Matching { frame, .. }
             | Marker::Normal { frame, .. } => Some(*frame),
             Marker::BodyPoint { .. }
+            | Marker::SectionPoint { .. }
             | Marker::BodySlope { .. }
             | Marker::BodySection { .. }
             | Marker::InSection { .. }

@@ -40,7 +40,7 @@ pub const USE: &str = "a library is used by its path: `use crate::blades;`, in f
 pub const RUN_INSIDE: &str = "a `run` belongs to the model: write it outside of components";
 pub const RANGE: &str = "a loop needs its range: write `0..` and the number of repetitions, e.g. `0..n`";
 pub const RANGE_START: &str = "repetitions are numbered from 0: write `0..` and their number, e.g. `0..n`";
-pub const RANGE_END: &str = "`0..n` counts from 0 to n - 1: leave out `=`";
+pub const RANGE_END: &str = "`0..n` counts from 0 to n - 1: leave out `=` and count one more, `0..4` and not `0..=3`";
 
 pub const ELEMENT_ARGUMENTS: &str = "an element is made of a section and a material: write `(section, material)`";
 pub const ELEMENT_DOMAIN: &str =

@@ -55,6 +55,11 @@ pub const OF_POINTS: &[Member] = &[
 /// What places on flexible bodies show in addition.
 pub const OF_SECTIONS: &[Member] = &[
     (
+        "beside",
+        "place of the section beside the axis, `beside([0, 20, 0] mm)`",
+        PLACE,
+    ),
+    (
         "slope",
         "derivative of the position with respect to the arclength",
         VECTOR,

@@ -54,17 +54,47 @@ pub(crate) struct MeshPoint {
     /// Of position, slope and, with a section, its axes; all of the same length, zeros where the body
     /// does not carry the vector.
     pub weights: [Vec<f64>; 4],
+    /// Of a place beside the axis, what its position is made of.
+    pub beside: Option<Beside>,
+}
+
+/// A place beside the axis: the point of the axis, and its distance along slope and section's axes.
+#[derive(Clone, Debug)]
+pub(crate) struct Beside {
+    /// Weights of the element's nodal vectors in the point of the axis.
+    pub axis: Vec<f64>,
+    /// Distances, m.
+    pub factors: [f64; 3],
 }
 
 impl MeshPoint {
     /// The place beside it that is a sum of its vectors with these factors.
     pub fn combined(&self, factors: [f64; 4]) -> Self {
         let mut point = self.clone();
+        let [_, along, y, z] = factors;
+        point.beside = Some(Beside {
+            axis: self.weights[0].clone(),
+            factors: [along, y, z],
+        });
         for (place, weight) in point.weights[0].iter_mut().enumerate() {
             let parts = factors.iter().zip(&self.weights);
             *weight = parts.map(|(factor, of)| factor * of[place]).sum();
         }
         point
+    }
+
+    /// What a force on a vector of the place acts on: on positions of the axis or not, weights, and its factor there.
+    /// Beside the axis it is a force on the axis and moments on the section.
+    pub fn shares(&self, of: PlaceVector) -> impl Iterator<Item = (bool, &[f64], f64)> {
+        let beside = self.beside.as_ref().filter(|_| of == PlaceVector::Position);
+        let own = beside.map_or(self.weights(of), |beside| &beside.axis);
+        let factors = beside.map_or([0.0; 3], |beside| beside.factors);
+        let moments = self.weights[1..]
+            .iter()
+            .zip(factors)
+            .filter(|(_, factor)| *factor != 0.0);
+        let moments = moments.map(|(weights, factor)| (false, &weights[..], factor));
+        std::iter::once((of == PlaceVector::Position, own, 1.0)).chain(moments)
     }
 
     /// Weights of the element's nodal vectors in a vector.
@@ -148,6 +178,7 @@ pub(crate) fn point_of(parts: &dyn Parts, spec: &BodySpec, body: usize, element:
         element,
         xi,
         weights,
+        beside: None,
     }
 }
 

@@ -63,6 +63,7 @@ impl References {
             | MarkerSpec::Matching { frame, .. }
             | MarkerSpec::Normal { frame, .. } => Some(frame),
             MarkerSpec::BodyPoint { .. }
+            | MarkerSpec::SectionPoint { .. }
             | MarkerSpec::BodySlope { .. }
             | MarkerSpec::BodySection { .. }
             | MarkerSpec::InSection { .. }

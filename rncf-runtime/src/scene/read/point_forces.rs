@@ -30,13 +30,15 @@ impl MeshScene {
             for &axis in self.bodies[point.body].spec.axes {
                 within[axis] = force[axis];
             }
-            all[point.body].push(PointForce {
-                element: point.element,
-                xi: point.xi,
-                on_position: of == PlaceVector::Position,
-                weights: point.weights(of).to_vec(),
-                force: within,
-            });
+            for (on_position, weights, factor) in point.shares(of) {
+                all[point.body].push(PointForce {
+                    element: point.element,
+                    xi: point.xi,
+                    on_position,
+                    weights: weights.to_vec(),
+                    force: factor * within,
+                });
+            }
         };
         self.each_marker_force(t, load_scale, lambda, |marker, force| {
             let (Marker::Body { point, .. } | Marker::Section { point, .. } | Marker::SectionTurn { point }) = marker

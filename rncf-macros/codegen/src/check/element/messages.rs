@@ -11,8 +11,7 @@ pub const PLACE: &str = "a nodal vector sits at a fraction of the unit element: 
 pub const NO_POSITION: &str = "the first nodal vector at 0 and at 1 is the position: `vector r0 = r at 0, shape ..;`";
 pub const COEFFICIENT_PRODUCT: &str = "a coefficient is a product of properties, numbers and params: write `material.young * section.area`, and sums of products as coefficients of their own";
 pub const STRESSED: &str = "with `t` this part has a stress in the shape that a body declares: subtract it, or, if it is meant (heated, drawn together, prestressed), write `, active` behind it";
-pub const NOT_ACTIVE: &str =
-    "this part is free of stress in the shape that a body declares, at every time: leave out `active`";
+pub const NOT_ACTIVE: &str = "this part is free of stress in the shape that a body declares, at every time, with the defaults of its params: leave out `active`, or give them defaults with which it is not";
 pub const OF_SECTION: &str =
     "elements of the library alone are of a section that says its stiffness by itself: write `(section, material)`";
 pub const PRODUCT_OF: &str = "the fields of the element are multiplied: write e.g. `dot(a, b)` with `field a = r_x;`";

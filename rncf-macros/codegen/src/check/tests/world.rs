@@ -100,7 +100,7 @@ impl World<'_> {
         let is_point = |id: MarkerId| {
             matches!(
                 self.model.markers[id.0],
-                Marker::Point { .. } | Marker::BodyPoint { .. }
+                Marker::Point { .. } | Marker::BodyPoint { .. } | Marker::SectionPoint { .. }
             )
         };
         match &self.model.markers[marker.0] {
@@ -110,6 +110,11 @@ impl World<'_> {
             }
             Marker::Direction { frame, along } => times(self.at(*frame, t).a, fixed(along)),
             Marker::BodyPoint { body, at } => self.place(*body, at, t)[0],
+            Marker::SectionPoint { body, at, beside } => {
+                let [r, _, y, z] = self.place(*body, at, t);
+                let [by_y, by_z] = beside.each_ref().map(|by| self.value(by));
+                add(r, add(scale(by_y, y), scale(by_z, z)))
+            }
             Marker::BodySlope { body, at } => self.place(*body, at, t)[1],
             Marker::BodySection { body, at, axis } => self.place(*body, at, t)[1 + axis],
             Marker::InSection { body, at, marker } => {

@@ -31,6 +31,14 @@ pub(crate) fn markers(
         MarkerSpec::Point { frame, at } => fixed(frame, at.into(), true),
         MarkerSpec::Direction { frame, along } => fixed(frame, along.into(), false),
         MarkerSpec::BodyPoint { body: index, at } => body(index, at, PlaceVector::Position),
+        MarkerSpec::SectionPoint {
+            body: index,
+            at,
+            beside: [y, z],
+        } => mesh_point(parts, bodies, index, at, USER).map(|point| Marker::Body {
+            point: point.combined([1.0, 0.0, y, z]),
+            of: PlaceVector::Position,
+        }),
         MarkerSpec::BodySlope { body: index, at } => body(index, at, PlaceVector::Slope),
         MarkerSpec::BodySection { body: index, at, axis } => body(index, at, PlaceVector::section(3)[axis - 1]),
         MarkerSpec::InSection { body: index, at, .. } => {
@@ -58,7 +66,9 @@ pub(crate) fn markers(
 fn is_point(specs: &[MarkerSpec], mut marker: usize) -> Result<bool, ModelError> {
     for _ in 0..DEEPEST {
         match specs[marker] {
-            MarkerSpec::Point { .. } | MarkerSpec::BodyPoint { .. } => return Ok(true),
+            MarkerSpec::Point { .. } | MarkerSpec::BodyPoint { .. } | MarkerSpec::SectionPoint { .. } => {
+                return Ok(true);
+            }
             MarkerSpec::Matching { marker: other, .. } => marker = other,
             _ => return Ok(false),
         }
@@ -196,6 +206,7 @@ impl MeshScene {
         let other = match specs[marker] {
             MarkerSpec::BodySlope { body, .. }
             | MarkerSpec::BodyPoint { body, .. }
+            | MarkerSpec::SectionPoint { body, .. }
             | MarkerSpec::BodySection { body, .. }
             | MarkerSpec::InSection { body, .. }
             | MarkerSpec::SectionTurn { body, .. } => {
