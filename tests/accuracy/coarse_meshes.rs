@@ -484,3 +484,50 @@ fn loads_along_rigid_bodies_are_judged() {
         assert_eq!(of_run.warnings.is_empty(), elements == 16, "{:?}", of_run.warnings);
     }
 }
+
+rncf::model! {
+    /// DaDeppo and Schmidt's arch, clamped and hinged: no equilibria beyond 8.97 EI/R^2 next to those before.
+    pub model Arch {
+        param load = 0 N;
+        param elements: count = 16;
+        material m { density = 1 kg/m^3; young = 1 MPa; }
+        section s { area = 100 m^2; second_moment = 1 m^4; }
+        const half = 107.5 deg;
+        body arch {
+            planar xy;
+            arc from [-100 m * sin(half), 100 m * cos(half), 0 m] direction [cos(half), sin(half), 0] radius 100 m angle -215 deg;
+            mesh elements * cable(s, m, axial = engineering, bending = exact);
+        }
+        joint left = pin(arch.start, inertial);
+        joint right = clamp(arch.end, inertial);
+        const mid = 100 m * 3.752457891787808 / 2;
+        load push = force(arch.at(mid), [0 N, -load, 0 N]);
+        output crown = arch.at(mid);
+    }
+}
+
+/// A mesh that is too stiff goes past the limit; that the finer one finds nothing there is told.
+#[test]
+fn rows_beyond_the_limit_load_of_a_finer_mesh_are_told() {
+    let told = |to: f64| {
+        let settings = EquilibriumSettings {
+            range: Some(Range {
+                param: 0,
+                from: 0.0,
+                to,
+            }),
+            judged: Judging::Whole,
+            ..EquilibriumSettings::default()
+        };
+        static_equilibria(&Arch::default(), &settings).unwrap()
+    };
+    let beyond = told(1000.0);
+    assert_eq!(beyond.history.keys.last(), Some(&1000.0));
+    let note = |of: &rncf::app::Equilibria| {
+        of.warnings
+            .iter()
+            .any(|text| text.contains("no equilibrium is found beyond load = 9"))
+    };
+    assert!(note(&beyond), "{:?}", beyond.warnings);
+    assert!(!note(&told(800.0)));
+}

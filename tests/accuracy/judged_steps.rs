@@ -301,3 +301,58 @@ fn what_outputs_have_of_the_time_is_no_vibration() {
     assert!(off.fold(0.0, f64::max) < 1e-9);
     assert!(found.warnings.is_empty(), "{:?}", found.warnings);
 }
+
+rncf::model! {
+    /// A motor that drives a fan over a coupling, which swings as the motor starts and is damped; the steps grow as it comes to rest.
+    pub model StartUp {
+        table m { at = speed; speed = [-10, 0, 100, 140, 157] rad/s; torque = [55, 50, 70, 110, 0] N*m; interpolation = monotone; }
+        rigid rotor { plane xy; mass = 1 kg; inertia = 0.1 kg*m^2; }
+        rigid fan { plane xy; mass = 1 kg; inertia = 1 kg*m^2; }
+        joint b1 = revolute(inertial.at([0, 0, 0] m), rotor);
+        joint b2 = revolute(rotor, fan);
+        spring c = torsional_law(b2, moment = 600 [N*m/rad] * angle + 2e5 [N*m/rad^3] * angle^3 + 1 [N*m*s/rad] * rate);
+        load el = moment(rotor, [0, 0, m.torque(rotor.speed)]);
+        load air = moment(fan, [0, 0, -2e-3 [N*m*s^2/rad^2] * fan.speed * abs(fan.speed)]);
+        output w: rpm = rotor.speed;
+        output cr = c.rate;
+        run { t_end = 5 s; every = 20 ms; }
+    }
+}
+
+/// What swings while steps are short, and has died away where they are long, is not lost.
+#[test]
+fn a_vibration_that_dies_away_before_steps_grow_is_not_lost() {
+    let [found, fine] = [1e-6, 1e-10].map(|rtol| run(&StartUp {}, &judged(rtol, Judging::Affordable)).unwrap());
+    let largest = fine.history.column(1).map(f64::abs).fold(0.0, f64::max);
+    let apart = found.history.column(1).zip(fine.history.column(1));
+    let apart = apart.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    assert!(apart < 1e-3 * largest, "{apart} of {largest}");
+    assert!(found.warnings.is_empty(), "{:?}", found.warnings);
+}
+
+rncf::model! {
+    /// A geared pair of shafts under constant moments: steps of half a second are exact.
+    pub model Geared {
+        frame s1 = hinged(axis = x);
+        frame s2 = hinged(axis = z);
+        fixture w1 on s1 { mass = 1 kg; inertia = [0.02, 0.02, 0.02] kg*m^2; }
+        fixture w2 on s2 { mass = 1 kg; inertia = [0.3, 0.3, 0.3] kg*m^2; }
+        constraint teeth = s1.angle - 2.5 * s2.angle;
+        load m1 = moment(s1, [3 [N*m], 0, 0]);
+        load m2 = moment(s2, [0, 0, -2 [N*m]]);
+        output a1: rev = s1.angle;
+        run { t_end = 5 s; every = 10 ms; }
+    }
+}
+
+#[test]
+fn a_parabola_in_long_steps_is_no_vibration() {
+    let found = run(&Geared {}, &judged(1e-6, Judging::Affordable)).unwrap();
+    // The moment and inertia that act on the first shaft.
+    let acceleration = (3.0 - 2.0 / 2.5) / (0.02 + 0.3 / 2.5_f64.powi(2));
+    let wanted = acceleration * 12.5 / (2.0 * std::f64::consts::PI);
+    let last = found.history.column(0).last().unwrap();
+    assert!((last / wanted - 1.0).abs() < 1e-9, "{last} {wanted}");
+    assert!(found.warnings.is_empty(), "{:?}", found.warnings);
+    assert!(found.off_by.iter().all(|(_, part)| *part < 1e-6), "{:?}", found.off_by);
+}
