@@ -6,7 +6,7 @@ use crate::system::State;
 
 /// Largest difference of two states' positions and orientations, relative to the sizes of the unknowns.
 pub(super) fn distance(scene: &dyn Scene, a: &State, b: &State) -> f64 {
-    over(scene, a, b, &scene.sizes())
+    over(scene, a, b, scene.sizes())
 }
 
 /// The same over the largest size: what is carried far without turning is near.

@@ -7,7 +7,6 @@
 
 use super::compared::{Off, TOLD};
 use super::marks::Marks;
-use crate::app::results::run::StepTaken;
 use crate::app::writing::numbers::digits;
 use crate::app::writing::sentences::listed;
 use crate::{Integrator, Method, Options, Output, Scene, State, Statistics, Stop};
@@ -76,8 +75,8 @@ pub(in crate::app) struct Followed<'r> {
     pub t_end: f64,
     pub rtol: f64,
     pub statistics: &'r Statistics,
-    /// Its steps, of a long run some of them.
-    pub taken: &'r [StepTaken],
+    /// Where its steps end, and their sizes, s; of a long run some of them.
+    pub taken: &'r [[f64; 2]],
     /// State at the end.
     pub end: &'r State,
     pub marks: &'r Marks,
@@ -188,7 +187,7 @@ fn missing(
     rows: &[(f64, Vec<f64>)],
     last: &[f64],
     nothing: &[f64],
-    taken: &[StepTaken],
+    taken: &[[f64; 2]],
 ) -> Vec<Missed> {
     let mut first = 0;
     let columns: Vec<std::ops::Range<usize>> = outputs
@@ -205,15 +204,15 @@ fn missing(
     };
     let sizes: Vec<f64> = columns.iter().map(size).collect();
     let until = rows.last().map_or(0.0, |row| row.0);
-    let mut late: Vec<&StepTaken> = taken.iter().filter(|step| step.t > 0.5 * until).collect();
-    let ahead = late.iter().take_while(|step| step.t - step.h < until).count();
+    let mut late: Vec<[f64; 2]> = taken.iter().copied().filter(|[end, _]| *end > 0.5 * until).collect();
+    let ahead = late.iter().take_while(|[end, h]| end - h < until).count();
     late.truncate(ahead.max(1));
     let mut found = Vec::new();
     for (index, columns) in columns.iter().enumerate() {
         let swings = columns.clone().filter_map(|column| {
             let values: Vec<(f64, f64)> = rows.iter().map(|(t, row)| (*t, row[column])).collect();
             let swing = swing(&values).filter(|swing| swing.amplitude > nothing[column])?;
-            let is_lost = late.iter().any(|step| swing.period < FOLLOWED * step.h);
+            let is_lost = late.iter().any(|[_, h]| swing.period < FOLLOWED * h);
             is_lost.then_some((column, swing))
         });
         let Some((column, swing)) = swings.max_by(|a, b| a.1.amplitude.total_cmp(&b.1.amplitude)) else {
@@ -323,7 +322,7 @@ mod tests {
             t_end: result.settings.t_end.unwrap(),
             rtol: settings.options.rtol,
             statistics: &result.statistics,
-            taken: &result.steps,
+            taken: &result.steps.iter().map(|step| [step.t, step.h]).collect::<Vec<_>>(),
             end: &result.state,
             marks: &result.marks,
         };
@@ -383,8 +382,8 @@ mod tests {
     }
 
     /// Steps of one length.
-    fn even(h: f64) -> Vec<StepTaken> {
-        (1..200).map(|k| StepTaken { t: f64::from(k) * h, h }).collect()
+    fn even(h: f64) -> Vec<[f64; 2]> {
+        (1..200).map(|k| [f64::from(k) * h, h]).collect()
     }
 
     #[test]
@@ -401,8 +400,8 @@ mod tests {
             .map(|&(t, _)| (t, vec![(-0.2 * t).exp() * (40.0 * t).cos()]))
             .collect();
         let grown = |until: f64| {
-            let mut steps: Vec<_> = even(0.01).into_iter().filter(|step| step.t < until).collect();
-            steps.extend(even(0.1).into_iter().filter(|step| step.t > until));
+            let mut steps: Vec<_> = even(0.01).into_iter().filter(|[end, _]| *end < until).collect();
+            steps.extend(even(0.1).into_iter().filter(|[end, _]| *end > until));
             missing(&outputs, &rows, &[0.0], &[1e-5], &steps).len()
         };
         assert_eq!([0.4, 0.9, 1.05].map(grown), [1, 1, 0]);

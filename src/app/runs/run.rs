@@ -132,11 +132,12 @@ fn look_again(
     let [mut missed, mut added_up] = [None, None];
     let mut off = Vec::new();
     if run.method != Method::EnergyMomentum {
+        let taken: Vec<[f64; 2]> = result.steps.iter().map(|step| [step.t, step.h]).collect();
         let followed = Followed {
             t_end,
             rtol: run.options.rtol,
             statistics: &result.statistics,
-            taken: &result.steps,
+            taken: &taken,
             end: &result.state,
             marks: &result.marks,
         };
