@@ -1,6 +1,6 @@
 //! Where an equilibrium is looked for: the start, or what became of it where motions have turned or shifted what it is tied to.
 
-use super::distance::farthest;
+use super::distance::turned;
 use super::newton::{Newton, Patience};
 use crate::model::{Scene, Uniform};
 use crate::system::{ConstraintLevel, State};
@@ -12,7 +12,7 @@ const SMALLEST: f64 = 1.0 / 16384.0;
 const MOST: usize = 1024;
 /// Violation of constraints over the largest size up to which what was carried on is assembled.
 const ASSEMBLED: f64 = 1e-6;
-/// Distance over the largest size (rad of what turns) that one step may lead: within it no joint holds a second time.
+/// Distance over the sizes (rad of what turns) that one step may lead: within it no joint holds a second time.
 const NEXT: f64 = 0.5;
 
 /// A state from which an equilibrium at the time of `at` may be looked for: [`Scene::uniform_guess`], or where motions have moved what
@@ -20,6 +20,9 @@ const NEXT: f64 = 0.5;
 /// a turn away, too.
 pub fn assembled(scene: &mut dyn Scene, at: &Uniform) -> State {
     let guess = scene.uniform_guess(at);
+    if at.t == 0.0 {
+        return guess;
+    }
     let begun = Uniform::at_rest(0.0).scaled(0.0);
     let start = scene.uniform_guess(&Uniform { spin: at.spin, ..begun });
     // What turns uniformly is carried on with it, and stays assembled where nothing ties it to what does not turn.
@@ -35,7 +38,7 @@ pub fn assembled(scene: &mut dyn Scene, at: &Uniform) -> State {
     } else {
         balance(scene, 0.0, &start) == balance(scene, at.t, &start)
     };
-    if at.t == 0.0 || stays {
+    if stays {
         return guess;
     }
     followed(scene, at.t, start).unwrap_or(guess)
@@ -62,7 +65,7 @@ fn followed(scene: &mut dyn Scene, t: f64, start: State) -> Option<State> {
         state.t = t;
         newton.unbalanced = unbalanced.to_vec();
         let (result, _) = newton.solve(scene, &Uniform::at_rest(t).scaled(0.0), &mut state, Patience::Strict);
-        (result.is_ok() && farthest(scene, last, &state) <= NEXT).then_some(state)
+        (result.is_ok() && turned(scene, last, &state) <= NEXT).then_some(state)
     };
     let (mut last, unbalanced) = match next(scene, 0.0, &start, &[]) {
         Some(balanced) => (balanced, Vec::new()),

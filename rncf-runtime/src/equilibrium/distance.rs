@@ -9,10 +9,10 @@ pub(super) fn distance(scene: &dyn Scene, a: &State, b: &State) -> f64 {
     over(scene, a, b, scene.sizes())
 }
 
-/// The same over the largest size: what is carried far without turning is near.
-pub(super) fn farthest(scene: &dyn Scene, a: &State, b: &State) -> f64 {
-    let largest = scene.sizes().iter().copied().fold(0.0, f64::max);
-    over(scene, a, b, &vec![largest; a.x.len()])
+/// The same with lengths below 1 m over 1 m: what is small and carried on without turning is near.
+pub(super) fn turned(scene: &dyn Scene, a: &State, b: &State) -> f64 {
+    let sizes: Vec<f64> = scene.sizes().iter().map(|size| size.max(1.0)).collect();
+    over(scene, a, b, &sizes)
 }
 
 fn over(scene: &dyn Scene, a: &State, b: &State, sizes: &[f64]) -> f64 {
