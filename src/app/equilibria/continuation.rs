@@ -3,7 +3,7 @@
 
 use super::balanced::is_balanced;
 use super::directions::{self, Measured};
-use super::way::{Unplaced, between, check, placed, spin};
+use super::way::{Unplaced, between, check, placed, spin, uniform};
 use crate::app::results::equilibria::EquilibriumSettings;
 use crate::app::results::error::RunError;
 use crate::app::results::history::Column;
@@ -41,6 +41,8 @@ pub(in crate::app) struct Line<'m> {
     increment: u64,
     scene: Box<dyn Scene>,
     at: Uniform,
+    /// Scenes that are used again where no parameter changes.
+    spare: Vec<Box<dyn Scene>>,
     /// The last equilibrium, in the scene.
     state: State,
     /// The last equilibria, at most two.
@@ -199,6 +201,7 @@ impl<'m> Line<'m> {
             unmeasured,
             scene,
             at,
+            spare: Vec::new(),
             state,
             before: None,
             leaps,
@@ -295,6 +298,21 @@ impl<'m> Line<'m> {
         }
     }
 
+    /// [`placed`], in a scene that is there already where it is the same one.
+    fn placed(&mut self, share: f64) -> Result<(Box<dyn Scene>, Uniform), Unplaced> {
+        match self.spare.pop() {
+            Some(scene) => Ok((scene, uniform(self.model, self.kind, &self.settings, share)?)),
+            None => placed(self.model, self.kind, &self.settings, share),
+        }
+    }
+
+    /// Takes a scene back.
+    fn spare(&mut self, scene: Box<dyn Scene>) {
+        if self.settings.range.is_none() {
+            self.spare.push(scene);
+        }
+    }
+
     /// Whether no load acts at the last equilibrium.
     fn is_unloaded(&mut self) -> bool {
         let scene = self.scene.as_mut();
@@ -308,14 +326,15 @@ impl<'m> Line<'m> {
     fn leap(&mut self) -> bool {
         let target = ((self.place / PARTS + 1) * PARTS).min(self.total());
         let share = target as f64 / self.total() as f64;
-        let Ok((mut scene, at)) = placed(self.model, self.kind, &self.settings, share) else {
-            return false;
-        };
         if self.kind == Kind::Static {
             return false;
         }
+        let Ok((mut scene, at)) = self.placed(share) else {
+            return false;
+        };
         let guess = assembled(scene.as_mut(), &at);
         let Ok(found) = continue_from(scene.as_mut(), &at, &guess) else {
+            self.spare(scene);
             return false;
         };
         self.land(scene, at, target, found);
@@ -331,13 +350,13 @@ impl<'m> Line<'m> {
                 return false;
             }
             let share = target as f64 / self.total() as f64;
-            if let Ok((mut scene, at)) = placed(self.model, self.kind, &self.settings, share)
-                && let Ok(found) = follow(scene.as_mut(), &at, 1.0, |_, _| ())
-                && let Some(last) = found.path.last()
-            {
-                let last = last.clone();
-                self.land(scene, at, target, last);
-                return true;
+            if let Ok((mut scene, at)) = self.placed(share) {
+                let found = follow(scene.as_mut(), &at, 1.0, |_, _| ());
+                if let Some(last) = found.ok().and_then(|found| found.path.last().cloned()) {
+                    self.land(scene, at, target, last);
+                    return true;
+                }
+                self.spare(scene);
             }
             steps *= 2;
         }
@@ -374,22 +393,35 @@ impl<'m> Line<'m> {
     }
 
     fn attempt(&mut self, share: f64) -> Result<(), String> {
-        let (mut scene, at) =
-            placed(self.model, self.kind, &self.settings, share).map_err(|failure| failure.to_string())?;
-        let guess = self.predicted(scene.as_ref(), share)?;
-        let mut found = continued(scene.as_mut(), &at, &guess);
+        let (mut scene, at) = self.placed(share).map_err(|failure| failure.to_string())?;
+        match self.next(scene.as_mut(), &at, share) {
+            Ok(found) => {
+                self.keep(scene, at, share, found);
+                Ok(())
+            }
+            Err(why) => {
+                self.spare(scene);
+                Err(why)
+            }
+        }
+    }
+
+    /// The equilibrium at a part of the way that is next to the last one.
+    fn next(&mut self, scene: &mut dyn Scene, at: &Uniform, share: f64) -> Result<Continued, String> {
+        let guess = self.predicted(scene, share)?;
+        let mut found = continued(scene, at, &guess);
         if found.is_err() && guess.x != self.last.state.x {
-            found = continued(scene.as_mut(), &at, &self.last.state);
+            found = continued(scene, at, &self.last.state);
         }
         let leapt = match &found {
-            Ok(found) if self.kind == Kind::Static => self.leaps(scene.as_mut(), &at, share, found),
+            Ok(found) if self.kind == Kind::Static => self.leaps(scene, at, share, found),
             // Where short steps are none either, what follows is the other side of a critical speed.
             Ok(found) => found.strayed && self.increment > 2 * SHORT,
             Err(_) => false,
         };
         let is_first = self.kind == Kind::Static && self.place == 0;
         if (leapt || found.is_err()) && is_first && (self.settings.range.is_none() || self.is_unloaded()) {
-            found = match settle(scene.as_mut(), &at) {
+            found = match settle(scene, at) {
                 Err(_) if leapt => return Err(LEAPT.into()),
                 Err(_) => found,
                 settled => settled,
@@ -397,21 +429,23 @@ impl<'m> Line<'m> {
         } else if leapt {
             return Err(LEAPT.into());
         }
-        let found =
-            found.map_err(|error| reason(&error, self.settings.range.is_some() || self.kind == Kind::Steady))?;
-        self.keep(scene, at, share, found);
-        Ok(())
+        found.map_err(|error| reason(&error, self.settings.range.is_some() || self.kind == Kind::Steady))
     }
 
     /// Whether the first static step is far from straight where it is cut: what lies beyond a limit point may look near by chance.
-    fn leaps_within(&self, share: f64) -> bool {
+    fn leaps_within(&mut self, share: f64) -> bool {
+        if self.place > 0 {
+            return false;
+        }
         let strays = |part: f64| {
-            let Ok((mut scene, at)) = placed(self.model, self.kind, &self.settings, part * share) else {
+            let Ok((mut scene, at)) = self.placed(part * share) else {
                 return false;
             };
-            continued(scene.as_mut(), &at, &self.last.state).map_or(true, |found| found.strayed)
+            let found = continued(scene.as_mut(), &at, &self.last.state);
+            self.spare(scene);
+            found.map_or(true, |found| found.strayed)
         };
-        self.place == 0 && CUTS.into_iter().any(strays)
+        CUTS.into_iter().any(strays)
     }
 
     /// Whether a limit point may lie between the last static equilibrium and the one that was found. Shorter steps show it.
@@ -426,7 +460,7 @@ impl<'m> Line<'m> {
     /// Whether the way back from an equilibrium does not end at the last one.
     fn has_leapt(&mut self, scene: &mut dyn Scene, at: &Uniform, found: &Continued) -> bool {
         let state = scene.carried(at, &found.state, true);
-        let Ok((mut scene, at)) = placed(self.model, self.kind, &self.settings, self.last.share) else {
+        let Ok((mut scene, at)) = self.placed(self.last.share) else {
             return false;
         };
         let [from, to] = [&state, &self.last.state].map(|state| {
@@ -434,7 +468,9 @@ impl<'m> Line<'m> {
             state.t = at.t;
             scene.carried(&at, &state, false)
         });
-        goes_back(scene.as_mut(), &at, &from, &to) == Some(false)
+        let goes_back = goes_back(scene.as_mut(), &at, &from, &to);
+        self.spare(scene);
+        goes_back == Some(false)
     }
 
     fn keep(&mut self, mut scene: Box<dyn Scene>, at: Uniform, share: f64, found: Continued) {
@@ -449,7 +485,9 @@ impl<'m> Line<'m> {
             measured,
         };
         self.before = Some(std::mem::replace(&mut self.last, last));
-        (self.scene, self.at, self.state) = (scene, at, found.state);
+        let old = std::mem::replace(&mut self.scene, scene);
+        self.spare(old);
+        (self.at, self.state) = (at, found.state);
     }
 
     /// On the secant through the last two equilibria; orientations as in the last one.
@@ -477,7 +515,7 @@ impl<'m> Line<'m> {
 
     /// The scene and the equilibrium near a guess at a part of the way; the last state is carried back, as the guess is.
     pub fn between(&mut self, share: f64, guess: &State) -> Option<(Box<dyn Scene>, Uniform, State, State)> {
-        let (mut scene, at) = placed(self.model, self.kind, &self.settings, share).ok()?;
+        let (mut scene, at) = self.placed(share).ok()?;
         let found = continued(scene.as_mut(), &at, guess).ok()?;
         self.iterations += u64::from(found.iterations);
         let back = scene.carried(&at, &found.state, true);
@@ -492,15 +530,18 @@ impl<'m> Line<'m> {
         with_values: bool,
         measure: &mut Measure<'_>,
     ) -> Option<Looked> {
-        let (mut scene, at) = placed(self.model, self.kind, &self.settings, share).ok()?;
-        let found = continued(scene.as_mut(), &at, guess).ok()?;
-        self.iterations += u64::from(found.iterations);
-        let measured = measure(scene.as_mut(), &at, &found, with_values)?;
-        Some(Looked {
-            share,
-            state: scene.carried(&at, &found.state, true),
-            measured,
-        })
+        let (mut scene, at) = self.placed(share).ok()?;
+        let looked = continued(scene.as_mut(), &at, guess).ok().and_then(|found| {
+            self.iterations += u64::from(found.iterations);
+            let measured = measure(scene.as_mut(), &at, &found, with_values)?;
+            Some(Looked {
+                share,
+                state: scene.carried(&at, &found.state, true),
+                measured,
+            })
+        });
+        self.spare(scene);
+        looked
     }
 }
 

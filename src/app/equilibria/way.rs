@@ -35,10 +35,21 @@ pub(in crate::app) fn placed(
     if let Some(range) = settings.range {
         model.set(range.param, between(range, share));
     }
-    let t = time(model.as_ref(), settings).map_err(Unplaced::Time)?;
+    let at = uniform(model.as_ref(), kind, settings, share)?;
     let scene = model
         .build(Formulation::Rncf, Joints::Eliminated)
         .map_err(Unplaced::Model)?;
+    Ok((scene, at))
+}
+
+/// The uniform motion at a part of the way.
+pub(in crate::app) fn uniform(
+    model: &dyn AnyModel,
+    kind: Kind,
+    settings: &EquilibriumSettings,
+    share: f64,
+) -> Result<Uniform, Unplaced> {
+    let t = time(model, settings).map_err(Unplaced::Time)?;
     let mut at = Uniform {
         kind,
         spin: settings.spin,
@@ -49,7 +60,7 @@ pub(in crate::app) fn placed(
         (None, Kind::Steady) => at.spinning = share,
         (None, Kind::Static) => at.scale = share,
     }
-    Ok((scene, at))
+    Ok(at)
 }
 
 /// The time whose motions and loads hold, s.
