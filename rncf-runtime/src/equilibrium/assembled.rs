@@ -60,24 +60,14 @@ fn balance(scene: &mut dyn Scene, t: f64, state: &State) -> [Vec<f64>; 2] {
 /// is near the start, as of what hangs on springs, what acts on it is left out of account.
 fn followed(scene: &mut dyn Scene, t: f64, start: State) -> Option<State> {
     let mut newton = Newton::new(scene);
-    let mut next = |scene: &mut dyn Scene, t: f64, last: &State, unbalanced: &[f64]| {
-        let mut state = last.clone();
-        state.t = t;
-        newton.unbalanced = unbalanced.to_vec();
-        let (result, _) = newton.solve(scene, &Uniform::at_rest(t).scaled(0.0), &mut state, Patience::Strict);
-        (result.is_ok() && turned(scene, last, &state) <= NEXT).then_some(state)
-    };
-    let (mut last, unbalanced) = match next(scene, 0.0, &start, &[]) {
-        Some(balanced) => (balanced, Vec::new()),
-        None => {
-            let [forces, _] = balance(scene, 0.0, &start);
-            (start, forces)
-        }
-    };
+    let mut last = next(scene, &mut newton, 0.0, &start).unwrap_or_else(|| {
+        [newton.unbalanced, _] = balance(scene, 0.0, &start);
+        start
+    });
     let (mut part, mut increment) = (0.0, LARGEST);
     for _ in 0..MOST {
         let target = f64::min(part + increment, 1.0);
-        if let Some(state) = next(scene, target * t, &last, &unbalanced) {
+        if let Some(state) = next(scene, &mut newton, target * t, &last) {
             (last, part) = (state, target);
             if part == 1.0 {
                 return Some(last);
@@ -91,4 +81,12 @@ fn followed(scene: &mut dyn Scene, t: f64, start: State) -> Option<State> {
         }
     }
     None
+}
+
+/// The state at time `t` (s) that the motions lead to from `last`; `None` where it is not next to it.
+fn next(scene: &mut dyn Scene, newton: &mut Newton, t: f64, last: &State) -> Option<State> {
+    let mut state = last.clone();
+    state.t = t;
+    let (result, _) = newton.solve(scene, &Uniform::at_rest(t).scaled(0.0), &mut state, Patience::Strict);
+    (result.is_ok() && turned(scene, last, &state) <= NEXT).then_some(state)
 }

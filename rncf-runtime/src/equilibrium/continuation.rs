@@ -106,8 +106,9 @@ pub(super) fn along(
     patience: Patience,
     mut visit: impl FnMut(&mut dyn Scene, &Continued),
 ) -> Result<Equilibrium, SolveError> {
-    let mut last = assembled(scene, at);
-    check(scene, at, &last)?;
+    let start = assembled(scene, at);
+    check(scene, at, &start)?;
+    let mut last = start.clone();
     let mut newton = Newton::new(scene);
     let largest = largest.clamp(SMALLEST, 1.0);
     let (mut scale, mut increment) = (0.0, largest);
@@ -157,8 +158,8 @@ pub(super) fn along(
                 if increment == largest
                     && scale == 0.0
                     && at.kind == Kind::Static
-                    && rests_nowhere(scene, &mut newton, at)
-                    && let Some(step) = settled(scene, &mut newton, at) =>
+                    && rests_nowhere(scene, &mut newton, at, &start)
+                    && let Some(step) = settled(scene, &mut newton, at, &start) =>
             {
                 visit(scene, &step);
                 found.path.push(step);
@@ -170,7 +171,7 @@ pub(super) fn along(
                     let is_patient = patience == Patience::Patient && at.kind == Kind::Steady;
                     if is_patient
                         && scale < NO_WAY * at.scale
-                        && let Some(step) = settled(scene, &mut newton, at)
+                        && let Some(step) = settled(scene, &mut newton, at, &start)
                     {
                         visit(scene, &step);
                         found.path.push(step);
@@ -184,10 +185,10 @@ pub(super) fn along(
     Ok(found)
 }
 
-/// The equilibrium at the whole angular velocity that the start flows to: where next to rest nothing is stiff, as hinged
+/// The equilibrium at the whole angular velocity that a start flows to: where next to rest nothing is stiff, as hinged
 /// blades, no way leads there.
-pub(super) fn settled(scene: &mut dyn Scene, newton: &mut Newton, at: &Uniform) -> Option<Continued> {
-    let mut state = assembled(scene, at);
+fn settled(scene: &mut dyn Scene, newton: &mut Newton, at: &Uniform, start: &State) -> Option<Continued> {
+    let mut state = start.clone();
     let turning = angular_velocity(scene, at);
     let speed = if turning > 0.0 {
         turning
@@ -261,11 +262,10 @@ fn angular_velocity(scene: &dyn Scene, at: &Uniform) -> f64 {
     at.speed() * full.unwrap_or_else(|| scene.spin(at.t))
 }
 
-/// Whether the start is no equilibrium without loads, nor near one, as a slack rope, or leaves it at the least load, as a rope
+/// Whether a start is no equilibrium without loads, nor near one, as a slack rope, or leaves it at the least load, as a rope
 /// that lies straight and hangs on one end: its stiffness there is round-off, and need not be found singular. Nor does it stay
 /// where the whole load leads away along a motion that nothing ties.
-fn rests_nowhere(scene: &mut dyn Scene, newton: &mut Newton, at: &Uniform) -> bool {
-    let start = assembled(scene, at);
+fn rests_nowhere(scene: &mut dyn Scene, newton: &mut Newton, at: &Uniform, start: &State) -> bool {
     let mut stays = |part: f64| {
         let mut state = start.clone();
         let (result, _) = newton.solve(scene, &at.scaled(part * at.scale), &mut state, Patience::Strict);
@@ -283,10 +283,10 @@ fn rests_nowhere(scene: &mut dyn Scene, newton: &mut Newton, at: &Uniform) -> bo
 /// # Errors
 /// [`SolveErrorKind::NoEquilibrium`] if it is one, or settles nowhere.
 pub fn settle(scene: &mut dyn Scene, at: &Uniform) -> Result<Continued, SolveError> {
-    let guess = assembled(scene, at);
-    check(scene, at, &guess)?;
+    let start = assembled(scene, at);
+    check(scene, at, &start)?;
     let mut newton = Newton::new(scene);
-    let found = rests_nowhere(scene, &mut newton, at).then(|| settled(scene, &mut newton, at));
+    let found = rests_nowhere(scene, &mut newton, at, &start).then(|| settled(scene, &mut newton, at, &start));
     found.flatten().ok_or_else(|| {
         let row = newton.farthest();
         failed(scene, at, &Failure::Slow(row), at.scale)

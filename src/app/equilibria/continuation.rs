@@ -307,7 +307,7 @@ impl<'m> Line<'m> {
     }
 
     /// Takes a scene back.
-    fn spare(&mut self, scene: Box<dyn Scene>) {
+    fn give_back(&mut self, scene: Box<dyn Scene>) {
         if self.settings.range.is_none() {
             self.spare.push(scene);
         }
@@ -334,7 +334,7 @@ impl<'m> Line<'m> {
         };
         let guess = assembled(scene.as_mut(), &at);
         let Ok(found) = continue_from(scene.as_mut(), &at, &guess) else {
-            self.spare(scene);
+            self.give_back(scene);
             return false;
         };
         self.land(scene, at, target, found);
@@ -356,7 +356,7 @@ impl<'m> Line<'m> {
                     self.land(scene, at, target, last);
                     return true;
                 }
-                self.spare(scene);
+                self.give_back(scene);
             }
             steps *= 2;
         }
@@ -400,7 +400,7 @@ impl<'m> Line<'m> {
                 Ok(())
             }
             Err(why) => {
-                self.spare(scene);
+                self.give_back(scene);
                 Err(why)
             }
         }
@@ -442,7 +442,7 @@ impl<'m> Line<'m> {
                 return false;
             };
             let found = continued(scene.as_mut(), &at, &self.last.state);
-            self.spare(scene);
+            self.give_back(scene);
             found.map_or(true, |found| found.strayed)
         };
         CUTS.into_iter().any(strays)
@@ -469,7 +469,7 @@ impl<'m> Line<'m> {
             scene.carried(&at, &state, false)
         });
         let goes_back = goes_back(scene.as_mut(), &at, &from, &to);
-        self.spare(scene);
+        self.give_back(scene);
         goes_back == Some(false)
     }
 
@@ -486,7 +486,7 @@ impl<'m> Line<'m> {
         };
         self.before = Some(std::mem::replace(&mut self.last, last));
         let old = std::mem::replace(&mut self.scene, scene);
-        self.spare(old);
+        self.give_back(old);
         (self.at, self.state) = (at, found.state);
     }
 
@@ -540,7 +540,7 @@ impl<'m> Line<'m> {
                 measured,
             })
         });
-        self.spare(scene);
+        self.give_back(scene);
         looked
     }
 }

@@ -87,7 +87,6 @@ pub(in crate::app) fn compare(model: &dyn AnyModel, own: &Own<'_>, goes_on: &mut
     }
     let mut rows: Vec<Row> = Vec::new();
     let mut critical = Vec::new();
-    let mut beyond = None;
     loop {
         let is_balanced = line.begins_balanced || line.last_two().0.is_some();
         let station = line.station();
@@ -112,7 +111,6 @@ pub(in crate::app) fn compare(model: &dyn AnyModel, own: &Own<'_>, goes_on: &mut
                 // That Newton's iteration does not even begin says nothing of the own mesh.
                 return Some(Found::nothing(&text));
             }
-            beyond = rows.last().map(|row| row.0).filter(|_| own.is_whole);
             break;
         }
         critical.extend(buckling(&mut line));
@@ -132,11 +130,11 @@ pub(in crate::app) fn compare(model: &dyn AnyModel, own: &Own<'_>, goes_on: &mut
     let key = &own.history.key;
     let values = told_of_values(key, own.critical, &critical);
     let of_values = farthest(own.critical, &critical);
-    let ends = told_of_ends(key, ends, own.is_whole).filter(|_| values.is_none());
-    let beyond = beyond.map(|last| {
-        let last = key.at(last, 4);
+    let beyond = (own.is_whole && !line.is_done()).then(|| {
+        let last = key.at(ends[1], 4);
         format!("no equilibrium is found beyond {last}, and none may be there")
     });
+    let ends = told_of_ends(key, ends, own.is_whole).filter(|_| values.is_none());
     let names: Vec<String> = told(outputs, &off)
         .into_iter()
         .chain(values)

@@ -236,8 +236,6 @@ fn unknown(model: &dyn AnyModel, name: &str) -> String {
     }
 }
 
-const PER_SECOND: Dimension = [0, 0, -1, 0, 0, 0];
-
 fn count(text: &str) -> Result<f64, String> {
     match text.parse::<u32>() {
         Ok(count) if count >= 1 => Ok(f64::from(count)),
@@ -271,11 +269,12 @@ fn quantity(text: &str, declared: &str, dimension: Dimension) -> Result<f64, Str
     Ok(value)
 }
 
+const PER_SECOND: Dimension = [0, 0, -1, 0, 0, 0];
+
 /// Whether two dimensions differ by radians alone, which are 1, as `N*m` and `N*m/rad`. What is counted per second stays open.
-fn is_angle_left_out(found: Dimension, declared: Dimension) -> bool {
-    let without = |dimension: Dimension| [&dimension[..5], &[0]].concat();
-    let rest = without(declared);
-    without(found) == rest && rest.iter().any(|exponent| *exponent != 0) && rest != PER_SECOND
+fn is_angle_left_out(mut found: Dimension, mut declared: Dimension) -> bool {
+    (found[5], declared[5]) = (0, 0);
+    found == declared && declared != [0; 6] && declared != PER_SECOND
 }
 
 fn mismatch(symbols: &str, found: Dimension, declared: &str, dimension: Dimension) -> String {

@@ -146,12 +146,11 @@ impl<'a> Check<'a> {
                         area,
                     });
                 }
-                let place = match (field.text.as_str(), arguments) {
-                    ("beside", arguments) => {
-                        let place = self.place(base)?;
-                        self.beside(place, expr, arguments.as_deref())?
-                    }
-                    _ => self.place(expr)?,
+                let place = if field.text == "beside" {
+                    let place = self.place(base)?;
+                    self.beside(place, expr, arguments.as_deref())?
+                } else {
+                    self.place(expr)?
                 };
                 Some(Hold {
                     spot: Spot::Flexible(place),

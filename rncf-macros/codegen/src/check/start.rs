@@ -321,15 +321,6 @@ impl<'m> Start<'m> {
         }
     }
 
-    /// Whether a marker is a point, not a direction.
-    pub fn is_point(&self, marker: MarkerId) -> bool {
-        match &self.model.markers[marker.0] {
-            Marker::Point { .. } | Marker::BodyPoint { .. } | Marker::SectionPoint { .. } => true,
-            Marker::Matching { marker, .. } => self.is_point(*marker),
-            _ => false,
-        }
-    }
-
     /// A marker in inertial axes.
     pub fn marker(&self, marker: MarkerId) -> Vector {
         match &self.model.markers[marker.0] {
@@ -366,7 +357,7 @@ impl<'m> Start<'m> {
             }
             Marker::Matching { marker: other, .. } => {
                 let value = self.marker(*other);
-                if self.is_point(*other) {
+                if self.model.is_point(*other) {
                     value
                 } else {
                     unit(value).unwrap_or(value)

@@ -406,7 +406,7 @@ impl<'m> Frame<'m> {
         match declared {
             Marker::Turn { .. } => [0.0; 3],
             Marker::Angle { .. } => [norm(turn), 0.0, 0.0],
-            _ if self.start.is_point(marker) => {
+            _ if self.start.model.is_point(marker) => {
                 let arm = subtract(self.start.marker(marker), self.pose.origin);
                 add(self.pose.direction(mode.shift), cross(turn, arm))
             }

@@ -5,7 +5,7 @@
 use std::collections::HashMap;
 
 use super::markers::Marked;
-use crate::model::{Expr, Marker, MarkerId, Model};
+use crate::model::{Expr, MarkerId, Model};
 
 /// Those of some members, with their markers, whose common law stays the same where all places, and all their velocities, are shifted by one vector;
 /// `law` counts the markers of a member.
@@ -17,7 +17,7 @@ pub fn of_differences<'m>(
 ) -> Vec<usize> {
     let mut known: HashMap<Vec<bool>, bool> = HashMap::new();
     let mut is_one = |&member: &usize| {
-        let places: Vec<bool> = markers(member).iter().map(|&marker| is_place(model, marker)).collect();
+        let places: Vec<bool> = markers(member).iter().map(|&marker| model.is_point(marker)).collect();
         *known
             .entry(places)
             .or_insert_with_key(|places| is_of_differences(model, law, places))
@@ -37,12 +37,4 @@ fn is_of_differences(model: &Model, law: &[Expr], places: &[bool]) -> bool {
             roots.iter().all(|&root| marked.time.graph.is_still(root, &rates))
         })
     })
-}
-
-fn is_place(model: &Model, marker: MarkerId) -> bool {
-    match &model.markers[marker.0] {
-        Marker::Point { .. } | Marker::BodyPoint { .. } | Marker::SectionPoint { .. } => true,
-        Marker::Matching { marker: other, .. } => is_place(model, *other),
-        _ => false,
-    }
 }

@@ -61,7 +61,7 @@ fn arcs_turn_about_the_normal() {
         near(start.marker(MarkerId(0)), [1.0 - (1.0 + sign * 2.0), 2.0, 0.0]);
         near(start.marker(MarkerId(1)), [-sign, 0.0, 0.0]);
         near(start.marker(MarkerId(2)), start.marker(MarkerId(0)));
-        assert!(start.is_point(MarkerId(2)) && !start.is_point(MarkerId(1)));
+        assert!(start.model.is_point(MarkerId(2)) && !start.model.is_point(MarkerId(1)));
     }
 }
 
