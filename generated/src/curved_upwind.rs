@@ -478,7 +478,7 @@ pub mod curved_upwind_equations {
         nodal: [[1, 4, 5], [2, 3, 6]],
         positions: [[false, true, false], [false, false, false]],
     };
-    /// Gauss rule with 3 points, and derivatives of the shape functions there.
+    /// Weights of 3 Gauss points, and derivatives of the shape functions there.
     static BEAM_PLANAR_CURVED_POINTS3: ::rncf::emitted::Rule<3, 2, 3> = ::rncf::emitted::Rule {
         groups: [0, 1],
         weights: [0.2777777777777776, 0.4444444444444444, 0.2777777777777776],
@@ -497,7 +497,7 @@ pub mod curved_upwind_equations {
     /// Blocks that the tangent's kernel writes, by pairs of fields.
     static BEAM_PLANAR_CURVED_POINTS3_STIFFNESS: ::rncf::emitted::Blocks<3, 9, 3> = BEAM_PLANAR_CURVED_POINTS3
         .blocks(&[(0, 0), (0, 1), (1, 1)], &[(0, 0, 1), (1, 1, 2), (2, 2, 3)]);
-    /// Gauss rule with 2 points, and derivatives of the shape functions there.
+    /// Weights of 2 Gauss points, and derivatives of the shape functions there.
     static BEAM_PLANAR_CURVED_POINTS2: ::rncf::emitted::Rule<2, 3, 3> = ::rncf::emitted::Rule {
         groups: [0, 1, 1],
         weights: [0.5000000000000001, 0.5000000000000001],
@@ -520,7 +520,7 @@ pub mod curved_upwind_equations {
             &[(0, 0), (0, 2), (1, 1), (1, 2), (2, 1), (2, 2)],
             &[(0, 0, 1), (1, 1, 2), (2, 2, 6)],
         );
-    /// Writes the forces on the fields a, b at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
+    /// Writes the forces on the fields a, b at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
     ///
     /// Operations: 12 additions, 27 multiplications.
     pub fn beam_planar_curved_points3_force(
@@ -540,7 +540,7 @@ pub mod curved_upwind_equations {
         forces[1][0] = a_x * t24 + t25 * (b_x * 2.0);
         forces[1][1] = a_y * t24 + t25 * (b_y * 2.0);
     }
-    /// Writes the blocks of the tangent on the fields a, b at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
+    /// Writes the blocks of the tangent on the fields a, b at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
     ///
     /// Operations: 20 additions, 47 multiplications.
     pub fn beam_planar_curved_points3_tangent(
@@ -583,7 +583,7 @@ pub mod curved_upwind_equations {
         stiffness[2][2] = t36;
         stiffness[2][3] = a_y * t33 + t29 * t34 + t38;
     }
-    /// Writes the strain energy a, b at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
+    /// Writes the strain energy a, b at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
     ///
     /// Operations: 10 additions, 18 multiplications.
     pub fn beam_planar_curved_points3_energy(
@@ -601,7 +601,7 @@ pub mod curved_upwind_equations {
             + 0.5 * (length * kyGA) * (a_x * b_x + a_y * b_y - reference[2]).powi(2);
         *energy = t24;
     }
-    /// Writes the forces on the fields a, b, db at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
+    /// Writes the forces on the fields a, b, db at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
     ///
     /// Operations: 6 additions, 20 multiplications, 1 divisions.
     pub fn beam_planar_curved_points2_force(
@@ -626,7 +626,7 @@ pub mod curved_upwind_equations {
         forces[2][0] = a_x * t26 + b_x * t27;
         forces[2][1] = a_y * t26 + b_y * t27;
     }
-    /// Writes the blocks of the tangent on the fields a, b, db at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
+    /// Writes the blocks of the tangent on the fields a, b, db at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
     ///
     /// Operations: 11 additions, 43 multiplications, 1 divisions.
     pub fn beam_planar_curved_points2_tangent(
@@ -685,7 +685,7 @@ pub mod curved_upwind_equations {
         stiffness[5][2] = t43;
         stiffness[5][3] = a_y * t35 + b_y * t38;
     }
-    /// Writes the strain energy a, b, db at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
+    /// Writes the strain energy a, b, db at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
     ///
     /// Operations: 5 additions, 14 multiplications, 1 divisions.
     pub fn beam_planar_curved_points2_energy(
@@ -707,7 +707,7 @@ pub mod curved_upwind_equations {
     ///
     /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none, axial = green.
     ///
-    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 Gauss points and 2 Gauss points, one kernel of the fields at a point for each rule.
     ///
     /// Operations: 192 additions, 265 multiplications, 2 divisions.
     pub fn beam_planar_curved_elastic_force(
@@ -748,7 +748,7 @@ pub mod curved_upwind_equations {
     ///
     /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none, axial = green.
     ///
-    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 Gauss points and 2 Gauss points, one kernel of the fields at a point for each rule.
     ///
     /// Operations: 910 additions, 1055 multiplications, 2 divisions.
     pub fn beam_planar_curved_elastic_tangent(
@@ -787,7 +787,7 @@ pub mod curved_upwind_equations {
     ///
     /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none, axial = green.
     ///
-    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 Gauss points and 2 Gauss points, one kernel of the fields at a point for each rule.
     ///
     /// Operations: 117 additions, 159 multiplications, 2 divisions.
     pub fn beam_planar_curved_strain_energy(

@@ -438,7 +438,7 @@ pub mod elastica_equations {
         nodal: [[1, 4, 5], [2, 3, 6]],
         positions: [[false, true, false], [false, false, false]],
     };
-    /// Gauss rule with 3 points, and derivatives of the shape functions there.
+    /// Weights of 3 Gauss points, and derivatives of the shape functions there.
     static BEAM_PLANAR_POINTS3: ::rncf::emitted::Rule<3, 2, 3> = ::rncf::emitted::Rule {
         groups: [0, 1],
         weights: [0.2777777777777776, 0.4444444444444444, 0.2777777777777776],
@@ -457,7 +457,7 @@ pub mod elastica_equations {
     /// Blocks that the tangent's kernel writes, by pairs of fields.
     static BEAM_PLANAR_POINTS3_STIFFNESS: ::rncf::emitted::Blocks<3, 9, 3> = BEAM_PLANAR_POINTS3
         .blocks(&[(0, 0), (0, 1), (1, 1)], &[(0, 0, 1), (1, 1, 2), (2, 2, 3)]);
-    /// Gauss rule with 2 points, and derivatives of the shape functions there.
+    /// Weights of 2 Gauss points, and derivatives of the shape functions there.
     static BEAM_PLANAR_POINTS2: ::rncf::emitted::Rule<2, 3, 3> = ::rncf::emitted::Rule {
         groups: [0, 1, 1],
         weights: [0.5000000000000001, 0.5000000000000001],
@@ -492,7 +492,7 @@ pub mod elastica_equations {
             &[(0, 0), (0, 2), (2, 0), (1, 1), (1, 2), (2, 1), (2, 2)],
             &[(0, 0, 1), (1, 1, 2), (2, 2, 3), (3, 3, 7)],
         );
-    /// Writes the forces on the fields a, b at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
+    /// Writes the forces on the fields a, b at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
     ///
     /// Operations: 9 additions, 27 multiplications.
     pub fn beam_planar_points3_force(
@@ -511,7 +511,7 @@ pub mod elastica_equations {
         forces[1][0] = a_x * t21 + t22 * (b_x * 2.0);
         forces[1][1] = a_y * t21 + t22 * (b_y * 2.0);
     }
-    /// Writes the blocks of the tangent on the fields a, b at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
+    /// Writes the blocks of the tangent on the fields a, b at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
     ///
     /// Operations: 17 additions, 47 multiplications.
     pub fn beam_planar_points3_tangent(
@@ -551,7 +551,7 @@ pub mod elastica_equations {
         stiffness[2][2] = t33;
         stiffness[2][3] = a_y * t30 + t26 * t31 + t35;
     }
-    /// Writes the strain energy a, b at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
+    /// Writes the strain energy a, b at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
     ///
     /// Operations: 7 additions, 18 multiplications.
     pub fn beam_planar_points3_energy(
@@ -566,7 +566,7 @@ pub mod elastica_equations {
             + t19 * (0.5 * (b_x * b_x + b_y * b_y - 1.0)).powi(2);
         *energy = t20 + 0.5 * (length * kyGA) * (a_x * b_x + a_y * b_y).powi(2);
     }
-    /// Writes the forces on the fields a, b, db at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
+    /// Writes the forces on the fields a, b, db at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
     ///
     /// Operations: 4 additions, 20 multiplications, 1 divisions.
     pub fn beam_planar_points2_force(
@@ -588,7 +588,7 @@ pub mod elastica_equations {
         forces[2][0] = a_x * t24 + b_x * t25;
         forces[2][1] = a_y * t24 + b_y * t25;
     }
-    /// Writes the blocks of the tangent on the fields a, b, db at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
+    /// Writes the blocks of the tangent on the fields a, b, db at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
     ///
     /// Operations: 9 additions, 43 multiplications, 1 divisions.
     pub fn beam_planar_points2_tangent(
@@ -646,7 +646,7 @@ pub mod elastica_equations {
         stiffness[5][2] = t41;
         stiffness[5][3] = a_y * t33 + b_y * t36;
     }
-    /// Writes the strain energy a, b, db at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
+    /// Writes the strain energy a, b, db at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
     ///
     /// Operations: 3 additions, 14 multiplications, 1 divisions.
     pub fn beam_planar_points2_energy(
@@ -667,7 +667,7 @@ pub mod elastica_equations {
     ///
     /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none, axial = green.
     ///
-    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 Gauss points and 2 Gauss points, one kernel of the fields at a point for each rule.
     ///
     /// Operations: 179 additions, 265 multiplications, 2 divisions.
     pub fn beam_planar_elastic_force(
@@ -705,7 +705,7 @@ pub mod elastica_equations {
     ///
     /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none, axial = green.
     ///
-    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 Gauss points and 2 Gauss points, one kernel of the fields at a point for each rule.
     ///
     /// Operations: 897 additions, 1055 multiplications, 2 divisions.
     pub fn beam_planar_elastic_tangent(
@@ -741,7 +741,7 @@ pub mod elastica_equations {
     ///
     /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none, axial = green.
     ///
-    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 Gauss points and 2 Gauss points, one kernel of the fields at a point for each rule.
     ///
     /// Operations: 104 additions, 159 multiplications, 2 divisions.
     pub fn beam_planar_strain_energy(row: &BeamPlanar, q: &[f64; 14], energy: &mut f64) {
@@ -915,7 +915,7 @@ pub mod elastica_equations {
         forces[4] = fields[0] * t33 + fields[2] * t34;
         forces[5] = fields[1] * t33 + fields[3] * t34;
     }
-    /// Writes the conserving forces on the fields a, b at a point of weight one on the unit element between two states, for the terms that are integrated with 3 points.
+    /// Writes the conserving forces on the fields a, b at a point of weight one on the unit element between two states, for the terms that are integrated at 3 Gauss points.
     ///
     /// Operations: 19 additions, 40 multiplications.
     pub fn beam_planar_points3_conserving_force(
@@ -945,7 +945,7 @@ pub mod elastica_equations {
         forces[1][0] = t23 * t30 + t32 * (t25 * 2.0);
         forces[1][1] = t24 * t30 + t32 * (t26 * 2.0);
     }
-    /// Writes the blocks of the derivative by the mean of both states on the fields a, b at a point of weight one on the unit element between two states, for the terms that are integrated with 3 points.
+    /// Writes the blocks of the derivative by the mean of both states on the fields a, b at a point of weight one on the unit element between two states, for the terms that are integrated at 3 Gauss points.
     ///
     /// Operations: 31 additions, 72 multiplications.
     pub fn beam_planar_points3_conserving_tangent(
@@ -1001,7 +1001,7 @@ pub mod elastica_equations {
         stiffness[3][2] = t24 * t41 + t36 * t43;
         stiffness[3][3] = t24 * t42 + t36 * t44 + t46;
     }
-    /// Writes the conserving forces on the fields a, b, db at a point of weight one on the unit element between two states, for the terms that are integrated with 2 points.
+    /// Writes the conserving forces on the fields a, b, db at a point of weight one on the unit element between two states, for the terms that are integrated at 2 Gauss points.
     ///
     /// Operations: 14 additions, 34 multiplications, 1 divisions.
     pub fn beam_planar_points2_conserving_force(
@@ -1035,7 +1035,7 @@ pub mod elastica_equations {
         forces[2][0] = 0.5 * (o_a_x + e_a_x) * t36 + 0.5 * (o_b_x + e_b_x) * t37;
         forces[2][1] = 0.5 * (o_a_y + e_a_y) * t36 + 0.5 * (o_b_y + e_b_y) * t37;
     }
-    /// Writes the blocks of the derivative by the mean of both states on the fields a, b, db at a point of weight one on the unit element between two states, for the terms that are integrated with 2 points.
+    /// Writes the blocks of the derivative by the mean of both states on the fields a, b, db at a point of weight one on the unit element between two states, for the terms that are integrated at 2 Gauss points.
     ///
     /// Operations: 24 additions, 69 multiplications, 1 divisions.
     pub fn beam_planar_points2_conserving_tangent(
@@ -1112,7 +1112,7 @@ pub mod elastica_equations {
     ///
     /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none, axial = green.
     ///
-    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 Gauss points and 2 Gauss points, one kernel of the fields at a point for each rule.
     pub fn beam_planar_conserving_force(
         row: &BeamPlanar,
         start: &[f64; 14],
@@ -1152,7 +1152,7 @@ pub mod elastica_equations {
     ///
     /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none, axial = green.
     ///
-    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 Gauss points and 2 Gauss points, one kernel of the fields at a point for each rule.
     pub fn beam_planar_conserving_tangent(
         row: &BeamPlanar,
         start: &[f64; 14],

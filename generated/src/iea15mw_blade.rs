@@ -49,7 +49,7 @@ impl ::rncf::Model for Iea15mwBlade {
     run { t_end = 1 s; every = 0.1 s; }
 }"#;
     const NOTES: &'static [&'static str] = &[
-        "Body `blade` uses `full_beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1872 and 15955).",
+        "Body `blade` uses `full_beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1976 and 16994).",
         "Body `blade` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",
         "Body `blade`: its section has no damping: no rates of strain and no damping matrix.",
         "Body `blade` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.",
@@ -61,59 +61,83 @@ impl ::rncf::Model for Iea15mwBlade {
     const KERNELS: &'static [::rncf::model::KernelCount] = &[
         ::rncf::model::KernelCount {
             name: "full_beam_spatial_curved_points2_force",
-            additions: 142,
-            multiplications: 235,
+            additions: 120,
+            multiplications: 210,
             divisions: 15,
             functions: 1,
-            weighted: 457,
+            weighted: 410,
         },
         ::rncf::model::KernelCount {
             name: "full_beam_spatial_curved_points2_tangent",
-            additions: 1134,
-            multiplications: 1669,
+            additions: 1036,
+            multiplications: 1571,
             divisions: 51,
             functions: 1,
-            weighted: 3027,
+            weighted: 2831,
         },
         ::rncf::model::KernelCount {
             name: "full_beam_spatial_curved_points2_energy",
-            additions: 56,
-            multiplications: 84,
+            additions: 45,
+            multiplications: 68,
             divisions: 3,
             functions: 1,
-            weighted: 172,
+            weighted: 145,
         },
         ::rncf::model::KernelCount {
             name: "full_beam_spatial_curved_points3_force",
-            additions: 49,
-            multiplications: 83,
+            additions: 26,
+            multiplications: 47,
             divisions: 1,
             functions: 1,
-            weighted: 156,
+            weighted: 97,
         },
         ::rncf::model::KernelCount {
             name: "full_beam_spatial_curved_points3_tangent",
-            additions: 182,
-            multiplications: 306,
+            additions: 117,
+            multiplications: 221,
             divisions: 4,
             functions: 1,
-            weighted: 524,
+            weighted: 374,
         },
         ::rncf::model::KernelCount {
             name: "full_beam_spatial_curved_points3_energy",
-            additions: 31,
-            multiplications: 47,
+            additions: 17,
+            multiplications: 26,
             divisions: 0,
             functions: 1,
-            weighted: 98,
+            weighted: 63,
+        },
+        ::rncf::model::KernelCount {
+            name: "full_beam_spatial_curved_nodes3_force",
+            additions: 17,
+            multiplications: 36,
+            divisions: 0,
+            functions: 0,
+            weighted: 53,
+        },
+        ::rncf::model::KernelCount {
+            name: "full_beam_spatial_curved_nodes3_tangent",
+            additions: 32,
+            multiplications: 73,
+            divisions: 0,
+            functions: 0,
+            weighted: 105,
+        },
+        ::rncf::model::KernelCount {
+            name: "full_beam_spatial_curved_nodes3_energy",
+            additions: 13,
+            multiplications: 21,
+            divisions: 0,
+            functions: 0,
+            weighted: 34,
         },
         ::rncf::model::KernelCount {
             name: "full_beam_spatial_curved_reference",
-            additions: 255,
-            multiplications: 337,
+            additions: 245,
+            multiplications: 325,
             divisions: 5,
             functions: 5,
-            weighted: 712,
+            weighted: 690,
         },
         ::rncf::model::KernelCount {
             name: "full_beam_spatial_curved_shapes_position_0",
@@ -165,11 +189,11 @@ impl ::rncf::Model for Iea15mwBlade {
         },
         ::rncf::model::KernelCount {
             name: "full_beam_spatial_curved_field_forces",
-            additions: 376,
-            multiplications: 529,
+            additions: 320,
+            multiplications: 469,
             divisions: 35,
             functions: 2,
-            weighted: 1085,
+            weighted: 969,
         },
         ::rncf::model::KernelCount {
             name: "joint_hub_absolute_position",
@@ -296,7 +320,7 @@ pub mod iea15mw_blade_equations {
     ///
     /// # Chosen and left out
     ///
-    /// * Body `blade` uses `full_beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1872 and 15955).
+    /// * Body `blade` uses `full_beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1976 and 16994).
     /// * Body `blade` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.
     /// * Body `blade`: its section has no damping: no rates of strain and no damping matrix.
     /// * Body `blade` lives in the inertial frame: RNCF and ANCF are the same, no kernels for a moving frame.
@@ -1825,7 +1849,7 @@ pub mod iea15mw_blade_equations {
     ///
     /// Nodal vectors: r0, r0x, r0y, r0z, ry_half, rz_half, r1, r1x, r1y, r1z, 3 components each.
     ///
-    /// Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1872 and 15955).
+    /// Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1976 and 16994).
     ///
     /// The energy is integrated with 3 Gauss points.
     #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -1839,7 +1863,7 @@ pub mod iea15mw_blade_equations {
         nodal: [[1, 6, 7], [2, 4, 8], [3, 5, 9]],
         positions: [[false, true, false], [false, false, false], [false, false, false]],
     };
-    /// Gauss rule with 2 points, and derivatives of the shape functions there.
+    /// Weights of 2 Gauss points, and derivatives of the shape functions there.
     static FULL_BEAM_SPATIAL_CURVED_POINTS2: ::rncf::emitted::Rule<2, 5, 3> = ::rncf::emitted::Rule {
         groups: [0, 1, 2, 1, 2],
         weights: [0.5000000000000001, 0.5000000000000001],
@@ -1888,7 +1912,7 @@ pub mod iea15mw_blade_equations {
             ],
             &[(0, 0, 1), (1, 1, 3), (2, 3, 5), (3, 5, 9), (4, 9, 13), (5, 13, 17)],
         );
-    /// Gauss rule with 3 points, and derivatives of the shape functions there.
+    /// Weights of 3 Gauss points, and derivatives of the shape functions there.
     static FULL_BEAM_SPATIAL_CURVED_POINTS3: ::rncf::emitted::Rule<3, 3, 3> = ::rncf::emitted::Rule {
         groups: [0, 1, 2],
         weights: [0.2777777777777776, 0.4444444444444444, 0.2777777777777776],
@@ -1916,12 +1940,25 @@ pub mod iea15mw_blade_equations {
             &[(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)],
             &[(0, 0, 1), (1, 1, 2), (2, 2, 3), (3, 3, 4), (4, 4, 5), (5, 5, 6)],
         );
-    /// Writes the forces on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
+    /// Weights of 3 nodes, and derivatives of the shape functions there.
+    static FULL_BEAM_SPATIAL_CURVED_NODES3: ::rncf::emitted::Rule<3, 2, 3> = ::rncf::emitted::Rule {
+        groups: [1, 2],
+        weights: [0.16666666666666666, 0.6666666666666666, 0.16666666666666666],
+        shapes: [
+            [[1.0, 0.0, 0.0], [1.0, 0.0, 0.0]],
+            [[0.0, 1.0, 0.0], [0.0, 1.0, 0.0]],
+            [[0.0, 0.0, 1.0], [0.0, 0.0, 1.0]],
+        ],
+    };
+    /// Blocks that the tangent's kernel writes, by pairs of fields.
+    static FULL_BEAM_SPATIAL_CURVED_NODES3_STIFFNESS: ::rncf::emitted::Blocks<3, 9, 3> = FULL_BEAM_SPATIAL_CURVED_NODES3
+        .blocks(&[(0, 0), (0, 1), (1, 1)], &[(3, 0, 1), (4, 1, 2), (5, 2, 3)]);
+    /// Writes the forces on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
     ///
-    /// Operations: 142 additions, 235 multiplications, 15 divisions, 1 function calls.
+    /// Operations: 120 additions, 210 multiplications, 15 divisions, 1 function calls.
     pub fn full_beam_spatial_curved_points2_force(
         row: &FullBeamSpatialCurved,
-        reference: &[f64; 31],
+        reference: &[f64; 26],
         fields: &[[f64; 3]; 5],
         forces: &mut [[f64; 3]; 5],
     ) {
@@ -1935,113 +1972,101 @@ pub mod iea15mw_blade_equations {
         let dc_x = inverse_length * unit_dc_x;
         let dc_y = inverse_length * unit_dc_y;
         let dc_z = inverse_length * unit_dc_z;
-        let t58 = a_x * b_x + a_y * b_y + a_z * b_z;
-        let t59 = a_x * c_x + a_y * c_y + a_z * c_z;
-        let t60 = b_x * dc_x + b_y * dc_y + b_z * dc_z;
-        let t61 = c_x * db_x + c_y * db_y + c_z * db_z;
-        let t62 = a_x * a_x + a_y * a_y + a_z * a_z - (t58 * t58 + t59 * t59);
-        let t63 = t62.sqrt();
-        let t64 = t63 - 1.0;
-        let t65 = 0.5 * (t61 - t60);
-        let t66 = 1.0 - 0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0);
-        let t67 = 1.0 - 0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0);
-        let t68 = t66 * t67;
-        let t69 = (a_x * dc_x + a_y * dc_y + a_z * dc_z + t58 * t65) / t63;
-        let t70 = t67 * t69;
-        let t71 = (a_x * db_x + a_y * db_y + a_z * db_z - t59 * t65) / t63;
-        let t72 = t66 * t71;
-        let t73 = t65 * t68 + reference[12] * t70 - reference[13] * t72
-            + reference[15] * t64 + t58 * reference[18];
-        let t74 = length * reference[6] * (t73 + t59 * reference[22] - reference[0]);
-        let t75 = 1.0 / (2.0 * t63);
-        let t76 = t67 * (t69 * t75 / t63);
-        let t77 = t66 * (t71 * t75 / t63);
-        let t78 = t70 - reference[14] * t72 + reference[16] * t64 + t58 * reference[19]
-            + t59 * reference[23] - reference[1];
-        let t79 = length * reference[7] * t78;
-        let t80 = length * reference[8]
-            * (reference[17] * t64 - t72 + t58 * reference[20] + t59 * reference[24]
+        let t53 = a_x * b_x + a_y * b_y + a_z * b_z;
+        let t54 = a_x * c_x + a_y * c_y + a_z * c_z;
+        let t55 = a_x * a_x + a_y * a_y + a_z * a_z - (t53 * t53 + t54 * t54);
+        let t56 = t55.sqrt();
+        let t57 = t56 - 1.0;
+        let t58 = c_x * db_x + c_y * db_y + c_z * db_z
+            - (b_x * dc_x + b_y * dc_y + b_z * dc_z);
+        let t59 = 0.5 * t58;
+        let t60 = 1.0 - 0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0);
+        let t61 = 1.0 - 0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0);
+        let t62 = t60 * t61;
+        let t63 = (a_x * dc_x + a_y * dc_y + a_z * dc_z + t53 * t59) / t56;
+        let t64 = t61 * t63;
+        let t65 = (a_x * db_x + a_y * db_y + a_z * db_z - t54 * t59) / t56;
+        let t66 = t60 * t65;
+        let t67 = t59 * t62 + reference[9] * t64 - reference[10] * t66
+            + reference[12] * t57 + t53 * reference[15];
+        let t68 = length * reference[3] * (t67 + t54 * reference[19] - reference[0]);
+        let t69 = 1.0 / (2.0 * t56);
+        let t70 = t61 * (t63 * t69 / t56);
+        let t71 = t60 * (t65 * t69 / t56);
+        let t72 = t64 - reference[11] * t66 + reference[13] * t57 + t53 * reference[16]
+            + t54 * reference[20] - reference[1];
+        let t73 = length * reference[4] * t72;
+        let t74 = length * reference[5]
+            * (reference[14] * t57 - t66 + t53 * reference[17] + t54 * reference[21]
                 - reference[2]);
-        let t81 = t75 * (t58 * 2.0);
-        let t82 = t67 * ((t65 + t69 * t81) / t63);
-        let t83 = t66 * (t71 * t81 / t63);
-        let t84 = t75 * (t59 * 2.0);
-        let t85 = t67 * (t69 * t84 / t63);
-        let t86 = t66 * ((t71 * t84 - t65) / t63);
-        let t87 = 1.0 / t63;
-        let t88 = t66 * t87;
-        let t89 = t67 * t87;
-        let t90 = -0.5 * t71;
-        let t91 = t67 * (t58 * (-0.5) / t63);
-        let t92 = t66 * (t59 * (-0.5) / t63);
-        let t93 = -0.5 * t69;
-        let t94 = t67 * (0.5 * t58 / t63);
-        let t95 = t66 * (0.5 * t59 / t63);
-        let t96 = length * reference[29];
-        let t97 = t74 * (reference[13] * t77 - reference[12] * t76 + reference[15] * t75)
-            + t79 * (reference[14] * t77 - t76 + reference[16] * t75);
-        let t98 = t97 + t80 * (t77 + reference[17] * t75);
-        let t99 = t74
-            * (reference[18]
-                + (reference[12] * t82 - reference[13] * t83 - reference[15] * t81))
-            + t79 * (reference[19] + (t82 - reference[14] * t83 - reference[16] * t81));
-        let t100 = t99 + t80 * (reference[20] - (t83 + reference[17] * t81));
-        let t101 = t74
-            * (reference[22]
-                + (reference[12] * t85 - reference[13] * t86 - reference[15] * t84))
-            + t79 * (reference[23] + (t85 - reference[14] * t86 - reference[16] * t84));
-        let t102 = t101 + t80 * (reference[24] - (t86 + reference[17] * t84));
-        let t103 = t74 * (t65 * (-0.5 * t67) - reference[13] * t90)
-            - t79 * (reference[14] * t90) - t80 * t90;
-        let t104 = t74 * (-0.5 * t68 + reference[12] * t91 + reference[13] * t92)
-            + t79 * (t91 + reference[14] * t92);
-        let t105 = length * reference[30] * (t60 + t61 - reference[5]);
-        let t106 = t74 * (t65 * (-0.5 * t66) + reference[12] * t93) + t79 * t93;
-        let t107 = t74 * (0.5 * t68 + reference[12] * t94 + reference[13] * t95)
-            + t79 * (t94 + reference[14] * t95);
-        let t108 = inverse_length
-            * (t74 * (reference[13] * t88) + t79 * (reference[14] * t88) + t80 * t88);
-        let t109 = inverse_length * (t74 * (reference[12] * t89) + t79 * t89);
-        let t110 = inverse_length
-            * (t96 * (b_x * db_x + b_y * db_y + b_z * db_z - reference[3]));
-        let t111 = inverse_length * (t104 + t80 * t92 + t105);
-        let t112 = inverse_length * (t105 + (t107 + t80 * t95));
-        let t113 = inverse_length
-            * (t96 * (c_x * dc_x + c_y * dc_y + c_z * dc_z - reference[4]));
-        let t114 = t98 * (a_x * 2.0) + b_x * t100 + c_x * t102 - unit_db_x * t108
-            + unit_dc_x * t109;
-        let t115 = t98 * (a_y * 2.0) + b_y * t100 + c_y * t102 - unit_db_y * t108
-            + unit_dc_y * t109;
-        let t116 = t98 * (a_z * 2.0) + b_z * t100 + c_z * t102 - unit_db_z * t108
-            + unit_dc_z * t109;
-        forces[0][0] = t114;
-        forces[0][1] = t115;
-        forces[0][2] = t116;
-        forces[1][0] = a_x * t100 + t103 * (b_x * 2.0) + unit_db_x * t110
-            + unit_dc_x * t111;
-        forces[1][1] = a_y * t100 + t103 * (b_y * 2.0) + unit_db_y * t110
-            + unit_dc_y * t111;
-        forces[1][2] = a_z * t100 + t103 * (b_z * 2.0) + unit_db_z * t110
-            + unit_dc_z * t111;
-        forces[2][0] = a_x * t102 + t106 * (c_x * 2.0) + unit_db_x * t112
-            + unit_dc_x * t113;
-        forces[2][1] = a_y * t102 + t106 * (c_y * 2.0) + unit_db_y * t112
-            + unit_dc_y * t113;
-        forces[2][2] = a_z * t102 + t106 * (c_z * 2.0) + unit_db_z * t112
-            + unit_dc_z * t113;
-        forces[3][0] = b_x * t110 - a_x * t108 + c_x * t112;
-        forces[3][1] = b_y * t110 - a_y * t108 + c_y * t112;
-        forces[3][2] = b_z * t110 - a_z * t108 + c_z * t112;
-        forces[4][0] = a_x * t109 + b_x * t111 + c_x * t113;
-        forces[4][1] = a_y * t109 + b_y * t111 + c_y * t113;
-        forces[4][2] = a_z * t109 + b_z * t111 + c_z * t113;
+        let t75 = t69 * (t53 * 2.0);
+        let t76 = t61 * ((t59 + t63 * t75) / t56);
+        let t77 = t60 * (t65 * t75 / t56);
+        let t78 = t69 * (t54 * 2.0);
+        let t79 = t61 * (t63 * t78 / t56);
+        let t80 = t60 * ((t65 * t78 - t59) / t56);
+        let t81 = 1.0 / t56;
+        let t82 = t60 * t81;
+        let t83 = t61 * t81;
+        let t84 = -0.5 * t65;
+        let t85 = t61 * (t53 * (-0.5) / t56);
+        let t86 = t60 * (t54 * (-0.5) / t56);
+        let t87 = -0.5 * t63;
+        let t88 = t61 * (0.5 * t53 / t56);
+        let t89 = t60 * (0.5 * t54 / t56);
+        let t90 = t68 * (reference[10] * t71 - reference[9] * t70 + reference[12] * t69)
+            + t73 * (reference[11] * t71 - t70 + reference[13] * t69);
+        let t91 = t90 + t74 * (t71 + reference[14] * t69);
+        let t92 = t68
+            * (reference[15]
+                + (reference[9] * t76 - reference[10] * t77 - reference[12] * t75))
+            + t73 * (reference[16] + (t76 - reference[11] * t77 - reference[13] * t75));
+        let t93 = t92 + t74 * (reference[17] - (t77 + reference[14] * t75));
+        let t94 = t68
+            * (reference[19]
+                + (reference[9] * t79 - reference[10] * t80 - reference[12] * t78))
+            + t73 * (reference[20] + (t79 - reference[11] * t80 - reference[13] * t78));
+        let t95 = t94 + t74 * (reference[21] - (t80 + reference[14] * t78));
+        let t96 = t68 * (t59 * (-0.5 * t61) - reference[10] * t84)
+            - t73 * (reference[11] * t84) - t74 * t84;
+        let t97 = t68 * (-0.5 * t62 + reference[9] * t85 + reference[10] * t86)
+            + t73 * (t85 + reference[11] * t86);
+        let t98 = t68 * (t59 * (-0.5 * t60) + reference[9] * t87) + t73 * t87;
+        let t99 = t68 * (0.5 * t62 + reference[9] * t88 + reference[10] * t89)
+            + t73 * (t88 + reference[11] * t89);
+        let t100 = inverse_length
+            * (t68 * (reference[10] * t82) + t73 * (reference[11] * t82) + t74 * t82);
+        let t101 = inverse_length * (t68 * (reference[9] * t83) + t73 * t83);
+        let t102 = inverse_length * (t97 + t74 * t86);
+        let t103 = inverse_length * (t99 + t74 * t89);
+        let t104 = t91 * (a_x * 2.0) + b_x * t93 + c_x * t95 - unit_db_x * t100
+            + unit_dc_x * t101;
+        let t105 = t91 * (a_y * 2.0) + b_y * t93 + c_y * t95 - unit_db_y * t100
+            + unit_dc_y * t101;
+        let t106 = t91 * (a_z * 2.0) + b_z * t93 + c_z * t95 - unit_db_z * t100
+            + unit_dc_z * t101;
+        forces[0][0] = t104;
+        forces[0][1] = t105;
+        forces[0][2] = t106;
+        forces[1][0] = a_x * t93 + t96 * (b_x * 2.0) + unit_dc_x * t102;
+        forces[1][1] = a_y * t93 + t96 * (b_y * 2.0) + unit_dc_y * t102;
+        forces[1][2] = a_z * t93 + t96 * (b_z * 2.0) + unit_dc_z * t102;
+        forces[2][0] = a_x * t95 + t98 * (c_x * 2.0) + unit_db_x * t103;
+        forces[2][1] = a_y * t95 + t98 * (c_y * 2.0) + unit_db_y * t103;
+        forces[2][2] = a_z * t95 + t98 * (c_z * 2.0) + unit_db_z * t103;
+        forces[3][0] = c_x * t103 - a_x * t100;
+        forces[3][1] = c_y * t103 - a_y * t100;
+        forces[3][2] = c_z * t103 - a_z * t100;
+        forces[4][0] = a_x * t101 + b_x * t102;
+        forces[4][1] = a_y * t101 + b_y * t102;
+        forces[4][2] = a_z * t101 + b_z * t102;
     }
-    /// Writes the blocks of the tangent on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
+    /// Writes the blocks of the tangent on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
     ///
-    /// Operations: 1134 additions, 1669 multiplications, 51 divisions, 1 function calls.
+    /// Operations: 1036 additions, 1571 multiplications, 51 divisions, 1 function calls.
     pub fn full_beam_spatial_curved_points2_tangent(
         row: &FullBeamSpatialCurved,
-        reference: &[f64; 31],
+        reference: &[f64; 26],
         fields: &[[f64; 3]; 5],
         stiffness: &mut [[f64; 9]; 17],
     ) {
@@ -2055,813 +2080,769 @@ pub mod iea15mw_blade_equations {
         let dc_x = inverse_length * unit_dc_x;
         let dc_y = inverse_length * unit_dc_y;
         let dc_z = inverse_length * unit_dc_z;
-        let t58 = a_x * b_x + a_y * b_y + a_z * b_z;
-        let t59 = a_x * c_x + a_y * c_y + a_z * c_z;
-        let t60 = b_x * dc_x + b_y * dc_y + b_z * dc_z;
-        let t61 = c_x * db_x + c_y * db_y + c_z * db_z;
-        let t62 = a_x * a_x + a_y * a_y + a_z * a_z - (t58 * t58 + t59 * t59);
-        let t63 = t62.sqrt();
-        let t64 = t63 - 1.0;
-        let t65 = 0.5 * (t61 - t60);
-        let t66 = 1.0 - 0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0);
-        let t67 = 1.0 - 0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0);
-        let t68 = t66 * t67;
-        let t69 = (a_x * dc_x + a_y * dc_y + a_z * dc_z + t58 * t65) / t63;
-        let t70 = t67 * t69;
-        let t71 = (a_x * db_x + a_y * db_y + a_z * db_z - t59 * t65) / t63;
-        let t72 = t66 * t71;
-        let t73 = t65 * t68 + reference[12] * t70 - reference[13] * t72
-            + reference[15] * t64 + t58 * reference[18];
-        let t74 = length * reference[6];
-        let t75 = t74 * (t73 + t59 * reference[22] - reference[0]);
-        let t76 = 2.0 * t63;
-        let t77 = 1.0 / t76;
-        let t78 = t69 * t77 / t63;
-        let t79 = t67 * t78;
-        let t80 = t71 * t77 / t63;
-        let t81 = t66 * t80;
-        let t82 = reference[13] * t81 - reference[12] * t79 + reference[15] * t77;
-        let t83 = length * reference[7];
-        let t84 = t70 - reference[14] * t72 + reference[16] * t64 + t58 * reference[19]
-            + t59 * reference[23] - reference[1];
-        let t85 = t83 * t84;
-        let t86 = reference[14] * t81 - t79 + reference[16] * t77;
-        let t87 = length * reference[8];
-        let t88 = t87
-            * (reference[17] * t64 - t72 + t58 * reference[20] + t59 * reference[24]
+        let t53 = a_x * b_x + a_y * b_y + a_z * b_z;
+        let t54 = a_x * c_x + a_y * c_y + a_z * c_z;
+        let t55 = a_x * a_x + a_y * a_y + a_z * a_z - (t53 * t53 + t54 * t54);
+        let t56 = t55.sqrt();
+        let t57 = t56 - 1.0;
+        let t58 = c_x * db_x + c_y * db_y + c_z * db_z
+            - (b_x * dc_x + b_y * dc_y + b_z * dc_z);
+        let t59 = 0.5 * t58;
+        let t60 = 1.0 - 0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0);
+        let t61 = 1.0 - 0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0);
+        let t62 = t60 * t61;
+        let t63 = (a_x * dc_x + a_y * dc_y + a_z * dc_z + t53 * t59) / t56;
+        let t64 = t61 * t63;
+        let t65 = (a_x * db_x + a_y * db_y + a_z * db_z - t54 * t59) / t56;
+        let t66 = t60 * t65;
+        let t67 = t59 * t62 + reference[9] * t64 - reference[10] * t66
+            + reference[12] * t57 + t53 * reference[15];
+        let t68 = length * reference[3];
+        let t69 = t68 * (t67 + t54 * reference[19] - reference[0]);
+        let t70 = 2.0 * t56;
+        let t71 = 1.0 / t70;
+        let t72 = t63 * t71 / t56;
+        let t73 = t61 * t72;
+        let t74 = t65 * t71 / t56;
+        let t75 = t60 * t74;
+        let t76 = reference[10] * t75 - reference[9] * t73 + reference[12] * t71;
+        let t77 = length * reference[4];
+        let t78 = t64 - reference[11] * t66 + reference[13] * t57 + t53 * reference[16]
+            + t54 * reference[20] - reference[1];
+        let t79 = t77 * t78;
+        let t80 = reference[11] * t75 - t73 + reference[13] * t71;
+        let t81 = length * reference[5];
+        let t82 = t81
+            * (reference[14] * t57 - t66 + t53 * reference[17] + t54 * reference[21]
                 - reference[2]);
-        let t89 = t81 + reference[17] * t77;
-        let t90 = t74 * t82;
-        let t91 = 2.0 * t77;
-        let t92 = t77 * t91 / t76;
-        let t93 = t77 * t78;
-        let t94 = t67 * ((t93 + (t93 + t69 * t92)) / t63);
-        let t95 = t77 * t80;
-        let t96 = t66 * ((t95 + (t95 + t71 * t92)) / t63);
-        let t97 = t83 * t86;
-        let t98 = t82 * t90
-            + t75 * (reference[12] * t94 - reference[13] * t96 - reference[15] * t92)
-            + (t86 * t97 + t85 * (t94 - reference[14] * t96 - reference[16] * t92));
-        let t99 = t87 * t89;
-        let t100 = t98 + (t89 * t99 - t88 * (t96 + reference[17] * t92));
-        let t101 = t58 * 2.0;
-        let t102 = t77 * t101;
-        let t103 = (t65 + t69 * t102) / t63;
-        let t104 = t67 * t103;
-        let t105 = t71 * t102 / t63;
-        let t106 = t66 * t105;
-        let t107 = reference[18]
-            + (reference[12] * t104 - reference[13] * t106 - reference[15] * t102);
-        let t108 = reference[19] + (t104 - reference[14] * t106 - reference[16] * t102);
-        let t109 = reference[20] - (t106 + reference[17] * t102);
-        let t110 = t74 * t107;
-        let t111 = t77 * (2.0 * t102) / t76;
-        let t112 = t77 * t103;
-        let t113 = t78 * t102;
-        let t114 = t67 * ((t112 + t69 * t111 + t113) / t63);
-        let t115 = t77 * t105;
-        let t116 = t80 * t102;
-        let t117 = t66 * ((t115 + t71 * t111 + t116) / t63);
-        let t118 = t83 * t108;
-        let t119 = t82 * t110
-            + t75 * (reference[13] * t117 - reference[12] * t114 + reference[15] * t111)
-            + (t86 * t118 + t85 * (reference[14] * t117 - t114 + reference[16] * t111));
-        let t120 = t87 * t109;
-        let t121 = t119 + (t89 * t120 + t88 * (t117 + reference[17] * t111));
-        let t122 = t59 * 2.0;
-        let t123 = t77 * t122;
-        let t124 = t69 * t123 / t63;
-        let t125 = t67 * t124;
-        let t126 = (t71 * t123 - t65) / t63;
-        let t127 = t66 * t126;
-        let t128 = reference[22]
-            + (reference[12] * t125 - reference[13] * t127 - reference[15] * t123);
-        let t129 = reference[23] + (t125 - reference[14] * t127 - reference[16] * t123);
-        let t130 = reference[24] - (t127 + reference[17] * t123);
-        let t131 = t74 * t128;
-        let t132 = t77 * (2.0 * t123) / t76;
-        let t133 = t77 * t124;
-        let t134 = t78 * t123;
-        let t135 = t67 * ((t133 + t69 * t132 + t134) / t63);
-        let t136 = t77 * t126;
-        let t137 = t80 * t123;
-        let t138 = t66 * ((t136 + t71 * t132 + t137) / t63);
-        let t139 = t83 * t129;
-        let t140 = t82 * t131
-            + t75 * (reference[13] * t138 - reference[12] * t135 + reference[15] * t132)
-            + (t86 * t139 + t85 * (reference[14] * t138 - t135 + reference[16] * t132));
-        let t141 = t87 * t130;
-        let t142 = t140 + (t89 * t141 + t88 * (t138 + reference[17] * t132));
-        let t143 = 1.0 / t63;
-        let t144 = t66 * t143;
-        let t145 = reference[13] * t144;
-        let t146 = reference[14] * t144;
-        let t147 = t74 * t145;
-        let t148 = t77 * t143 / t63;
-        let t149 = t66 * t148;
-        let t150 = t75 * (reference[13] * t149);
-        let t151 = t83 * t146;
-        let t152 = t85 * (reference[14] * t149);
-        let t153 = t87 * t144;
-        let t154 = t88 * t149;
-        let t155 = t67 * t143;
-        let t156 = reference[12] * t155;
-        let t157 = t74 * t156;
-        let t158 = t67 * t148;
-        let t159 = t75 * (reference[12] * t158);
-        let t160 = t83 * t155;
-        let t161 = t85 * t158;
-        let t162 = -0.5 * t67;
-        let t163 = -0.5 * t71;
-        let t164 = t65 * t162 - reference[13] * t163;
-        let t165 = reference[14] * t163;
-        let t166 = t74 * t164;
-        let t167 = -0.5 * t80;
-        let t168 = t83 * t165;
-        let t169 = t82 * t166 + t75 * (reference[13] * t167)
-            + (t85 * (reference[14] * t167) - t86 * t168);
-        let t170 = t87 * t163;
-        let t171 = t169 + (t88 * t167 - t89 * t170);
-        let t172 = t58 * (-0.5) / t63;
-        let t173 = t67 * t172;
-        let t174 = t59 * (-0.5) / t63;
-        let t175 = t66 * t174;
-        let t176 = -0.5 * t68 + reference[12] * t173 + reference[13] * t175;
-        let t177 = t173 + reference[14] * t175;
-        let t178 = t74 * t176;
-        let t179 = t67 * (t77 * t172 / t63);
-        let t180 = t66 * (t77 * t174 / t63);
-        let t181 = t83 * t177;
-        let t182 = t82 * t178 - t75 * (reference[12] * t179 + reference[13] * t180)
-            + (t86 * t181 - t85 * (t179 + reference[14] * t180));
-        let t183 = t87 * t175;
-        let t184 = -0.5 * t66;
-        let t185 = -0.5 * t69;
-        let t186 = t65 * t184 + reference[12] * t185;
-        let t187 = t74 * t186;
-        let t188 = -0.5 * t78;
-        let t189 = t83 * t185;
-        let t190 = t82 * t187 - t75 * (reference[12] * t188) + (t86 * t189 - t85 * t188);
-        let t191 = 0.5 * t58 / t63;
-        let t192 = t67 * t191;
-        let t193 = 0.5 * t59 / t63;
-        let t194 = t66 * t193;
-        let t195 = 0.5 * t68 + reference[12] * t192 + reference[13] * t194;
-        let t196 = t192 + reference[14] * t194;
-        let t197 = t74 * t195;
-        let t198 = t67 * (t77 * t191 / t63);
-        let t199 = t66 * (t77 * t193 / t63);
-        let t200 = t83 * t196;
-        let t201 = t82 * t197 - t75 * (reference[12] * t198 + reference[13] * t199)
-            + (t86 * t200 - t85 * (t198 + reference[14] * t199));
-        let t202 = t87 * t194;
-        let t203 = t92 * t101;
-        let t204 = t67 * ((t112 + (t113 + t69 * t203)) / t63);
-        let t205 = t66 * ((t115 + (t116 + t71 * t203)) / t63);
-        let t206 = t90 * t107
-            + t75 * (reference[13] * t205 - reference[12] * t204 + reference[15] * t203)
-            + (t97 * t108 + t85 * (reference[14] * t205 - t204 + reference[16] * t203));
-        let t207 = t206 + (t99 * t109 + t88 * (t205 + reference[17] * t203));
-        let t208 = t91 + t101 * t111;
-        let t209 = t102 * t103;
-        let t210 = t67 * ((t209 + (t209 + t69 * t208)) / t63);
-        let t211 = t102 * t105;
-        let t212 = t66 * ((t211 + (t211 + t71 * t208)) / t63);
-        let t213 = t107 * t110
-            + t75 * (reference[12] * t210 - reference[13] * t212 - reference[15] * t208)
-            + (t108 * t118 + t85 * (t210 - reference[14] * t212 - reference[16] * t208));
-        let t214 = t213 + (t109 * t120 - t88 * (t212 + reference[17] * t208));
-        let t215 = t101 * t132;
-        let t216 = t102 * t124;
-        let t217 = t103 * t123;
-        let t218 = t67 * ((t216 + t69 * t215 + t217) / t63);
-        let t219 = t102 * t126;
-        let t220 = t105 * t123;
-        let t221 = t66 * ((t219 + t71 * t215 + t220) / t63);
-        let t222 = t107 * t131
-            + t75 * (reference[12] * t218 - reference[13] * t221 - reference[15] * t215)
-            + (t108 * t139 + t85 * (t218 - reference[14] * t221 - reference[16] * t215));
-        let t223 = t222 + (t109 * t141 - t88 * (t221 + reference[17] * t215));
-        let t224 = t102 * t143 / t63;
-        let t225 = t66 * t224;
-        let t226 = t75 * (reference[13] * t225);
-        let t227 = t85 * (reference[14] * t225);
-        let t228 = t88 * t225;
-        let t229 = t67 * t224;
-        let t230 = t75 * (reference[12] * t229);
-        let t231 = t85 * t229;
-        let t232 = -0.5 * t105;
-        let t233 = t75 * (reference[13] * t232);
-        let t234 = t85 * (reference[14] * t232);
-        let t235 = t88 * t232;
-        let t236 = t107 * t166 - t233 - (t108 * t168 + t234) - (t109 * t170 + t235);
-        let t237 = t67 * ((-0.5 + t102 * t172) / t63);
-        let t238 = t66 * (t102 * t174 / t63);
-        let t239 = t75 * (reference[12] * t237 + reference[13] * t238);
-        let t240 = t85 * (t237 + reference[14] * t238);
-        let t241 = t88 * t238;
-        let t242 = -0.5 * t103;
-        let t243 = t107 * t187 + t75 * (reference[12] * t242)
-            + (t108 * t189 + t85 * t242);
-        let t244 = t67 * ((0.5 + t102 * t191) / t63);
-        let t245 = t66 * (t102 * t193 / t63);
-        let t246 = t75 * (reference[12] * t244 + reference[13] * t245);
-        let t247 = t85 * (t244 + reference[14] * t245);
-        let t248 = t88 * t245;
-        let t249 = t92 * t122;
-        let t250 = t67 * ((t133 + (t134 + t69 * t249)) / t63);
-        let t251 = t66 * ((t136 + (t137 + t71 * t249)) / t63);
-        let t252 = t90 * t128
-            + t75 * (reference[13] * t251 - reference[12] * t250 + reference[15] * t249)
-            + (t97 * t129 + t85 * (reference[14] * t251 - t250 + reference[16] * t249));
-        let t253 = t252 + (t99 * t130 + t88 * (t251 + reference[17] * t249));
-        let t254 = t111 * t122;
-        let t255 = t67 * ((t216 + (t217 + t69 * t254)) / t63);
-        let t256 = t66 * ((t219 + (t220 + t71 * t254)) / t63);
-        let t257 = t110 * t128
-            + t75 * (reference[12] * t255 - reference[13] * t256 - reference[15] * t254)
-            + (t118 * t129 + t85 * (t255 - reference[14] * t256 - reference[16] * t254));
-        let t258 = t257 + (t120 * t130 - t88 * (t256 + reference[17] * t254));
-        let t259 = t91 + t122 * t132;
-        let t260 = t123 * t124;
-        let t261 = t67 * ((t260 + (t260 + t69 * t259)) / t63);
-        let t262 = t123 * t126;
-        let t263 = t66 * ((t262 + (t262 + t71 * t259)) / t63);
-        let t264 = t128 * t131
-            + t75 * (reference[12] * t261 - reference[13] * t263 - reference[15] * t259)
-            + (t129 * t139 + t85 * (t261 - reference[14] * t263 - reference[16] * t259));
-        let t265 = t264 + (t130 * t141 - t88 * (t263 + reference[17] * t259));
-        let t266 = t123 * t143 / t63;
-        let t267 = t66 * t266;
-        let t268 = t75 * (reference[13] * t267);
-        let t269 = t85 * (reference[14] * t267);
-        let t270 = t88 * t267;
-        let t271 = t67 * t266;
-        let t272 = t75 * (reference[12] * t271);
-        let t273 = t85 * t271;
-        let t274 = -0.5 * t126;
-        let t275 = t75 * (reference[13] * t274);
-        let t276 = t85 * (reference[14] * t274);
-        let t277 = t88 * t274;
-        let t278 = t128 * t166 - t275 - (t129 * t168 + t276) - (t130 * t170 + t277);
-        let t279 = t67 * (t123 * t172 / t63);
-        let t280 = t66 * ((-0.5 + t123 * t174) / t63);
-        let t281 = t75 * (reference[12] * t279 + reference[13] * t280);
-        let t282 = t85 * (t279 + reference[14] * t280);
-        let t283 = t88 * t280;
-        let t284 = -0.5 * t124;
-        let t285 = t75 * (reference[12] * t284);
-        let t286 = t85 * t284;
-        let t287 = t128 * t187 + t285 + (t129 * t189 + t286);
-        let t288 = t67 * (t123 * t191 / t63);
-        let t289 = t66 * ((0.5 + t123 * t193) / t63);
-        let t290 = t75 * (reference[12] * t288 + reference[13] * t289);
-        let t291 = t85 * (t288 + reference[14] * t289);
-        let t292 = t88 * t289;
-        let t293 = -0.5 * t143;
-        let t294 = t75 * (reference[13] * t293);
-        let t295 = t85 * (reference[14] * t293);
-        let t296 = t88 * t293;
-        let t297 = t75 * (reference[12] * t293);
-        let t298 = t85 * t293;
-        let t299 = t110 * t164 - t233 - (t234 + t118 * t165) - (t235 + t120 * t163);
-        let t300 = t131 * t164 - t275 - (t276 + t139 * t165) - (t277 + t141 * t163);
-        let t301 = t164 * t166 + t165 * t168 + t163 * t170;
-        let t302 = -0.5 * t174;
-        let t303 = t75 * (-0.5 * t162 + reference[13] * t302);
-        let t304 = t85 * (reference[14] * t302);
-        let t305 = t88 * t302;
-        let t306 = t164 * t187 + t75 * (t65 * 0.25) - t165 * t189;
-        let t307 = -0.5 * t193;
-        let t308 = t75 * (0.5 * t162 + reference[13] * t307);
-        let t309 = t85 * (reference[14] * t307);
-        let t310 = t88 * t307;
-        let t311 = length * reference[29];
-        let t312 = length * reference[30];
-        let t313 = -0.5 * t172;
-        let t314 = t75 * (-0.5 * t184 + reference[12] * t313);
-        let t315 = t85 * t313;
-        let t316 = t285 + t131 * t186 + (t286 + t139 * t185);
-        let t317 = t186 * t187 + t185 * t189;
-        let t318 = -0.5 * t191;
-        let t319 = t75 * (0.5 * t184 + reference[12] * t318);
-        let t320 = t85 * t318;
-        let t321 = t75 * t107 + t85 * t108 + t88 * t109;
-        let t322 = t75 * t128 + t85 * t129 + t88 * t130;
-        let t323 = t312 * (t60 + t61 - reference[5]);
-        let t324 = inverse_length
-            * (t150 - t82 * t147 + (t152 - t86 * t151) + (t154 - t89 * t153));
-        let t325 = inverse_length * (t82 * t157 - t159 + (t86 * t160 - t161));
-        let t326 = inverse_length * (t182 + (t89 * t183 - t88 * t180));
-        let t327 = inverse_length * (t201 + (t89 * t202 - t88 * t199));
+        let t83 = t75 + reference[14] * t71;
+        let t84 = t68 * t76;
+        let t85 = 2.0 * t71;
+        let t86 = t71 * t85 / t70;
+        let t87 = t71 * t72;
+        let t88 = t61 * ((t87 + (t87 + t63 * t86)) / t56);
+        let t89 = t71 * t74;
+        let t90 = t60 * ((t89 + (t89 + t65 * t86)) / t56);
+        let t91 = t77 * t80;
+        let t92 = t76 * t84
+            + t69 * (reference[9] * t88 - reference[10] * t90 - reference[12] * t86)
+            + (t80 * t91 + t79 * (t88 - reference[11] * t90 - reference[13] * t86));
+        let t93 = t81 * t83;
+        let t94 = t92 + (t83 * t93 - t82 * (t90 + reference[14] * t86));
+        let t95 = t53 * 2.0;
+        let t96 = t71 * t95;
+        let t97 = (t59 + t63 * t96) / t56;
+        let t98 = t61 * t97;
+        let t99 = t65 * t96 / t56;
+        let t100 = t60 * t99;
+        let t101 = reference[15]
+            + (reference[9] * t98 - reference[10] * t100 - reference[12] * t96);
+        let t102 = reference[16] + (t98 - reference[11] * t100 - reference[13] * t96);
+        let t103 = reference[17] - (t100 + reference[14] * t96);
+        let t104 = t68 * t101;
+        let t105 = t71 * (2.0 * t96) / t70;
+        let t106 = t71 * t97;
+        let t107 = t72 * t96;
+        let t108 = t61 * ((t106 + t63 * t105 + t107) / t56);
+        let t109 = t71 * t99;
+        let t110 = t74 * t96;
+        let t111 = t60 * ((t109 + t65 * t105 + t110) / t56);
+        let t112 = t77 * t102;
+        let t113 = t76 * t104
+            + t69 * (reference[10] * t111 - reference[9] * t108 + reference[12] * t105)
+            + (t80 * t112 + t79 * (reference[11] * t111 - t108 + reference[13] * t105));
+        let t114 = t81 * t103;
+        let t115 = t113 + (t83 * t114 + t82 * (t111 + reference[14] * t105));
+        let t116 = t54 * 2.0;
+        let t117 = t71 * t116;
+        let t118 = t63 * t117 / t56;
+        let t119 = t61 * t118;
+        let t120 = (t65 * t117 - t59) / t56;
+        let t121 = t60 * t120;
+        let t122 = reference[19]
+            + (reference[9] * t119 - reference[10] * t121 - reference[12] * t117);
+        let t123 = reference[20] + (t119 - reference[11] * t121 - reference[13] * t117);
+        let t124 = reference[21] - (t121 + reference[14] * t117);
+        let t125 = t68 * t122;
+        let t126 = t71 * (2.0 * t117) / t70;
+        let t127 = t71 * t118;
+        let t128 = t72 * t117;
+        let t129 = t61 * ((t127 + t63 * t126 + t128) / t56);
+        let t130 = t71 * t120;
+        let t131 = t74 * t117;
+        let t132 = t60 * ((t130 + t65 * t126 + t131) / t56);
+        let t133 = t77 * t123;
+        let t134 = t76 * t125
+            + t69 * (reference[10] * t132 - reference[9] * t129 + reference[12] * t126)
+            + (t80 * t133 + t79 * (reference[11] * t132 - t129 + reference[13] * t126));
+        let t135 = t81 * t124;
+        let t136 = t134 + (t83 * t135 + t82 * (t132 + reference[14] * t126));
+        let t137 = 1.0 / t56;
+        let t138 = t60 * t137;
+        let t139 = reference[10] * t138;
+        let t140 = reference[11] * t138;
+        let t141 = t68 * t139;
+        let t142 = t71 * t137 / t56;
+        let t143 = t60 * t142;
+        let t144 = t69 * (reference[10] * t143);
+        let t145 = t77 * t140;
+        let t146 = t79 * (reference[11] * t143);
+        let t147 = t81 * t138;
+        let t148 = t82 * t143;
+        let t149 = t61 * t137;
+        let t150 = reference[9] * t149;
+        let t151 = t68 * t150;
+        let t152 = t61 * t142;
+        let t153 = t69 * (reference[9] * t152);
+        let t154 = t77 * t149;
+        let t155 = t79 * t152;
+        let t156 = -0.5 * t61;
+        let t157 = -0.5 * t65;
+        let t158 = t59 * t156 - reference[10] * t157;
+        let t159 = reference[11] * t157;
+        let t160 = t68 * t158;
+        let t161 = -0.5 * t74;
+        let t162 = t77 * t159;
+        let t163 = t76 * t160 + t69 * (reference[10] * t161)
+            + (t79 * (reference[11] * t161) - t80 * t162);
+        let t164 = t81 * t157;
+        let t165 = t163 + (t82 * t161 - t83 * t164);
+        let t166 = t53 * (-0.5) / t56;
+        let t167 = t61 * t166;
+        let t168 = t54 * (-0.5) / t56;
+        let t169 = t60 * t168;
+        let t170 = -0.5 * t62 + reference[9] * t167 + reference[10] * t169;
+        let t171 = t167 + reference[11] * t169;
+        let t172 = t68 * t170;
+        let t173 = t61 * (t71 * t166 / t56);
+        let t174 = t60 * (t71 * t168 / t56);
+        let t175 = t77 * t171;
+        let t176 = t76 * t172 - t69 * (reference[9] * t173 + reference[10] * t174)
+            + (t80 * t175 - t79 * (t173 + reference[11] * t174));
+        let t177 = t81 * t169;
+        let t178 = -0.5 * t60;
+        let t179 = -0.5 * t63;
+        let t180 = t59 * t178 + reference[9] * t179;
+        let t181 = t68 * t180;
+        let t182 = -0.5 * t72;
+        let t183 = t77 * t179;
+        let t184 = t76 * t181 - t69 * (reference[9] * t182) + (t80 * t183 - t79 * t182);
+        let t185 = 0.5 * t53 / t56;
+        let t186 = t61 * t185;
+        let t187 = 0.5 * t54 / t56;
+        let t188 = t60 * t187;
+        let t189 = 0.5 * t62 + reference[9] * t186 + reference[10] * t188;
+        let t190 = t186 + reference[11] * t188;
+        let t191 = t68 * t189;
+        let t192 = t61 * (t71 * t185 / t56);
+        let t193 = t60 * (t71 * t187 / t56);
+        let t194 = t77 * t190;
+        let t195 = t76 * t191 - t69 * (reference[9] * t192 + reference[10] * t193)
+            + (t80 * t194 - t79 * (t192 + reference[11] * t193));
+        let t196 = t81 * t188;
+        let t197 = t86 * t95;
+        let t198 = t61 * ((t106 + (t107 + t63 * t197)) / t56);
+        let t199 = t60 * ((t109 + (t110 + t65 * t197)) / t56);
+        let t200 = t84 * t101
+            + t69 * (reference[10] * t199 - reference[9] * t198 + reference[12] * t197)
+            + (t91 * t102 + t79 * (reference[11] * t199 - t198 + reference[13] * t197));
+        let t201 = t200 + (t93 * t103 + t82 * (t199 + reference[14] * t197));
+        let t202 = t85 + t95 * t105;
+        let t203 = t96 * t97;
+        let t204 = t61 * ((t203 + (t203 + t63 * t202)) / t56);
+        let t205 = t96 * t99;
+        let t206 = t60 * ((t205 + (t205 + t65 * t202)) / t56);
+        let t207 = t101 * t104
+            + t69 * (reference[9] * t204 - reference[10] * t206 - reference[12] * t202)
+            + (t102 * t112 + t79 * (t204 - reference[11] * t206 - reference[13] * t202));
+        let t208 = t207 + (t103 * t114 - t82 * (t206 + reference[14] * t202));
+        let t209 = t95 * t126;
+        let t210 = t96 * t118;
+        let t211 = t97 * t117;
+        let t212 = t61 * ((t210 + t63 * t209 + t211) / t56);
+        let t213 = t96 * t120;
+        let t214 = t99 * t117;
+        let t215 = t60 * ((t213 + t65 * t209 + t214) / t56);
+        let t216 = t101 * t125
+            + t69 * (reference[9] * t212 - reference[10] * t215 - reference[12] * t209)
+            + (t102 * t133 + t79 * (t212 - reference[11] * t215 - reference[13] * t209));
+        let t217 = t216 + (t103 * t135 - t82 * (t215 + reference[14] * t209));
+        let t218 = t96 * t137 / t56;
+        let t219 = t60 * t218;
+        let t220 = t69 * (reference[10] * t219);
+        let t221 = t79 * (reference[11] * t219);
+        let t222 = t82 * t219;
+        let t223 = t61 * t218;
+        let t224 = t69 * (reference[9] * t223);
+        let t225 = t79 * t223;
+        let t226 = -0.5 * t99;
+        let t227 = t69 * (reference[10] * t226);
+        let t228 = t79 * (reference[11] * t226);
+        let t229 = t82 * t226;
+        let t230 = t101 * t160 - t227 - (t102 * t162 + t228) - (t103 * t164 + t229);
+        let t231 = t61 * ((-0.5 + t96 * t166) / t56);
+        let t232 = t60 * (t96 * t168 / t56);
+        let t233 = t69 * (reference[9] * t231 + reference[10] * t232);
+        let t234 = t79 * (t231 + reference[11] * t232);
+        let t235 = t82 * t232;
+        let t236 = -0.5 * t97;
+        let t237 = t101 * t181 + t69 * (reference[9] * t236)
+            + (t102 * t183 + t79 * t236);
+        let t238 = t61 * ((0.5 + t96 * t185) / t56);
+        let t239 = t60 * (t96 * t187 / t56);
+        let t240 = t69 * (reference[9] * t238 + reference[10] * t239);
+        let t241 = t79 * (t238 + reference[11] * t239);
+        let t242 = t82 * t239;
+        let t243 = t86 * t116;
+        let t244 = t61 * ((t127 + (t128 + t63 * t243)) / t56);
+        let t245 = t60 * ((t130 + (t131 + t65 * t243)) / t56);
+        let t246 = t84 * t122
+            + t69 * (reference[10] * t245 - reference[9] * t244 + reference[12] * t243)
+            + (t91 * t123 + t79 * (reference[11] * t245 - t244 + reference[13] * t243));
+        let t247 = t246 + (t93 * t124 + t82 * (t245 + reference[14] * t243));
+        let t248 = t105 * t116;
+        let t249 = t61 * ((t210 + (t211 + t63 * t248)) / t56);
+        let t250 = t60 * ((t213 + (t214 + t65 * t248)) / t56);
+        let t251 = t104 * t122
+            + t69 * (reference[9] * t249 - reference[10] * t250 - reference[12] * t248)
+            + (t112 * t123 + t79 * (t249 - reference[11] * t250 - reference[13] * t248));
+        let t252 = t251 + (t114 * t124 - t82 * (t250 + reference[14] * t248));
+        let t253 = t85 + t116 * t126;
+        let t254 = t117 * t118;
+        let t255 = t61 * ((t254 + (t254 + t63 * t253)) / t56);
+        let t256 = t117 * t120;
+        let t257 = t60 * ((t256 + (t256 + t65 * t253)) / t56);
+        let t258 = t122 * t125
+            + t69 * (reference[9] * t255 - reference[10] * t257 - reference[12] * t253)
+            + (t123 * t133 + t79 * (t255 - reference[11] * t257 - reference[13] * t253));
+        let t259 = t258 + (t124 * t135 - t82 * (t257 + reference[14] * t253));
+        let t260 = t117 * t137 / t56;
+        let t261 = t60 * t260;
+        let t262 = t69 * (reference[10] * t261);
+        let t263 = t79 * (reference[11] * t261);
+        let t264 = t82 * t261;
+        let t265 = t61 * t260;
+        let t266 = t69 * (reference[9] * t265);
+        let t267 = t79 * t265;
+        let t268 = -0.5 * t120;
+        let t269 = t69 * (reference[10] * t268);
+        let t270 = t79 * (reference[11] * t268);
+        let t271 = t82 * t268;
+        let t272 = t122 * t160 - t269 - (t123 * t162 + t270) - (t124 * t164 + t271);
+        let t273 = t61 * (t117 * t166 / t56);
+        let t274 = t60 * ((-0.5 + t117 * t168) / t56);
+        let t275 = t69 * (reference[9] * t273 + reference[10] * t274);
+        let t276 = t79 * (t273 + reference[11] * t274);
+        let t277 = t82 * t274;
+        let t278 = -0.5 * t118;
+        let t279 = t69 * (reference[9] * t278);
+        let t280 = t79 * t278;
+        let t281 = t122 * t181 + t279 + (t123 * t183 + t280);
+        let t282 = t61 * (t117 * t185 / t56);
+        let t283 = t60 * ((0.5 + t117 * t187) / t56);
+        let t284 = t69 * (reference[9] * t282 + reference[10] * t283);
+        let t285 = t79 * (t282 + reference[11] * t283);
+        let t286 = t82 * t283;
+        let t287 = -0.5 * t137;
+        let t288 = t69 * (reference[10] * t287);
+        let t289 = t79 * (reference[11] * t287);
+        let t290 = t82 * t287;
+        let t291 = t69 * (reference[9] * t287);
+        let t292 = t79 * t287;
+        let t293 = t104 * t158 - t227 - (t228 + t112 * t159) - (t229 + t114 * t157);
+        let t294 = t125 * t158 - t269 - (t270 + t133 * t159) - (t271 + t135 * t157);
+        let t295 = t158 * t160 + t159 * t162 + t157 * t164;
+        let t296 = -0.5 * t168;
+        let t297 = t69 * (-0.5 * t156 + reference[10] * t296);
+        let t298 = t79 * (reference[11] * t296);
+        let t299 = t82 * t296;
+        let t300 = t158 * t181 + t69 * (t59 * 0.25) - t159 * t183;
+        let t301 = -0.5 * t187;
+        let t302 = t69 * (0.5 * t156 + reference[10] * t301);
+        let t303 = t79 * (reference[11] * t301);
+        let t304 = t82 * t301;
+        let t305 = -0.5 * t166;
+        let t306 = t69 * (-0.5 * t178 + reference[9] * t305);
+        let t307 = t79 * t305;
+        let t308 = t279 + t125 * t180 + (t280 + t133 * t179);
+        let t309 = t180 * t181 + t179 * t183;
+        let t310 = -0.5 * t185;
+        let t311 = t69 * (0.5 * t178 + reference[9] * t310);
+        let t312 = t79 * t310;
+        let t313 = t69 * t101 + t79 * t102 + t82 * t103;
+        let t314 = t69 * t122 + t79 * t123 + t82 * t124;
+        let t315 = inverse_length
+            * (t144 - t76 * t141 + (t146 - t80 * t145) + (t148 - t83 * t147));
+        let t316 = inverse_length * (t76 * t151 - t153 + (t80 * t154 - t155));
+        let t317 = inverse_length * (t176 + (t83 * t177 - t82 * t174));
+        let t318 = inverse_length * (t195 + (t83 * t196 - t82 * t193));
+        let t319 = inverse_length
+            * (t101 * t141 + t220 + (t102 * t145 + t221) + (t103 * t147 + t222));
+        let t320 = inverse_length * (t101 * t151 + t224 + (t102 * t154 + t225));
+        let t321 = inverse_length
+            * (t101 * t172 + t233 + (t102 * t175 + t234) + (t103 * t177 + t235));
+        let t322 = inverse_length
+            * (t101 * t191 + t240 + (t102 * t194 + t241) + (t103 * t196 + t242));
+        let t323 = inverse_length
+            * (t122 * t141 + t262 + (t123 * t145 + t263) + (t124 * t147 + t264));
+        let t324 = inverse_length * (t122 * t151 + t266 + (t123 * t154 + t267));
+        let t325 = inverse_length
+            * (t122 * t172 + t275 + (t123 * t175 + t276) + (t124 * t177 + t277));
+        let t326 = inverse_length
+            * (t122 * t191 + t284 + (t123 * t194 + t285) + (t124 * t196 + t286));
+        let t327 = inverse_length * (t69 * t139 + t79 * t140 + t82 * t138);
         let t328 = inverse_length
-            * (t107 * t147 + t226 + (t108 * t151 + t227) + (t109 * t153 + t228));
-        let t329 = inverse_length * (t107 * t157 + t230 + (t108 * t160 + t231));
+            * (t84 * t139 - t144 + (t91 * t140 - t146) + (t93 * t138 - t148));
+        let t329 = inverse_length
+            * (t220 + t104 * t139 + (t221 + t112 * t140) + (t222 + t114 * t138));
         let t330 = inverse_length
-            * (t107 * t178 + t239 + (t108 * t181 + t240) + (t109 * t183 + t241));
-        let t331 = inverse_length
-            * (t107 * t197 + t246 + (t108 * t200 + t247) + (t109 * t202 + t248));
-        let t332 = inverse_length
-            * (t128 * t147 + t268 + (t129 * t151 + t269) + (t130 * t153 + t270));
-        let t333 = inverse_length * (t128 * t157 + t272 + (t129 * t160 + t273));
+            * (t262 + t125 * t139 + (t263 + t133 * t140) + (t264 + t135 * t138));
+        let t331 = inverse_length * inverse_length;
+        let t332 = (t139 * t141 + t140 * t145 + t138 * t147) * t331;
+        let t333 = (t139 * t151 + t140 * t154) * t331;
         let t334 = inverse_length
-            * (t128 * t178 + t281 + (t129 * t181 + t282) + (t130 * t183 + t283));
-        let t335 = inverse_length
-            * (t128 * t197 + t290 + (t129 * t200 + t291) + (t130 * t202 + t292));
-        let t336 = inverse_length * (t75 * t145 + t85 * t146 + t88 * t144);
-        let t337 = inverse_length
-            * (t90 * t145 - t150 + (t97 * t146 - t152) + (t99 * t144 - t154));
-        let t338 = inverse_length
-            * (t226 + t110 * t145 + (t227 + t118 * t146) + (t228 + t120 * t144));
-        let t339 = inverse_length
-            * (t268 + t131 * t145 + (t269 + t139 * t146) + (t270 + t141 * t144));
-        let t340 = inverse_length * inverse_length;
-        let t341 = (t145 * t147 + t146 * t151 + t144 * t153) * t340;
-        let t342 = (t145 * t157 + t146 * t160) * t340;
-        let t343 = inverse_length
-            * (t145 * t166 + t294 + (t295 - t146 * t168) + (t296 - t144 * t170));
-        let t344 = (t145 * t178 + t146 * t181 + t144 * t183) * t340;
-        let t345 = inverse_length * (t145 * t187 + t146 * t189);
-        let t346 = (t145 * t197 + t146 * t200 + t144 * t202) * t340;
-        let t347 = inverse_length * (t75 * t156 + t85 * t155);
-        let t348 = inverse_length * (t90 * t156 - t159 + (t97 * t155 - t161));
-        let t349 = inverse_length * (t230 + t110 * t156 + (t231 + t118 * t155));
-        let t350 = inverse_length * (t272 + t131 * t156 + (t273 + t139 * t155));
-        let t351 = (t147 * t156 + t151 * t155) * t340;
-        let t352 = (t156 * t157 + t155 * t160) * t340;
-        let t353 = inverse_length * (t156 * t166 - t155 * t168);
-        let t354 = (t156 * t178 + t155 * t181) * t340;
-        let t355 = inverse_length * (t156 * t187 + t297 + (t298 + t155 * t189));
-        let t356 = (t156 * t197 + t155 * t200) * t340;
+            * (t139 * t160 + t288 + (t289 - t140 * t162) + (t290 - t138 * t164));
+        let t335 = (t139 * t172 + t140 * t175 + t138 * t177) * t331;
+        let t336 = inverse_length * (t139 * t181 + t140 * t183);
+        let t337 = (t139 * t191 + t140 * t194 + t138 * t196) * t331;
+        let t338 = inverse_length * (t69 * t150 + t79 * t149);
+        let t339 = inverse_length * (t84 * t150 - t153 + (t91 * t149 - t155));
+        let t340 = inverse_length * (t224 + t104 * t150 + (t225 + t112 * t149));
+        let t341 = inverse_length * (t266 + t125 * t150 + (t267 + t133 * t149));
+        let t342 = (t141 * t150 + t145 * t149) * t331;
+        let t343 = (t150 * t151 + t149 * t154) * t331;
+        let t344 = inverse_length * (t150 * t160 - t149 * t162);
+        let t345 = (t150 * t172 + t149 * t175) * t331;
+        let t346 = inverse_length * (t150 * t181 + t291 + (t292 + t149 * t183));
+        let t347 = (t150 * t191 + t149 * t194) * t331;
+        let t348 = inverse_length
+            * (t288 + t141 * t158 + (t289 - t145 * t159) + (t290 - t147 * t157));
+        let t349 = inverse_length * (t151 * t158 - t154 * t159);
+        let t350 = inverse_length
+            * (t158 * t172 + t297 - (t159 * t175 - t298) - (t157 * t177 - t299));
+        let t351 = inverse_length
+            * (t158 * t191 + t302 - (t159 * t194 - t303) - (t157 * t196 - t304));
+        let t352 = inverse_length * (t69 * t170 + t79 * t171 + t82 * t169);
+        let t353 = inverse_length
+            * (t233 + t104 * t170 + (t234 + t112 * t171) + (t235 + t114 * t169));
+        let t354 = inverse_length
+            * (t275 + t125 * t170 + (t276 + t133 * t171) + (t277 + t135 * t169));
+        let t355 = (t141 * t170 + t145 * t171 + t147 * t169) * t331;
+        let t356 = (t151 * t170 + t154 * t171) * t331;
         let t357 = inverse_length
-            * (t294 + t147 * t164 + (t295 - t151 * t165) + (t296 - t153 * t163));
-        let t358 = inverse_length * (t157 * t164 - t160 * t165);
-        let t359 = inverse_length
-            * (t164 * t178 + t303 - (t165 * t181 - t304) - (t163 * t183 - t305));
-        let t360 = inverse_length
-            * (t164 * t197 + t308 - (t165 * t200 - t309) - (t163 * t202 - t310));
-        let t361 = inverse_length
-            * (t311 * (b_x * db_x + b_y * db_y + b_z * db_z - reference[3]));
-        let t362 = t311 * t340;
-        let t363 = inverse_length * (t75 * t176 + t85 * t177 + t88 * t175 + t323);
-        let t364 = inverse_length
-            * (t239 + t110 * t176 + (t240 + t118 * t177) + (t241 + t120 * t175));
+            * (t297 + t160 * t170 + (t298 - t162 * t171) + (t299 - t164 * t169));
+        let t358 = (t170 * t172 + t171 * t175 + t169 * t177) * t331;
+        let t359 = inverse_length * (t170 * t181 + t306 + (t171 * t183 + t307));
+        let t360 = (t170 * t191 + t171 * t194 + t169 * t196) * t331;
+        let t361 = inverse_length * (t291 + t151 * t180 + (t292 + t154 * t179));
+        let t362 = inverse_length * (t306 + t172 * t180 + (t307 + t175 * t179));
+        let t363 = inverse_length * (t180 * t191 + t311 + (t312 + t179 * t194));
+        let t364 = inverse_length * (t69 * t189 + t79 * t190 + t82 * t188);
         let t365 = inverse_length
-            * (t281 + t131 * t176 + (t282 + t139 * t177) + (t283 + t141 * t175));
-        let t366 = (t147 * t176 + t151 * t177 + t153 * t175) * t340;
-        let t367 = (t157 * t176 + t160 * t177) * t340;
-        let t368 = inverse_length
-            * (t303 + t166 * t176 + (t304 - t168 * t177) + (t305 - t170 * t175));
-        let t369 = (t312 + (t176 * t178 + t177 * t181 + t175 * t183)) * t340;
-        let t370 = inverse_length * (t176 * t187 + t314 + (t177 * t189 + t315));
-        let t371 = (t312 + (t176 * t197 + t177 * t200 + t175 * t202)) * t340;
-        let t372 = inverse_length * (t297 + t157 * t186 + (t298 + t160 * t185));
-        let t373 = inverse_length * (t314 + t178 * t186 + (t315 + t181 * t185));
-        let t374 = inverse_length * (t186 * t197 + t319 + (t320 + t185 * t200));
-        let t375 = inverse_length * (t323 + (t75 * t195 + t85 * t196 + t88 * t194));
-        let t376 = inverse_length
-            * (t246 + t110 * t195 + (t247 + t118 * t196) + (t248 + t120 * t194));
-        let t377 = inverse_length
-            * (t290 + t131 * t195 + (t291 + t139 * t196) + (t292 + t141 * t194));
-        let t378 = (t147 * t195 + t151 * t196 + t153 * t194) * t340;
-        let t379 = (t157 * t195 + t160 * t196) * t340;
-        let t380 = inverse_length
-            * (t308 + t166 * t195 + (t309 - t168 * t196) + (t310 - t170 * t194));
-        let t381 = (t312 + (t178 * t195 + t181 * t196 + t183 * t194)) * t340;
-        let t382 = inverse_length * (t319 + t187 * t195 + (t320 + t189 * t196));
-        let t383 = (t312 + (t195 * t197 + t196 * t200 + t194 * t202)) * t340;
-        let t384 = inverse_length
-            * (t311 * (c_x * dc_x + c_y * dc_y + c_z * dc_z - reference[4]));
-        let t385 = a_x * 2.0;
-        let t386 = a_y * 2.0;
-        let t387 = a_z * 2.0;
-        let t388 = b_x * 2.0;
-        let t389 = b_y * 2.0;
-        let t390 = b_z * 2.0;
-        let t391 = c_x * 2.0;
-        let t392 = c_y * 2.0;
-        let t393 = c_z * 2.0;
-        let t394 = t100 * t385 + b_x * t121 + c_x * t142 + unit_db_x * t324
-            + unit_dc_x * t325;
-        let t395 = t100 * t386 + b_y * t121 + c_y * t142 + unit_db_y * t324
-            + unit_dc_y * t325;
-        let t396 = t100 * t387 + b_z * t121 + c_z * t142 + unit_db_z * t324
-            + unit_dc_z * t325;
-        let t397 = a_x * t121 + t171 * t388 + unit_dc_x * t326;
-        let t398 = a_y * t121 + t171 * t389 + unit_dc_y * t326;
-        let t399 = a_z * t121 + t171 * t390 + unit_dc_z * t326;
-        let t400 = a_x * t142 + t190 * t391 + unit_db_x * t327;
-        let t401 = a_y * t142 + t190 * t392 + unit_db_y * t327;
-        let t402 = a_z * t142 + t190 * t393 + unit_db_z * t327;
-        let t403 = a_x * t324 + c_x * t327;
-        let t404 = a_y * t324 + c_y * t327;
-        let t405 = a_z * t324 + c_z * t327;
-        let t406 = a_x * t325 + b_x * t326;
-        let t407 = a_y * t325 + b_y * t326;
-        let t408 = a_z * t325 + b_z * t326;
-        let t409 = t207 * t385 + b_x * t214 + c_x * t223 - unit_db_x * t328
-            + unit_dc_x * t329;
-        let t410 = t207 * t386 + b_y * t214 + c_y * t223 - unit_db_y * t328
-            + unit_dc_y * t329;
-        let t411 = t207 * t387 + b_z * t214 + c_z * t223 - unit_db_z * t328
-            + unit_dc_z * t329;
-        let t412 = a_x * t214 + t236 * t388 + unit_dc_x * t330;
-        let t413 = a_y * t214 + t236 * t389 + unit_dc_y * t330;
-        let t414 = a_z * t214 + t236 * t390 + unit_dc_z * t330;
-        let t415 = a_x * t223 + t243 * t391 + unit_db_x * t331;
-        let t416 = a_y * t223 + t243 * t392 + unit_db_y * t331;
-        let t417 = a_z * t223 + t243 * t393 + unit_db_z * t331;
-        let t418 = c_x * t331 - a_x * t328;
-        let t419 = c_y * t331 - a_y * t328;
-        let t420 = c_z * t331 - a_z * t328;
-        let t421 = a_x * t329 + b_x * t330;
-        let t422 = a_y * t329 + b_y * t330;
-        let t423 = a_z * t329 + b_z * t330;
-        let t424 = t253 * t385 + b_x * t258 + c_x * t265 - unit_db_x * t332
-            + unit_dc_x * t333;
-        let t425 = t253 * t386 + b_y * t258 + c_y * t265 - unit_db_y * t332
-            + unit_dc_y * t333;
-        let t426 = t253 * t387 + b_z * t258 + c_z * t265 - unit_db_z * t332
-            + unit_dc_z * t333;
-        let t427 = a_x * t258 + t278 * t388 + unit_dc_x * t334;
-        let t428 = a_y * t258 + t278 * t389 + unit_dc_y * t334;
-        let t429 = a_z * t258 + t278 * t390 + unit_dc_z * t334;
-        let t430 = a_x * t265 + t287 * t391 + unit_db_x * t335;
-        let t431 = a_y * t265 + t287 * t392 + unit_db_y * t335;
-        let t432 = a_z * t265 + t287 * t393 + unit_db_z * t335;
-        let t433 = c_x * t335 - a_x * t332;
-        let t434 = c_y * t335 - a_y * t332;
-        let t435 = c_z * t335 - a_z * t332;
-        let t436 = a_x * t333 + b_x * t334;
-        let t437 = a_y * t333 + b_y * t334;
-        let t438 = a_z * t333 + b_z * t334;
-        let t439 = unit_db_x * t341 - (t337 * t385 + b_x * t338 + c_x * t339)
-            - unit_dc_x * t342;
-        let t440 = unit_db_y * t341 - (t337 * t386 + b_y * t338 + c_y * t339)
-            - unit_dc_y * t342;
-        let t441 = unit_db_z * t341 - (t337 * t387 + b_z * t338 + c_z * t339)
-            - unit_dc_z * t342;
-        let t442 = a_x * t338 + t343 * t388 + unit_dc_x * t344;
-        let t443 = a_y * t338 + t343 * t389 + unit_dc_y * t344;
-        let t444 = a_z * t338 + t343 * t390 + unit_dc_z * t344;
-        let t445 = a_x * t339 + t345 * t391 + unit_db_x * t346;
-        let t446 = a_y * t339 + t345 * t392 + unit_db_y * t346;
-        let t447 = a_z * t339 + t345 * t393 + unit_db_z * t346;
-        let t448 = a_x * t341 - c_x * t346;
-        let t449 = a_y * t341 - c_y * t346;
-        let t450 = a_z * t341 - c_z * t346;
-        let t451 = a_x * t342 + b_x * t344;
-        let t452 = a_y * t342 + b_y * t344;
-        let t453 = a_z * t342 + b_z * t344;
-        let t454 = t348 * t385 + b_x * t349 + c_x * t350 - unit_db_x * t351
-            + unit_dc_x * t352;
-        let t455 = t348 * t386 + b_y * t349 + c_y * t350 - unit_db_y * t351
-            + unit_dc_y * t352;
-        let t456 = t348 * t387 + b_z * t349 + c_z * t350 - unit_db_z * t351
-            + unit_dc_z * t352;
-        let t457 = a_x * t349 + t353 * t388 + unit_dc_x * t354;
-        let t458 = a_y * t349 + t353 * t389 + unit_dc_y * t354;
-        let t459 = a_z * t349 + t353 * t390 + unit_dc_z * t354;
-        let t460 = a_x * t350 + t355 * t391 + unit_db_x * t356;
-        let t461 = a_y * t350 + t355 * t392 + unit_db_y * t356;
-        let t462 = a_z * t350 + t355 * t393 + unit_db_z * t356;
-        let t463 = c_x * t356 - a_x * t351;
-        let t464 = c_y * t356 - a_y * t351;
-        let t465 = c_z * t356 - a_z * t351;
-        let t466 = a_x * t352 + b_x * t354;
-        let t467 = a_y * t352 + b_y * t354;
-        let t468 = a_z * t352 + b_z * t354;
-        let t469 = a_x * t299 + t301 * t388 + unit_dc_x * t359;
-        let t470 = a_y * t299 + t301 * t389 + unit_dc_y * t359;
-        let t471 = a_z * t299 + t301 * t390 + unit_dc_z * t359;
-        let t472 = a_x * t300 + t306 * t391 + unit_db_x * t360;
-        let t473 = a_y * t300 + t306 * t392 + unit_db_y * t360;
-        let t474 = a_z * t300 + t306 * t393 + unit_db_z * t360;
-        let t475 = c_x * t360 - a_x * t357;
-        let t476 = c_y * t360 - a_y * t357;
-        let t477 = c_z * t360 - a_z * t357;
-        let t478 = a_x * t358 + b_x * t359;
-        let t479 = a_y * t358 + b_y * t359;
-        let t480 = a_z * t358 + b_z * t359;
-        let t481 = unit_db_x * t362;
-        let t482 = unit_db_y * t362;
-        let t483 = unit_db_z * t362;
-        let t484 = b_x * t362;
-        let t485 = b_y * t362;
-        let t486 = b_z * t362;
-        let t487 = a_x * t364 + t368 * t388 + unit_dc_x * t369;
-        let t488 = a_y * t364 + t368 * t389 + unit_dc_y * t369;
-        let t489 = a_z * t364 + t368 * t390 + unit_dc_z * t369;
-        let t490 = a_x * t365 + t370 * t391 + unit_db_x * t371;
-        let t491 = a_y * t365 + t370 * t392 + unit_db_y * t371;
-        let t492 = a_z * t365 + t370 * t393 + unit_db_z * t371;
-        let t493 = c_x * t371 - a_x * t366;
-        let t494 = c_y * t371 - a_y * t366;
-        let t495 = c_z * t371 - a_z * t366;
-        let t496 = a_x * t367 + b_x * t369;
-        let t497 = a_y * t367 + b_y * t369;
-        let t498 = a_z * t367 + b_z * t369;
-        let t499 = a_x * t316 + t317 * t391 + unit_db_x * t374;
-        let t500 = a_y * t316 + t317 * t392 + unit_db_y * t374;
-        let t501 = a_z * t316 + t317 * t393 + unit_db_z * t374;
-        let t502 = a_x * t372 + b_x * t373;
-        let t503 = a_y * t372 + b_y * t373;
-        let t504 = a_z * t372 + b_z * t373;
-        let t505 = a_x * t376 + t380 * t388 + unit_dc_x * t381;
-        let t506 = a_y * t376 + t380 * t389 + unit_dc_y * t381;
-        let t507 = a_z * t376 + t380 * t390 + unit_dc_z * t381;
-        let t508 = a_x * t377 + t382 * t391 + unit_db_x * t383;
-        let t509 = a_y * t377 + t382 * t392 + unit_db_y * t383;
-        let t510 = a_z * t377 + t382 * t393 + unit_db_z * t383;
-        let t511 = c_x * t383 - a_x * t378;
-        let t512 = c_y * t383 - a_y * t378;
-        let t513 = c_z * t383 - a_z * t378;
-        let t514 = a_x * t379 + b_x * t381;
-        let t515 = a_y * t379 + b_y * t381;
-        let t516 = a_z * t379 + b_z * t381;
-        let t517 = unit_dc_x * t362;
-        let t518 = unit_dc_y * t362;
-        let t519 = unit_dc_z * t362;
-        let t520 = c_x * t362;
-        let t521 = c_y * t362;
-        let t522 = c_z * t362;
-        let t523 = t385 * t394 + b_x * t409 + c_x * t424 + unit_db_x * t439
+            * (t240 + t104 * t189 + (t241 + t112 * t190) + (t242 + t114 * t188));
+        let t366 = inverse_length
+            * (t284 + t125 * t189 + (t285 + t133 * t190) + (t286 + t135 * t188));
+        let t367 = (t141 * t189 + t145 * t190 + t147 * t188) * t331;
+        let t368 = (t151 * t189 + t154 * t190) * t331;
+        let t369 = inverse_length
+            * (t302 + t160 * t189 + (t303 - t162 * t190) + (t304 - t164 * t188));
+        let t370 = (t172 * t189 + t175 * t190 + t177 * t188) * t331;
+        let t371 = inverse_length * (t311 + t181 * t189 + (t312 + t183 * t190));
+        let t372 = (t189 * t191 + t190 * t194 + t188 * t196) * t331;
+        let t373 = a_x * 2.0;
+        let t374 = a_y * 2.0;
+        let t375 = a_z * 2.0;
+        let t376 = b_x * 2.0;
+        let t377 = b_y * 2.0;
+        let t378 = b_z * 2.0;
+        let t379 = c_x * 2.0;
+        let t380 = c_y * 2.0;
+        let t381 = c_z * 2.0;
+        let t382 = t94 * t373 + b_x * t115 + c_x * t136 + unit_db_x * t315
+            + unit_dc_x * t316;
+        let t383 = t94 * t374 + b_y * t115 + c_y * t136 + unit_db_y * t315
+            + unit_dc_y * t316;
+        let t384 = t94 * t375 + b_z * t115 + c_z * t136 + unit_db_z * t315
+            + unit_dc_z * t316;
+        let t385 = a_x * t115 + t165 * t376 + unit_dc_x * t317;
+        let t386 = a_y * t115 + t165 * t377 + unit_dc_y * t317;
+        let t387 = a_z * t115 + t165 * t378 + unit_dc_z * t317;
+        let t388 = a_x * t136 + t184 * t379 + unit_db_x * t318;
+        let t389 = a_y * t136 + t184 * t380 + unit_db_y * t318;
+        let t390 = a_z * t136 + t184 * t381 + unit_db_z * t318;
+        let t391 = a_x * t315 + c_x * t318;
+        let t392 = a_y * t315 + c_y * t318;
+        let t393 = a_z * t315 + c_z * t318;
+        let t394 = a_x * t316 + b_x * t317;
+        let t395 = a_y * t316 + b_y * t317;
+        let t396 = a_z * t316 + b_z * t317;
+        let t397 = t201 * t373 + b_x * t208 + c_x * t217 - unit_db_x * t319
+            + unit_dc_x * t320;
+        let t398 = t201 * t374 + b_y * t208 + c_y * t217 - unit_db_y * t319
+            + unit_dc_y * t320;
+        let t399 = t201 * t375 + b_z * t208 + c_z * t217 - unit_db_z * t319
+            + unit_dc_z * t320;
+        let t400 = a_x * t208 + t230 * t376 + unit_dc_x * t321;
+        let t401 = a_y * t208 + t230 * t377 + unit_dc_y * t321;
+        let t402 = a_z * t208 + t230 * t378 + unit_dc_z * t321;
+        let t403 = a_x * t217 + t237 * t379 + unit_db_x * t322;
+        let t404 = a_y * t217 + t237 * t380 + unit_db_y * t322;
+        let t405 = a_z * t217 + t237 * t381 + unit_db_z * t322;
+        let t406 = c_x * t322 - a_x * t319;
+        let t407 = c_y * t322 - a_y * t319;
+        let t408 = c_z * t322 - a_z * t319;
+        let t409 = a_x * t320 + b_x * t321;
+        let t410 = a_y * t320 + b_y * t321;
+        let t411 = a_z * t320 + b_z * t321;
+        let t412 = t247 * t373 + b_x * t252 + c_x * t259 - unit_db_x * t323
+            + unit_dc_x * t324;
+        let t413 = t247 * t374 + b_y * t252 + c_y * t259 - unit_db_y * t323
+            + unit_dc_y * t324;
+        let t414 = t247 * t375 + b_z * t252 + c_z * t259 - unit_db_z * t323
+            + unit_dc_z * t324;
+        let t415 = a_x * t252 + t272 * t376 + unit_dc_x * t325;
+        let t416 = a_y * t252 + t272 * t377 + unit_dc_y * t325;
+        let t417 = a_z * t252 + t272 * t378 + unit_dc_z * t325;
+        let t418 = a_x * t259 + t281 * t379 + unit_db_x * t326;
+        let t419 = a_y * t259 + t281 * t380 + unit_db_y * t326;
+        let t420 = a_z * t259 + t281 * t381 + unit_db_z * t326;
+        let t421 = c_x * t326 - a_x * t323;
+        let t422 = c_y * t326 - a_y * t323;
+        let t423 = c_z * t326 - a_z * t323;
+        let t424 = a_x * t324 + b_x * t325;
+        let t425 = a_y * t324 + b_y * t325;
+        let t426 = a_z * t324 + b_z * t325;
+        let t427 = unit_db_x * t332 - (t328 * t373 + b_x * t329 + c_x * t330)
+            - unit_dc_x * t333;
+        let t428 = unit_db_y * t332 - (t328 * t374 + b_y * t329 + c_y * t330)
+            - unit_dc_y * t333;
+        let t429 = unit_db_z * t332 - (t328 * t375 + b_z * t329 + c_z * t330)
+            - unit_dc_z * t333;
+        let t430 = a_x * t329 + t334 * t376 + unit_dc_x * t335;
+        let t431 = a_y * t329 + t334 * t377 + unit_dc_y * t335;
+        let t432 = a_z * t329 + t334 * t378 + unit_dc_z * t335;
+        let t433 = a_x * t330 + t336 * t379 + unit_db_x * t337;
+        let t434 = a_y * t330 + t336 * t380 + unit_db_y * t337;
+        let t435 = a_z * t330 + t336 * t381 + unit_db_z * t337;
+        let t436 = a_x * t332 - c_x * t337;
+        let t437 = a_y * t332 - c_y * t337;
+        let t438 = a_z * t332 - c_z * t337;
+        let t439 = a_x * t333 + b_x * t335;
+        let t440 = a_y * t333 + b_y * t335;
+        let t441 = a_z * t333 + b_z * t335;
+        let t442 = t339 * t373 + b_x * t340 + c_x * t341 - unit_db_x * t342
+            + unit_dc_x * t343;
+        let t443 = t339 * t374 + b_y * t340 + c_y * t341 - unit_db_y * t342
+            + unit_dc_y * t343;
+        let t444 = t339 * t375 + b_z * t340 + c_z * t341 - unit_db_z * t342
+            + unit_dc_z * t343;
+        let t445 = a_x * t340 + t344 * t376 + unit_dc_x * t345;
+        let t446 = a_y * t340 + t344 * t377 + unit_dc_y * t345;
+        let t447 = a_z * t340 + t344 * t378 + unit_dc_z * t345;
+        let t448 = a_x * t341 + t346 * t379 + unit_db_x * t347;
+        let t449 = a_y * t341 + t346 * t380 + unit_db_y * t347;
+        let t450 = a_z * t341 + t346 * t381 + unit_db_z * t347;
+        let t451 = c_x * t347 - a_x * t342;
+        let t452 = c_y * t347 - a_y * t342;
+        let t453 = c_z * t347 - a_z * t342;
+        let t454 = a_x * t343 + b_x * t345;
+        let t455 = a_y * t343 + b_y * t345;
+        let t456 = a_z * t343 + b_z * t345;
+        let t457 = a_x * t293 + t295 * t376 + unit_dc_x * t350;
+        let t458 = a_y * t293 + t295 * t377 + unit_dc_y * t350;
+        let t459 = a_z * t293 + t295 * t378 + unit_dc_z * t350;
+        let t460 = a_x * t294 + t300 * t379 + unit_db_x * t351;
+        let t461 = a_y * t294 + t300 * t380 + unit_db_y * t351;
+        let t462 = a_z * t294 + t300 * t381 + unit_db_z * t351;
+        let t463 = c_x * t351 - a_x * t348;
+        let t464 = c_y * t351 - a_y * t348;
+        let t465 = c_z * t351 - a_z * t348;
+        let t466 = a_x * t349 + b_x * t350;
+        let t467 = a_y * t349 + b_y * t350;
+        let t468 = a_z * t349 + b_z * t350;
+        let t469 = a_x * t353 + t357 * t376 + unit_dc_x * t358;
+        let t470 = a_y * t353 + t357 * t377 + unit_dc_y * t358;
+        let t471 = a_z * t353 + t357 * t378 + unit_dc_z * t358;
+        let t472 = a_x * t354 + t359 * t379 + unit_db_x * t360;
+        let t473 = a_y * t354 + t359 * t380 + unit_db_y * t360;
+        let t474 = a_z * t354 + t359 * t381 + unit_db_z * t360;
+        let t475 = c_x * t360 - a_x * t355;
+        let t476 = c_y * t360 - a_y * t355;
+        let t477 = c_z * t360 - a_z * t355;
+        let t478 = a_x * t356 + b_x * t358;
+        let t479 = a_y * t356 + b_y * t358;
+        let t480 = a_z * t356 + b_z * t358;
+        let t481 = a_x * t308 + t309 * t379 + unit_db_x * t363;
+        let t482 = a_y * t308 + t309 * t380 + unit_db_y * t363;
+        let t483 = a_z * t308 + t309 * t381 + unit_db_z * t363;
+        let t484 = a_x * t361 + b_x * t362;
+        let t485 = a_y * t361 + b_y * t362;
+        let t486 = a_z * t361 + b_z * t362;
+        let t487 = a_x * t365 + t369 * t376 + unit_dc_x * t370;
+        let t488 = a_y * t365 + t369 * t377 + unit_dc_y * t370;
+        let t489 = a_z * t365 + t369 * t378 + unit_dc_z * t370;
+        let t490 = a_x * t366 + t371 * t379 + unit_db_x * t372;
+        let t491 = a_y * t366 + t371 * t380 + unit_db_y * t372;
+        let t492 = a_z * t366 + t371 * t381 + unit_db_z * t372;
+        let t493 = c_x * t372 - a_x * t367;
+        let t494 = c_y * t372 - a_y * t367;
+        let t495 = c_z * t372 - a_z * t367;
+        let t496 = a_x * t368 + b_x * t370;
+        let t497 = a_y * t368 + b_y * t370;
+        let t498 = a_z * t368 + b_z * t370;
+        let t499 = t373 * t382 + b_x * t397 + c_x * t412 + unit_db_x * t427
+            + unit_dc_x * t442;
+        let t500 = t373 * t383 + b_x * t398 + c_x * t413 + unit_db_x * t428
+            + unit_dc_x * t443;
+        let t501 = t373 * t384 + b_x * t399 + c_x * t414 + unit_db_x * t429
+            + unit_dc_x * t444;
+        let t502 = t374 * t382 + b_y * t397 + c_y * t412 + unit_db_y * t427
+            + unit_dc_y * t442;
+        let t503 = t374 * t383 + b_y * t398 + c_y * t413 + unit_db_y * t428
+            + unit_dc_y * t443;
+        let t504 = t374 * t384 + b_y * t399 + c_y * t414 + unit_db_y * t429
+            + unit_dc_y * t444;
+        let t505 = t375 * t382 + b_z * t397 + c_z * t412 + unit_db_z * t427
+            + unit_dc_z * t442;
+        let t506 = t375 * t383 + b_z * t398 + c_z * t413 + unit_db_z * t428
+            + unit_dc_z * t443;
+        let t507 = t375 * t384 + b_z * t399 + c_z * t414 + unit_db_z * t429
+            + unit_dc_z * t444;
+        let t508 = t373 * t385 + b_x * t400 + c_x * t415 - unit_db_x * t430
+            + unit_dc_x * t445;
+        let t509 = t373 * t386 + b_x * t401 + c_x * t416 - unit_db_x * t431
+            + unit_dc_x * t446;
+        let t510 = t373 * t387 + b_x * t402 + c_x * t417 - unit_db_x * t432
+            + unit_dc_x * t447;
+        let t511 = t374 * t385 + b_y * t400 + c_y * t415 - unit_db_y * t430
+            + unit_dc_y * t445;
+        let t512 = t374 * t386 + b_y * t401 + c_y * t416 - unit_db_y * t431
+            + unit_dc_y * t446;
+        let t513 = t374 * t387 + b_y * t402 + c_y * t417 - unit_db_y * t432
+            + unit_dc_y * t447;
+        let t514 = t375 * t385 + b_z * t400 + c_z * t415 - unit_db_z * t430
+            + unit_dc_z * t445;
+        let t515 = t375 * t386 + b_z * t401 + c_z * t416 - unit_db_z * t431
+            + unit_dc_z * t446;
+        let t516 = t375 * t387 + b_z * t402 + c_z * t417 - unit_db_z * t432
+            + unit_dc_z * t447;
+        let t517 = t373 * t388 + b_x * t403 + c_x * t418 - unit_db_x * t433
+            + unit_dc_x * t448;
+        let t518 = t373 * t389 + b_x * t404 + c_x * t419 - unit_db_x * t434
+            + unit_dc_x * t449;
+        let t519 = t373 * t390 + b_x * t405 + c_x * t420 - unit_db_x * t435
+            + unit_dc_x * t450;
+        let t520 = t374 * t388 + b_y * t403 + c_y * t418 - unit_db_y * t433
+            + unit_dc_y * t448;
+        let t521 = t374 * t389 + b_y * t404 + c_y * t419 - unit_db_y * t434
+            + unit_dc_y * t449;
+        let t522 = t374 * t390 + b_y * t405 + c_y * t420 - unit_db_y * t435
+            + unit_dc_y * t450;
+        let t523 = t375 * t388 + b_z * t403 + c_z * t418 - unit_db_z * t433
+            + unit_dc_z * t448;
+        let t524 = t375 * t389 + b_z * t404 + c_z * t419 - unit_db_z * t434
+            + unit_dc_z * t449;
+        let t525 = t375 * t390 + b_z * t405 + c_z * t420 - unit_db_z * t435
+            + unit_dc_z * t450;
+        let t526 = t373 * t391 + b_x * t406 + c_x * t421 + unit_db_x * t436
+            + unit_dc_x * t451;
+        let t527 = t373 * t392 + b_x * t407 + c_x * t422 + unit_db_x * t437
+            + unit_dc_x * t452;
+        let t528 = t373 * t393 + b_x * t408 + c_x * t423 + unit_db_x * t438
+            + unit_dc_x * t453;
+        let t529 = t374 * t391 + b_y * t406 + c_y * t421 + unit_db_y * t436
+            + unit_dc_y * t451;
+        let t530 = t374 * t392 + b_y * t407 + c_y * t422 + unit_db_y * t437
+            + unit_dc_y * t452;
+        let t531 = t374 * t393 + b_y * t408 + c_y * t423 + unit_db_y * t438
+            + unit_dc_y * t453;
+        let t532 = t375 * t391 + b_z * t406 + c_z * t421 + unit_db_z * t436
+            + unit_dc_z * t451;
+        let t533 = t375 * t392 + b_z * t407 + c_z * t422 + unit_db_z * t437
+            + unit_dc_z * t452;
+        let t534 = t375 * t393 + b_z * t408 + c_z * t423 + unit_db_z * t438
+            + unit_dc_z * t453;
+        let t535 = t373 * t394 + b_x * t409 + c_x * t424 - unit_db_x * t439
             + unit_dc_x * t454;
-        let t524 = t385 * t395 + b_x * t410 + c_x * t425 + unit_db_x * t440
+        let t536 = t373 * t395 + b_x * t410 + c_x * t425 - unit_db_x * t440
             + unit_dc_x * t455;
-        let t525 = t385 * t396 + b_x * t411 + c_x * t426 + unit_db_x * t441
+        let t537 = t373 * t396 + b_x * t411 + c_x * t426 - unit_db_x * t441
             + unit_dc_x * t456;
-        let t526 = t386 * t394 + b_y * t409 + c_y * t424 + unit_db_y * t439
+        let t538 = t374 * t394 + b_y * t409 + c_y * t424 - unit_db_y * t439
             + unit_dc_y * t454;
-        let t527 = t386 * t395 + b_y * t410 + c_y * t425 + unit_db_y * t440
+        let t539 = t374 * t395 + b_y * t410 + c_y * t425 - unit_db_y * t440
             + unit_dc_y * t455;
-        let t528 = t386 * t396 + b_y * t411 + c_y * t426 + unit_db_y * t441
+        let t540 = t374 * t396 + b_y * t411 + c_y * t426 - unit_db_y * t441
             + unit_dc_y * t456;
-        let t529 = t387 * t394 + b_z * t409 + c_z * t424 + unit_db_z * t439
+        let t541 = t375 * t394 + b_z * t409 + c_z * t424 - unit_db_z * t439
             + unit_dc_z * t454;
-        let t530 = t387 * t395 + b_z * t410 + c_z * t425 + unit_db_z * t440
+        let t542 = t375 * t395 + b_z * t410 + c_z * t425 - unit_db_z * t440
             + unit_dc_z * t455;
-        let t531 = t387 * t396 + b_z * t411 + c_z * t426 + unit_db_z * t441
+        let t543 = t375 * t396 + b_z * t411 + c_z * t426 - unit_db_z * t441
             + unit_dc_z * t456;
-        let t532 = t385 * t397 + b_x * t412 + c_x * t427 - unit_db_x * t442
-            + unit_dc_x * t457;
-        let t533 = t385 * t398 + b_x * t413 + c_x * t428 - unit_db_x * t443
-            + unit_dc_x * t458;
-        let t534 = t385 * t399 + b_x * t414 + c_x * t429 - unit_db_x * t444
-            + unit_dc_x * t459;
-        let t535 = t386 * t397 + b_y * t412 + c_y * t427 - unit_db_y * t442
-            + unit_dc_y * t457;
-        let t536 = t386 * t398 + b_y * t413 + c_y * t428 - unit_db_y * t443
-            + unit_dc_y * t458;
-        let t537 = t386 * t399 + b_y * t414 + c_y * t429 - unit_db_y * t444
-            + unit_dc_y * t459;
-        let t538 = t387 * t397 + b_z * t412 + c_z * t427 - unit_db_z * t442
-            + unit_dc_z * t457;
-        let t539 = t387 * t398 + b_z * t413 + c_z * t428 - unit_db_z * t443
-            + unit_dc_z * t458;
-        let t540 = t387 * t399 + b_z * t414 + c_z * t429 - unit_db_z * t444
-            + unit_dc_z * t459;
-        let t541 = t385 * t400 + b_x * t415 + c_x * t430 - unit_db_x * t445
-            + unit_dc_x * t460;
-        let t542 = t385 * t401 + b_x * t416 + c_x * t431 - unit_db_x * t446
-            + unit_dc_x * t461;
-        let t543 = t385 * t402 + b_x * t417 + c_x * t432 - unit_db_x * t447
-            + unit_dc_x * t462;
-        let t544 = t386 * t400 + b_y * t415 + c_y * t430 - unit_db_y * t445
-            + unit_dc_y * t460;
-        let t545 = t386 * t401 + b_y * t416 + c_y * t431 - unit_db_y * t446
-            + unit_dc_y * t461;
-        let t546 = t386 * t402 + b_y * t417 + c_y * t432 - unit_db_y * t447
-            + unit_dc_y * t462;
-        let t547 = t387 * t400 + b_z * t415 + c_z * t430 - unit_db_z * t445
-            + unit_dc_z * t460;
-        let t548 = t387 * t401 + b_z * t416 + c_z * t431 - unit_db_z * t446
-            + unit_dc_z * t461;
-        let t549 = t387 * t402 + b_z * t417 + c_z * t432 - unit_db_z * t447
-            + unit_dc_z * t462;
-        let t550 = t385 * t403 + b_x * t418 + c_x * t433 + unit_db_x * t448
-            + unit_dc_x * t463;
-        let t551 = t385 * t404 + b_x * t419 + c_x * t434 + unit_db_x * t449
-            + unit_dc_x * t464;
-        let t552 = t385 * t405 + b_x * t420 + c_x * t435 + unit_db_x * t450
-            + unit_dc_x * t465;
-        let t553 = t386 * t403 + b_y * t418 + c_y * t433 + unit_db_y * t448
-            + unit_dc_y * t463;
-        let t554 = t386 * t404 + b_y * t419 + c_y * t434 + unit_db_y * t449
-            + unit_dc_y * t464;
-        let t555 = t386 * t405 + b_y * t420 + c_y * t435 + unit_db_y * t450
-            + unit_dc_y * t465;
-        let t556 = t387 * t403 + b_z * t418 + c_z * t433 + unit_db_z * t448
-            + unit_dc_z * t463;
-        let t557 = t387 * t404 + b_z * t419 + c_z * t434 + unit_db_z * t449
-            + unit_dc_z * t464;
-        let t558 = t387 * t405 + b_z * t420 + c_z * t435 + unit_db_z * t450
-            + unit_dc_z * t465;
-        let t559 = t385 * t406 + b_x * t421 + c_x * t436 - unit_db_x * t451
-            + unit_dc_x * t466;
-        let t560 = t385 * t407 + b_x * t422 + c_x * t437 - unit_db_x * t452
-            + unit_dc_x * t467;
-        let t561 = t385 * t408 + b_x * t423 + c_x * t438 - unit_db_x * t453
-            + unit_dc_x * t468;
-        let t562 = t386 * t406 + b_y * t421 + c_y * t436 - unit_db_y * t451
-            + unit_dc_y * t466;
-        let t563 = t386 * t407 + b_y * t422 + c_y * t437 - unit_db_y * t452
-            + unit_dc_y * t467;
-        let t564 = t386 * t408 + b_y * t423 + c_y * t438 - unit_db_y * t453
-            + unit_dc_y * t468;
-        let t565 = t387 * t406 + b_z * t421 + c_z * t436 - unit_db_z * t451
-            + unit_dc_z * t466;
-        let t566 = t387 * t407 + b_z * t422 + c_z * t437 - unit_db_z * t452
-            + unit_dc_z * t467;
-        let t567 = t387 * t408 + b_z * t423 + c_z * t438 - unit_db_z * t453
-            + unit_dc_z * t468;
-        let t568 = 2.0 * (t75 * t82 + t85 * t86 + t88 * t89);
-        let t569 = 2.0 * (t75 * t164 - t85 * t165 - t88 * t163);
-        let t570 = 2.0 * (t75 * t186 + t85 * t185);
-        stiffness[0][0] = t523 + t568;
-        stiffness[0][1] = t524;
-        stiffness[0][2] = t525;
-        stiffness[0][3] = t526;
-        stiffness[0][4] = t527 + t568;
-        stiffness[0][5] = t528;
-        stiffness[0][6] = t529;
-        stiffness[0][7] = t530;
-        stiffness[0][8] = t531 + t568;
-        stiffness[1][0] = t321 + t532;
-        stiffness[1][1] = t533;
-        stiffness[1][2] = t534;
-        stiffness[1][3] = t535;
-        stiffness[1][4] = t321 + t536;
-        stiffness[1][5] = t537;
-        stiffness[1][6] = t538;
-        stiffness[1][7] = t539;
-        stiffness[1][8] = t321 + t540;
-        stiffness[2][0] = t550 - t336;
-        stiffness[2][1] = t551;
-        stiffness[2][2] = t552;
-        stiffness[2][3] = t553;
-        stiffness[2][4] = t554 - t336;
-        stiffness[2][5] = t555;
-        stiffness[2][6] = t556;
-        stiffness[2][7] = t557;
-        stiffness[2][8] = t558 - t336;
-        stiffness[3][0] = t322 + t541;
-        stiffness[3][1] = t542;
-        stiffness[3][2] = t543;
-        stiffness[3][3] = t544;
-        stiffness[3][4] = t322 + t545;
-        stiffness[3][5] = t546;
-        stiffness[3][6] = t547;
-        stiffness[3][7] = t548;
-        stiffness[3][8] = t322 + t549;
-        stiffness[4][0] = t347 + t559;
-        stiffness[4][1] = t560;
-        stiffness[4][2] = t561;
-        stiffness[4][3] = t562;
-        stiffness[4][4] = t347 + t563;
-        stiffness[4][5] = t564;
-        stiffness[4][6] = t565;
-        stiffness[4][7] = t566;
-        stiffness[4][8] = t347 + t567;
-        stiffness[5][0] = a_x * t412 + t388 * t469 + unit_db_x * t481 + unit_dc_x * t487
-            + t569;
-        stiffness[5][1] = a_x * t413 + t388 * t470 + unit_db_x * t482 + unit_dc_x * t488;
-        stiffness[5][2] = a_x * t414 + t388 * t471 + unit_db_x * t483 + unit_dc_x * t489;
-        stiffness[5][3] = a_y * t412 + t389 * t469 + unit_db_y * t481 + unit_dc_y * t487;
-        stiffness[5][4] = a_y * t413 + t389 * t470 + unit_db_y * t482 + unit_dc_y * t488
-            + t569;
-        stiffness[5][5] = a_y * t414 + t389 * t471 + unit_db_y * t483 + unit_dc_y * t489;
-        stiffness[5][6] = a_z * t412 + t390 * t469 + unit_db_z * t481 + unit_dc_z * t487;
-        stiffness[5][7] = a_z * t413 + t390 * t470 + unit_db_z * t482 + unit_dc_z * t488;
-        stiffness[5][8] = a_z * t414 + t390 * t471 + unit_db_z * t483 + unit_dc_z * t489
-            + t569;
-        stiffness[6][0] = t361
-            + (a_x * t418 + t388 * t475 + unit_db_x * t484 + unit_dc_x * t493);
-        stiffness[6][1] = a_x * t419 + t388 * t476 + unit_db_x * t485 + unit_dc_x * t494;
-        stiffness[6][2] = a_x * t420 + t388 * t477 + unit_db_x * t486 + unit_dc_x * t495;
-        stiffness[6][3] = a_y * t418 + t389 * t475 + unit_db_y * t484 + unit_dc_y * t493;
-        stiffness[6][4] = t361
-            + (a_y * t419 + t389 * t476 + unit_db_y * t485 + unit_dc_y * t494);
-        stiffness[6][5] = a_y * t420 + t389 * t477 + unit_db_y * t486 + unit_dc_y * t495;
-        stiffness[6][6] = a_z * t418 + t390 * t475 + unit_db_z * t484 + unit_dc_z * t493;
-        stiffness[6][7] = a_z * t419 + t390 * t476 + unit_db_z * t485 + unit_dc_z * t494;
-        stiffness[6][8] = t361
-            + (a_z * t420 + t390 * t477 + unit_db_z * t486 + unit_dc_z * t495);
-        stiffness[7][0] = t361 + (b_x * t481 - a_x * t442 + c_x * t505);
-        stiffness[7][1] = b_x * t482 - a_x * t443 + c_x * t506;
-        stiffness[7][2] = b_x * t483 - a_x * t444 + c_x * t507;
-        stiffness[7][3] = b_y * t481 - a_y * t442 + c_y * t505;
-        stiffness[7][4] = t361 + (b_y * t482 - a_y * t443 + c_y * t506);
-        stiffness[7][5] = b_y * t483 - a_y * t444 + c_y * t507;
-        stiffness[7][6] = b_z * t481 - a_z * t442 + c_z * t505;
-        stiffness[7][7] = b_z * t482 - a_z * t443 + c_z * t506;
-        stiffness[7][8] = t361 + (b_z * t483 - a_z * t444 + c_z * t507);
-        stiffness[8][0] = a_x * t448 + b_x * t484 + c_x * t511;
-        stiffness[8][1] = a_x * t449 + b_x * t485 + c_x * t512;
-        stiffness[8][2] = a_x * t450 + b_x * t486 + c_x * t513;
-        stiffness[8][3] = a_y * t448 + b_y * t484 + c_y * t511;
-        stiffness[8][4] = a_y * t449 + b_y * t485 + c_y * t512;
-        stiffness[8][5] = a_y * t450 + b_y * t486 + c_y * t513;
-        stiffness[8][6] = a_z * t448 + b_z * t484 + c_z * t511;
-        stiffness[8][7] = a_z * t449 + b_z * t485 + c_z * t512;
-        stiffness[8][8] = a_z * t450 + b_z * t486 + c_z * t513;
-        stiffness[9][0] = a_x * t415 + t388 * t472 + unit_dc_x * t490;
-        stiffness[9][1] = a_x * t416 + t388 * t473 + unit_dc_x * t491;
-        stiffness[9][2] = a_x * t417 + t388 * t474 + unit_dc_x * t492;
-        stiffness[9][3] = a_y * t415 + t389 * t472 + unit_dc_y * t490;
-        stiffness[9][4] = a_y * t416 + t389 * t473 + unit_dc_y * t491;
-        stiffness[9][5] = a_y * t417 + t389 * t474 + unit_dc_y * t492;
-        stiffness[9][6] = a_z * t415 + t390 * t472 + unit_dc_z * t490;
-        stiffness[9][7] = a_z * t416 + t390 * t473 + unit_dc_z * t491;
-        stiffness[9][8] = a_z * t417 + t390 * t474 + unit_dc_z * t492;
-        stiffness[10][0] = t363 + (a_x * t421 + t388 * t478 + unit_dc_x * t496);
-        stiffness[10][1] = a_x * t422 + t388 * t479 + unit_dc_x * t497;
-        stiffness[10][2] = a_x * t423 + t388 * t480 + unit_dc_x * t498;
-        stiffness[10][3] = a_y * t421 + t389 * t478 + unit_dc_y * t496;
-        stiffness[10][4] = t363 + (a_y * t422 + t389 * t479 + unit_dc_y * t497);
-        stiffness[10][5] = a_y * t423 + t389 * t480 + unit_dc_y * t498;
-        stiffness[10][6] = a_z * t421 + t390 * t478 + unit_dc_z * t496;
-        stiffness[10][7] = a_z * t422 + t390 * t479 + unit_dc_z * t497;
-        stiffness[10][8] = t363 + (a_z * t423 + t390 * t480 + unit_dc_z * t498);
-        stiffness[11][0] = t375 + (c_x * t508 - a_x * t445);
-        stiffness[11][1] = c_x * t509 - a_x * t446;
-        stiffness[11][2] = c_x * t510 - a_x * t447;
-        stiffness[11][3] = c_y * t508 - a_y * t445;
-        stiffness[11][4] = t375 + (c_y * t509 - a_y * t446);
-        stiffness[11][5] = c_y * t510 - a_y * t447;
-        stiffness[11][6] = c_z * t508 - a_z * t445;
-        stiffness[11][7] = c_z * t509 - a_z * t446;
-        stiffness[11][8] = t375 + (c_z * t510 - a_z * t447);
-        stiffness[12][0] = c_x * t514 - a_x * t451;
-        stiffness[12][1] = c_x * t515 - a_x * t452;
-        stiffness[12][2] = c_x * t516 - a_x * t453;
-        stiffness[12][3] = c_y * t514 - a_y * t451;
-        stiffness[12][4] = c_y * t515 - a_y * t452;
-        stiffness[12][5] = c_y * t516 - a_y * t453;
-        stiffness[12][6] = c_z * t514 - a_z * t451;
-        stiffness[12][7] = c_z * t515 - a_z * t452;
-        stiffness[12][8] = c_z * t516 - a_z * t453;
-        stiffness[13][0] = a_x * t430 + t391 * t499 + unit_db_x * t508 + unit_dc_x * t517
-            + t570;
-        stiffness[13][1] = a_x * t431 + t391 * t500 + unit_db_x * t509
-            + unit_dc_x * t518;
-        stiffness[13][2] = a_x * t432 + t391 * t501 + unit_db_x * t510
-            + unit_dc_x * t519;
-        stiffness[13][3] = a_y * t430 + t392 * t499 + unit_db_y * t508
-            + unit_dc_y * t517;
-        stiffness[13][4] = a_y * t431 + t392 * t500 + unit_db_y * t509 + unit_dc_y * t518
-            + t570;
-        stiffness[13][5] = a_y * t432 + t392 * t501 + unit_db_y * t510
-            + unit_dc_y * t519;
-        stiffness[13][6] = a_z * t430 + t393 * t499 + unit_db_z * t508
-            + unit_dc_z * t517;
-        stiffness[13][7] = a_z * t431 + t393 * t500 + unit_db_z * t509
-            + unit_dc_z * t518;
-        stiffness[13][8] = a_z * t432 + t393 * t501 + unit_db_z * t510 + unit_dc_z * t519
-            + t570;
-        stiffness[14][0] = t384
-            + (a_x * t436 + t391 * t502 + unit_db_x * t514 + unit_dc_x * t520);
-        stiffness[14][1] = a_x * t437 + t391 * t503 + unit_db_x * t515
-            + unit_dc_x * t521;
-        stiffness[14][2] = a_x * t438 + t391 * t504 + unit_db_x * t516
-            + unit_dc_x * t522;
-        stiffness[14][3] = a_y * t436 + t392 * t502 + unit_db_y * t514
-            + unit_dc_y * t520;
-        stiffness[14][4] = t384
-            + (a_y * t437 + t392 * t503 + unit_db_y * t515 + unit_dc_y * t521);
-        stiffness[14][5] = a_y * t438 + t392 * t504 + unit_db_y * t516
-            + unit_dc_y * t522;
-        stiffness[14][6] = a_z * t436 + t393 * t502 + unit_db_z * t514
-            + unit_dc_z * t520;
-        stiffness[14][7] = a_z * t437 + t393 * t503 + unit_db_z * t515
-            + unit_dc_z * t521;
-        stiffness[14][8] = t384
-            + (a_z * t438 + t393 * t504 + unit_db_z * t516 + unit_dc_z * t522);
-        stiffness[15][0] = t384 + (a_x * t460 + b_x * t490 + c_x * t517);
-        stiffness[15][1] = a_x * t461 + b_x * t491 + c_x * t518;
-        stiffness[15][2] = a_x * t462 + b_x * t492 + c_x * t519;
-        stiffness[15][3] = a_y * t460 + b_y * t490 + c_y * t517;
-        stiffness[15][4] = t384 + (a_y * t461 + b_y * t491 + c_y * t518);
-        stiffness[15][5] = a_y * t462 + b_y * t492 + c_y * t519;
-        stiffness[15][6] = a_z * t460 + b_z * t490 + c_z * t517;
-        stiffness[15][7] = a_z * t461 + b_z * t491 + c_z * t518;
-        stiffness[15][8] = t384 + (a_z * t462 + b_z * t492 + c_z * t519);
-        stiffness[16][0] = a_x * t466 + b_x * t496 + c_x * t520;
-        stiffness[16][1] = a_x * t467 + b_x * t497 + c_x * t521;
-        stiffness[16][2] = a_x * t468 + b_x * t498 + c_x * t522;
-        stiffness[16][3] = a_y * t466 + b_y * t496 + c_y * t520;
-        stiffness[16][4] = a_y * t467 + b_y * t497 + c_y * t521;
-        stiffness[16][5] = a_y * t468 + b_y * t498 + c_y * t522;
-        stiffness[16][6] = a_z * t466 + b_z * t496 + c_z * t520;
-        stiffness[16][7] = a_z * t467 + b_z * t497 + c_z * t521;
-        stiffness[16][8] = a_z * t468 + b_z * t498 + c_z * t522;
+        let t544 = 2.0 * (t69 * t76 + t79 * t80 + t82 * t83);
+        let t545 = 2.0 * (t69 * t158 - t79 * t159 - t82 * t157);
+        let t546 = 2.0 * (t69 * t180 + t79 * t179);
+        stiffness[0][0] = t499 + t544;
+        stiffness[0][1] = t500;
+        stiffness[0][2] = t501;
+        stiffness[0][3] = t502;
+        stiffness[0][4] = t503 + t544;
+        stiffness[0][5] = t504;
+        stiffness[0][6] = t505;
+        stiffness[0][7] = t506;
+        stiffness[0][8] = t507 + t544;
+        stiffness[1][0] = t313 + t508;
+        stiffness[1][1] = t509;
+        stiffness[1][2] = t510;
+        stiffness[1][3] = t511;
+        stiffness[1][4] = t313 + t512;
+        stiffness[1][5] = t513;
+        stiffness[1][6] = t514;
+        stiffness[1][7] = t515;
+        stiffness[1][8] = t313 + t516;
+        stiffness[2][0] = t526 - t327;
+        stiffness[2][1] = t527;
+        stiffness[2][2] = t528;
+        stiffness[2][3] = t529;
+        stiffness[2][4] = t530 - t327;
+        stiffness[2][5] = t531;
+        stiffness[2][6] = t532;
+        stiffness[2][7] = t533;
+        stiffness[2][8] = t534 - t327;
+        stiffness[3][0] = t314 + t517;
+        stiffness[3][1] = t518;
+        stiffness[3][2] = t519;
+        stiffness[3][3] = t520;
+        stiffness[3][4] = t314 + t521;
+        stiffness[3][5] = t522;
+        stiffness[3][6] = t523;
+        stiffness[3][7] = t524;
+        stiffness[3][8] = t314 + t525;
+        stiffness[4][0] = t338 + t535;
+        stiffness[4][1] = t536;
+        stiffness[4][2] = t537;
+        stiffness[4][3] = t538;
+        stiffness[4][4] = t338 + t539;
+        stiffness[4][5] = t540;
+        stiffness[4][6] = t541;
+        stiffness[4][7] = t542;
+        stiffness[4][8] = t338 + t543;
+        stiffness[5][0] = a_x * t400 + t376 * t457 + unit_dc_x * t469 + t545;
+        stiffness[5][1] = a_x * t401 + t376 * t458 + unit_dc_x * t470;
+        stiffness[5][2] = a_x * t402 + t376 * t459 + unit_dc_x * t471;
+        stiffness[5][3] = a_y * t400 + t377 * t457 + unit_dc_y * t469;
+        stiffness[5][4] = a_y * t401 + t377 * t458 + unit_dc_y * t470 + t545;
+        stiffness[5][5] = a_y * t402 + t377 * t459 + unit_dc_y * t471;
+        stiffness[5][6] = a_z * t400 + t378 * t457 + unit_dc_z * t469;
+        stiffness[5][7] = a_z * t401 + t378 * t458 + unit_dc_z * t470;
+        stiffness[5][8] = a_z * t402 + t378 * t459 + unit_dc_z * t471 + t545;
+        stiffness[6][0] = a_x * t406 + t376 * t463 + unit_dc_x * t475;
+        stiffness[6][1] = a_x * t407 + t376 * t464 + unit_dc_x * t476;
+        stiffness[6][2] = a_x * t408 + t376 * t465 + unit_dc_x * t477;
+        stiffness[6][3] = a_y * t406 + t377 * t463 + unit_dc_y * t475;
+        stiffness[6][4] = a_y * t407 + t377 * t464 + unit_dc_y * t476;
+        stiffness[6][5] = a_y * t408 + t377 * t465 + unit_dc_y * t477;
+        stiffness[6][6] = a_z * t406 + t378 * t463 + unit_dc_z * t475;
+        stiffness[6][7] = a_z * t407 + t378 * t464 + unit_dc_z * t476;
+        stiffness[6][8] = a_z * t408 + t378 * t465 + unit_dc_z * t477;
+        stiffness[7][0] = c_x * t487 - a_x * t430;
+        stiffness[7][1] = c_x * t488 - a_x * t431;
+        stiffness[7][2] = c_x * t489 - a_x * t432;
+        stiffness[7][3] = c_y * t487 - a_y * t430;
+        stiffness[7][4] = c_y * t488 - a_y * t431;
+        stiffness[7][5] = c_y * t489 - a_y * t432;
+        stiffness[7][6] = c_z * t487 - a_z * t430;
+        stiffness[7][7] = c_z * t488 - a_z * t431;
+        stiffness[7][8] = c_z * t489 - a_z * t432;
+        stiffness[8][0] = a_x * t436 + c_x * t493;
+        stiffness[8][1] = a_x * t437 + c_x * t494;
+        stiffness[8][2] = a_x * t438 + c_x * t495;
+        stiffness[8][3] = a_y * t436 + c_y * t493;
+        stiffness[8][4] = a_y * t437 + c_y * t494;
+        stiffness[8][5] = a_y * t438 + c_y * t495;
+        stiffness[8][6] = a_z * t436 + c_z * t493;
+        stiffness[8][7] = a_z * t437 + c_z * t494;
+        stiffness[8][8] = a_z * t438 + c_z * t495;
+        stiffness[9][0] = a_x * t403 + t376 * t460 + unit_dc_x * t472;
+        stiffness[9][1] = a_x * t404 + t376 * t461 + unit_dc_x * t473;
+        stiffness[9][2] = a_x * t405 + t376 * t462 + unit_dc_x * t474;
+        stiffness[9][3] = a_y * t403 + t377 * t460 + unit_dc_y * t472;
+        stiffness[9][4] = a_y * t404 + t377 * t461 + unit_dc_y * t473;
+        stiffness[9][5] = a_y * t405 + t377 * t462 + unit_dc_y * t474;
+        stiffness[9][6] = a_z * t403 + t378 * t460 + unit_dc_z * t472;
+        stiffness[9][7] = a_z * t404 + t378 * t461 + unit_dc_z * t473;
+        stiffness[9][8] = a_z * t405 + t378 * t462 + unit_dc_z * t474;
+        stiffness[10][0] = t352 + (a_x * t409 + t376 * t466 + unit_dc_x * t478);
+        stiffness[10][1] = a_x * t410 + t376 * t467 + unit_dc_x * t479;
+        stiffness[10][2] = a_x * t411 + t376 * t468 + unit_dc_x * t480;
+        stiffness[10][3] = a_y * t409 + t377 * t466 + unit_dc_y * t478;
+        stiffness[10][4] = t352 + (a_y * t410 + t377 * t467 + unit_dc_y * t479);
+        stiffness[10][5] = a_y * t411 + t377 * t468 + unit_dc_y * t480;
+        stiffness[10][6] = a_z * t409 + t378 * t466 + unit_dc_z * t478;
+        stiffness[10][7] = a_z * t410 + t378 * t467 + unit_dc_z * t479;
+        stiffness[10][8] = t352 + (a_z * t411 + t378 * t468 + unit_dc_z * t480);
+        stiffness[11][0] = t364 + (c_x * t490 - a_x * t433);
+        stiffness[11][1] = c_x * t491 - a_x * t434;
+        stiffness[11][2] = c_x * t492 - a_x * t435;
+        stiffness[11][3] = c_y * t490 - a_y * t433;
+        stiffness[11][4] = t364 + (c_y * t491 - a_y * t434);
+        stiffness[11][5] = c_y * t492 - a_y * t435;
+        stiffness[11][6] = c_z * t490 - a_z * t433;
+        stiffness[11][7] = c_z * t491 - a_z * t434;
+        stiffness[11][8] = t364 + (c_z * t492 - a_z * t435);
+        stiffness[12][0] = c_x * t496 - a_x * t439;
+        stiffness[12][1] = c_x * t497 - a_x * t440;
+        stiffness[12][2] = c_x * t498 - a_x * t441;
+        stiffness[12][3] = c_y * t496 - a_y * t439;
+        stiffness[12][4] = c_y * t497 - a_y * t440;
+        stiffness[12][5] = c_y * t498 - a_y * t441;
+        stiffness[12][6] = c_z * t496 - a_z * t439;
+        stiffness[12][7] = c_z * t497 - a_z * t440;
+        stiffness[12][8] = c_z * t498 - a_z * t441;
+        stiffness[13][0] = a_x * t418 + t379 * t481 + unit_db_x * t490 + t546;
+        stiffness[13][1] = a_x * t419 + t379 * t482 + unit_db_x * t491;
+        stiffness[13][2] = a_x * t420 + t379 * t483 + unit_db_x * t492;
+        stiffness[13][3] = a_y * t418 + t380 * t481 + unit_db_y * t490;
+        stiffness[13][4] = a_y * t419 + t380 * t482 + unit_db_y * t491 + t546;
+        stiffness[13][5] = a_y * t420 + t380 * t483 + unit_db_y * t492;
+        stiffness[13][6] = a_z * t418 + t381 * t481 + unit_db_z * t490;
+        stiffness[13][7] = a_z * t419 + t381 * t482 + unit_db_z * t491;
+        stiffness[13][8] = a_z * t420 + t381 * t483 + unit_db_z * t492 + t546;
+        stiffness[14][0] = a_x * t424 + t379 * t484 + unit_db_x * t496;
+        stiffness[14][1] = a_x * t425 + t379 * t485 + unit_db_x * t497;
+        stiffness[14][2] = a_x * t426 + t379 * t486 + unit_db_x * t498;
+        stiffness[14][3] = a_y * t424 + t380 * t484 + unit_db_y * t496;
+        stiffness[14][4] = a_y * t425 + t380 * t485 + unit_db_y * t497;
+        stiffness[14][5] = a_y * t426 + t380 * t486 + unit_db_y * t498;
+        stiffness[14][6] = a_z * t424 + t381 * t484 + unit_db_z * t496;
+        stiffness[14][7] = a_z * t425 + t381 * t485 + unit_db_z * t497;
+        stiffness[14][8] = a_z * t426 + t381 * t486 + unit_db_z * t498;
+        stiffness[15][0] = a_x * t448 + b_x * t472;
+        stiffness[15][1] = a_x * t449 + b_x * t473;
+        stiffness[15][2] = a_x * t450 + b_x * t474;
+        stiffness[15][3] = a_y * t448 + b_y * t472;
+        stiffness[15][4] = a_y * t449 + b_y * t473;
+        stiffness[15][5] = a_y * t450 + b_y * t474;
+        stiffness[15][6] = a_z * t448 + b_z * t472;
+        stiffness[15][7] = a_z * t449 + b_z * t473;
+        stiffness[15][8] = a_z * t450 + b_z * t474;
+        stiffness[16][0] = a_x * t454 + b_x * t478;
+        stiffness[16][1] = a_x * t455 + b_x * t479;
+        stiffness[16][2] = a_x * t456 + b_x * t480;
+        stiffness[16][3] = a_y * t454 + b_y * t478;
+        stiffness[16][4] = a_y * t455 + b_y * t479;
+        stiffness[16][5] = a_y * t456 + b_y * t480;
+        stiffness[16][6] = a_z * t454 + b_z * t478;
+        stiffness[16][7] = a_z * t455 + b_z * t479;
+        stiffness[16][8] = a_z * t456 + b_z * t480;
     }
-    /// Writes the strain energy a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
+    /// Writes the strain energy a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
     ///
-    /// Operations: 56 additions, 84 multiplications, 3 divisions, 1 function calls.
+    /// Operations: 45 additions, 68 multiplications, 3 divisions, 1 function calls.
     pub fn full_beam_spatial_curved_points2_energy(
         row: &FullBeamSpatialCurved,
-        reference: &[f64; 31],
+        reference: &[f64; 26],
         fields: &[[f64; 3]; 5],
         energy: &mut f64,
     ) {
@@ -2875,276 +2856,343 @@ pub mod iea15mw_blade_equations {
         let dc_x = inverse_length * unit_dc_x;
         let dc_y = inverse_length * unit_dc_y;
         let dc_z = inverse_length * unit_dc_z;
-        let t58 = a_x * b_x + a_y * b_y + a_z * b_z;
-        let t59 = a_x * c_x + a_y * c_y + a_z * c_z;
-        let t60 = b_x * dc_x + b_y * dc_y + b_z * dc_z;
-        let t61 = c_x * db_x + c_y * db_y + c_z * db_z;
-        let t62 = a_x * a_x + a_y * a_y + a_z * a_z - (t58 * t58 + t59 * t59);
-        let t63 = t62.sqrt();
-        let t64 = t63 - 1.0;
-        let t65 = 0.5 * (t61 - t60);
-        let t66 = 1.0 - 0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0);
-        let t67 = 1.0 - 0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0);
-        let t68 = t67 * ((a_x * dc_x + a_y * dc_y + a_z * dc_z + t58 * t65) / t63);
-        let t69 = t66 * ((a_x * db_x + a_y * db_y + a_z * db_z - t59 * t65) / t63);
-        let t70 = t65 * (t66 * t67) + reference[12] * t68 - reference[13] * t69
-            + reference[15] * t64 + t58 * reference[18];
-        let t71 = t68 - reference[14] * t69 + reference[16] * t64 + t58 * reference[19]
-            + t59 * reference[23] - reference[1];
-        let t72 = (t70 + t59 * reference[22] - reference[0]).powi(2)
-            * (0.5 * (length * reference[6]))
-            + t71 * t71 * (0.5 * (length * reference[7]));
-        let t73 = (reference[17] * t64 - t69 + t58 * reference[20] + t59 * reference[24]
+        let t53 = a_x * b_x + a_y * b_y + a_z * b_z;
+        let t54 = a_x * c_x + a_y * c_y + a_z * c_z;
+        let t55 = a_x * a_x + a_y * a_y + a_z * a_z - (t53 * t53 + t54 * t54);
+        let t56 = t55.sqrt();
+        let t57 = t56 - 1.0;
+        let t58 = c_x * db_x + c_y * db_y + c_z * db_z
+            - (b_x * dc_x + b_y * dc_y + b_z * dc_z);
+        let t59 = 0.5 * t58;
+        let t60 = 1.0 - 0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0);
+        let t61 = 1.0 - 0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0);
+        let t62 = t61 * ((a_x * dc_x + a_y * dc_y + a_z * dc_z + t53 * t59) / t56);
+        let t63 = t60 * ((a_x * db_x + a_y * db_y + a_z * db_z - t54 * t59) / t56);
+        let t64 = t59 * (t60 * t61) + reference[9] * t62 - reference[10] * t63
+            + reference[12] * t57 + t53 * reference[15];
+        let t65 = t62 - reference[11] * t63 + reference[13] * t57 + t53 * reference[16]
+            + t54 * reference[20] - reference[1];
+        let t66 = (t64 + t54 * reference[19] - reference[0]).powi(2)
+            * (0.5 * (length * reference[3]))
+            + t65 * t65 * (0.5 * (length * reference[4]));
+        let t67 = (reference[14] * t57 - t63 + t53 * reference[17] + t54 * reference[21]
             - reference[2])
-            .powi(2) * (0.5 * (length * reference[8]));
-        let t74 = 0.5 * (length * reference[29]);
-        let t75 = t72 + t73
-            + (b_x * db_x + b_y * db_y + b_z * db_z - reference[3]).powi(2) * t74;
-        let t76 = t75
-            + t74 * (c_x * dc_x + c_y * dc_y + c_z * dc_z - reference[4]).powi(2);
-        *energy = t76
-            + (t60 + t61 - reference[5]).powi(2) * (0.5 * (length * reference[30]));
+            .powi(2) * (0.5 * (length * reference[5]));
+        *energy = t66 + t67;
     }
-    /// Writes the forces on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
+    /// Writes the forces on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
     ///
-    /// Operations: 49 additions, 83 multiplications, 1 divisions, 1 function calls.
+    /// Operations: 26 additions, 47 multiplications, 1 divisions, 1 function calls.
     pub fn full_beam_spatial_curved_points3_force(
         row: &FullBeamSpatialCurved,
-        reference: &[f64; 31],
+        reference: &[f64; 26],
         fields: &[[f64; 3]; 3],
         forces: &mut [[f64; 3]; 3],
     ) {
         let FullBeamSpatialCurved { length, .. } = *row;
         let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z]] = *fields;
-        let t36 = a_x * b_x + a_y * b_y + a_z * b_z;
-        let t37 = a_x * c_x + a_y * c_y + a_z * c_z;
-        let t38 = a_x * a_x + a_y * a_y + a_z * a_z - (t36 * t36 + t37 * t37);
-        let t39 = t38.sqrt();
-        let t40 = length * reference[9]
-            * (t39 - 1.0 + t36 * reference[21] + t37 * reference[25] - reference[0]);
-        let t41 = 1.0 / (2.0 * t39);
-        let t42 = length * reference[27];
-        let t43 = t40 * t41;
-        let t44 = length * reference[10] * (t36 + t37 * reference[26] - reference[1]);
-        let t45 = t40 * (reference[21] - t41 * (t36 * 2.0)) + t44;
-        let t46 = t40 * (reference[25] - t41 * (t37 * 2.0)) + reference[26] * t44
-            + length * reference[11] * (t37 - reference[2]);
-        let t47 = t42 * (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0) - reference[3]);
-        let t48 = 0.5 * t47;
-        let t49 = length * reference[28]
-            * (b_x * c_x + b_y * c_y + b_z * c_z - reference[5]);
-        let t50 = t42 * (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0) - reference[4]);
-        let t51 = 0.5 * t50;
-        forces[0][0] = t43 * (a_x * 2.0) + b_x * t45 + c_x * t46;
-        forces[0][1] = t43 * (a_y * 2.0) + b_y * t45 + c_y * t46;
-        forces[0][2] = t43 * (a_z * 2.0) + b_z * t45 + c_z * t46;
-        forces[1][0] = a_x * t45 + t48 * (b_x * 2.0) + c_x * t49;
-        forces[1][1] = a_y * t45 + t48 * (b_y * 2.0) + c_y * t49;
-        forces[1][2] = a_z * t45 + t48 * (b_z * 2.0) + c_z * t49;
-        forces[2][0] = a_x * t46 + b_x * t49 + t51 * (c_x * 2.0);
-        forces[2][1] = a_y * t46 + b_y * t49 + t51 * (c_y * 2.0);
-        forces[2][2] = a_z * t46 + b_z * t49 + t51 * (c_z * 2.0);
+        let t31 = a_x * b_x + a_y * b_y + a_z * b_z;
+        let t32 = a_x * c_x + a_y * c_y + a_z * c_z;
+        let t33 = a_x * a_x + a_y * a_y + a_z * a_z - (t31 * t31 + t32 * t32);
+        let t34 = t33.sqrt();
+        let t35 = length * reference[6]
+            * (t34 - 1.0 + t31 * reference[18] + t32 * reference[22] - reference[0]);
+        let t36 = 1.0 / (2.0 * t34);
+        let t37 = t35 * t36;
+        let t38 = length * reference[7] * (t31 + t32 * reference[23] - reference[1]);
+        let t39 = t35 * (reference[18] - t36 * (t31 * 2.0)) + t38;
+        let t40 = t35 * (reference[22] - t36 * (t32 * 2.0)) + reference[23] * t38
+            + length * reference[8] * (t32 - reference[2]);
+        forces[0][0] = t37 * (a_x * 2.0) + b_x * t39 + c_x * t40;
+        forces[0][1] = t37 * (a_y * 2.0) + b_y * t39 + c_y * t40;
+        forces[0][2] = t37 * (a_z * 2.0) + b_z * t39 + c_z * t40;
+        forces[1][0] = a_x * t39;
+        forces[1][1] = a_y * t39;
+        forces[1][2] = a_z * t39;
+        forces[2][0] = a_x * t40;
+        forces[2][1] = a_y * t40;
+        forces[2][2] = a_z * t40;
     }
-    /// Writes the blocks of the tangent on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
+    /// Writes the blocks of the tangent on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
     ///
-    /// Operations: 182 additions, 306 multiplications, 4 divisions, 1 function calls.
+    /// Operations: 117 additions, 221 multiplications, 4 divisions, 1 function calls.
     pub fn full_beam_spatial_curved_points3_tangent(
         row: &FullBeamSpatialCurved,
-        reference: &[f64; 31],
+        reference: &[f64; 26],
         fields: &[[f64; 3]; 3],
         stiffness: &mut [[f64; 9]; 6],
     ) {
         let FullBeamSpatialCurved { length, .. } = *row;
         let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z]] = *fields;
-        let t36 = a_x * b_x + a_y * b_y + a_z * b_z;
-        let t37 = a_x * c_x + a_y * c_y + a_z * c_z;
-        let t38 = a_x * a_x + a_y * a_y + a_z * a_z - (t36 * t36 + t37 * t37);
-        let t39 = t38.sqrt();
-        let t40 = length * reference[9];
-        let t41 = t40
-            * (t39 - 1.0 + t36 * reference[21] + t37 * reference[25] - reference[0]);
-        let t42 = 2.0 * t39;
-        let t43 = 1.0 / t42;
-        let t44 = t40 * t43;
-        let t45 = 2.0 * t43;
-        let t46 = t43 * t45 / t42;
-        let t47 = t43 * t44 - t41 * t46;
-        let t48 = t36 * 2.0;
-        let t49 = t43 * t48;
-        let t50 = reference[21] - t49;
-        let t51 = t40 * t50;
-        let t52 = t43 * (2.0 * t49) / t42;
-        let t53 = t43 * t51 + t41 * t52;
-        let t54 = t37 * 2.0;
-        let t55 = t43 * t54;
-        let t56 = reference[25] - t55;
-        let t57 = t40 * t56;
-        let t58 = t43 * (2.0 * t55) / t42;
-        let t59 = t43 * t57 + t41 * t58;
-        let t60 = t44 * t50 + t41 * (t46 * t48);
-        let t61 = length * reference[10];
-        let t62 = t61 + (t50 * t51 - t41 * (t45 + t48 * t52));
-        let t63 = reference[26] * t61;
-        let t64 = t50 * t57 - t41 * (t48 * t58) + t63;
-        let t65 = t44 * t56 + t41 * (t46 * t54);
-        let t66 = t63 + (t51 * t56 - t41 * (t52 * t54));
-        let t67 = length * reference[11];
-        let t68 = t67 + (t56 * t57 - t41 * (t45 + t54 * t58) + reference[26] * t63);
-        let t69 = length * reference[27];
-        let t70 = 0.5 * (0.5 * t69);
-        let t71 = length * reference[28];
-        let t72 = t61 * (t36 + t37 * reference[26] - reference[1]);
-        let t73 = t41 * t50 + t72;
-        let t74 = t41 * t56 + reference[26] * t72 + t67 * (t37 - reference[2]);
-        let t75 = t69 * (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0) - reference[3]);
-        let t76 = t71 * (b_x * c_x + b_y * c_y + b_z * c_z - reference[5]);
-        let t77 = t69 * (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0) - reference[4]);
-        let t78 = a_x * 2.0;
-        let t79 = a_y * 2.0;
-        let t80 = a_z * 2.0;
-        let t81 = b_x * 2.0;
-        let t82 = b_y * 2.0;
-        let t83 = b_z * 2.0;
-        let t84 = c_x * 2.0;
-        let t85 = c_y * 2.0;
-        let t86 = c_z * 2.0;
-        let t87 = t47 * t78 + b_x * t53 + c_x * t59;
-        let t88 = t47 * t79 + b_y * t53 + c_y * t59;
-        let t89 = t47 * t80 + b_z * t53 + c_z * t59;
-        let t90 = a_x * t53;
-        let t91 = a_y * t53;
-        let t92 = a_z * t53;
-        let t93 = a_x * t59;
-        let t94 = a_y * t59;
-        let t95 = a_z * t59;
-        let t96 = t60 * t78 + b_x * t62 + c_x * t64;
-        let t97 = t60 * t79 + b_y * t62 + c_y * t64;
-        let t98 = t60 * t80 + b_z * t62 + c_z * t64;
-        let t99 = a_x * t62;
-        let t100 = a_y * t62;
-        let t101 = a_z * t62;
-        let t102 = a_x * t64;
-        let t103 = a_y * t64;
-        let t104 = a_z * t64;
-        let t105 = t65 * t78 + b_x * t66 + c_x * t68;
-        let t106 = t65 * t79 + b_y * t66 + c_y * t68;
-        let t107 = t65 * t80 + b_z * t66 + c_z * t68;
-        let t108 = a_x * t66;
-        let t109 = a_y * t66;
-        let t110 = a_z * t66;
-        let t111 = a_x * t68;
-        let t112 = a_y * t68;
-        let t113 = a_z * t68;
-        let t114 = t70 * t81;
-        let t115 = t70 * t82;
-        let t116 = t70 * t83;
-        let t117 = c_x * t71;
-        let t118 = c_y * t71;
-        let t119 = c_z * t71;
-        let t120 = b_x * t71;
-        let t121 = b_y * t71;
-        let t122 = b_z * t71;
-        let t123 = t70 * t84;
-        let t124 = t70 * t85;
-        let t125 = t70 * t86;
-        let t126 = 2.0 * (t41 * t43);
-        let t127 = 2.0 * (0.5 * t75);
-        let t128 = 2.0 * (0.5 * t77);
-        stiffness[0][0] = t78 * t87 + b_x * t96 + c_x * t105 + t126;
-        stiffness[0][1] = t78 * t88 + b_x * t97 + c_x * t106;
-        stiffness[0][2] = t78 * t89 + b_x * t98 + c_x * t107;
-        stiffness[0][3] = t79 * t87 + b_y * t96 + c_y * t105;
-        stiffness[0][4] = t79 * t88 + b_y * t97 + c_y * t106 + t126;
-        stiffness[0][5] = t79 * t89 + b_y * t98 + c_y * t107;
-        stiffness[0][6] = t80 * t87 + b_z * t96 + c_z * t105;
-        stiffness[0][7] = t80 * t88 + b_z * t97 + c_z * t106;
-        stiffness[0][8] = t80 * t89 + b_z * t98 + c_z * t107 + t126;
-        stiffness[1][0] = t73 + (t78 * t90 + b_x * t99 + c_x * t108);
-        stiffness[1][1] = t78 * t91 + b_x * t100 + c_x * t109;
-        stiffness[1][2] = t78 * t92 + b_x * t101 + c_x * t110;
-        stiffness[1][3] = t79 * t90 + b_y * t99 + c_y * t108;
-        stiffness[1][4] = t73 + (t79 * t91 + b_y * t100 + c_y * t109);
-        stiffness[1][5] = t79 * t92 + b_y * t101 + c_y * t110;
-        stiffness[1][6] = t80 * t90 + b_z * t99 + c_z * t108;
-        stiffness[1][7] = t80 * t91 + b_z * t100 + c_z * t109;
-        stiffness[1][8] = t73 + (t80 * t92 + b_z * t101 + c_z * t110);
-        stiffness[2][0] = t74 + (t78 * t93 + b_x * t102 + c_x * t111);
-        stiffness[2][1] = t78 * t94 + b_x * t103 + c_x * t112;
-        stiffness[2][2] = t78 * t95 + b_x * t104 + c_x * t113;
-        stiffness[2][3] = t79 * t93 + b_y * t102 + c_y * t111;
-        stiffness[2][4] = t74 + (t79 * t94 + b_y * t103 + c_y * t112);
-        stiffness[2][5] = t79 * t95 + b_y * t104 + c_y * t113;
-        stiffness[2][6] = t80 * t93 + b_z * t102 + c_z * t111;
-        stiffness[2][7] = t80 * t94 + b_z * t103 + c_z * t112;
-        stiffness[2][8] = t74 + (t80 * t95 + b_z * t104 + c_z * t113);
-        stiffness[3][0] = a_x * t99 + t81 * t114 + c_x * t117 + t127;
-        stiffness[3][1] = a_x * t100 + t81 * t115 + c_x * t118;
-        stiffness[3][2] = a_x * t101 + t81 * t116 + c_x * t119;
-        stiffness[3][3] = a_y * t99 + t82 * t114 + c_y * t117;
-        stiffness[3][4] = a_y * t100 + t82 * t115 + c_y * t118 + t127;
-        stiffness[3][5] = a_y * t101 + t82 * t116 + c_y * t119;
-        stiffness[3][6] = a_z * t99 + t83 * t114 + c_z * t117;
-        stiffness[3][7] = a_z * t100 + t83 * t115 + c_z * t118;
-        stiffness[3][8] = a_z * t101 + t83 * t116 + c_z * t119 + t127;
-        stiffness[4][0] = t76 + (a_x * t102 + c_x * t120);
-        stiffness[4][1] = a_x * t103 + c_x * t121;
-        stiffness[4][2] = a_x * t104 + c_x * t122;
-        stiffness[4][3] = a_y * t102 + c_y * t120;
-        stiffness[4][4] = t76 + (a_y * t103 + c_y * t121);
-        stiffness[4][5] = a_y * t104 + c_y * t122;
-        stiffness[4][6] = a_z * t102 + c_z * t120;
-        stiffness[4][7] = a_z * t103 + c_z * t121;
-        stiffness[4][8] = t76 + (a_z * t104 + c_z * t122);
-        stiffness[5][0] = a_x * t111 + b_x * t120 + t84 * t123 + t128;
-        stiffness[5][1] = a_x * t112 + b_x * t121 + t84 * t124;
-        stiffness[5][2] = a_x * t113 + b_x * t122 + t84 * t125;
-        stiffness[5][3] = a_y * t111 + b_y * t120 + t85 * t123;
-        stiffness[5][4] = a_y * t112 + b_y * t121 + t85 * t124 + t128;
-        stiffness[5][5] = a_y * t113 + b_y * t122 + t85 * t125;
-        stiffness[5][6] = a_z * t111 + b_z * t120 + t86 * t123;
-        stiffness[5][7] = a_z * t112 + b_z * t121 + t86 * t124;
-        stiffness[5][8] = a_z * t113 + b_z * t122 + t86 * t125 + t128;
+        let t31 = a_x * b_x + a_y * b_y + a_z * b_z;
+        let t32 = a_x * c_x + a_y * c_y + a_z * c_z;
+        let t33 = a_x * a_x + a_y * a_y + a_z * a_z - (t31 * t31 + t32 * t32);
+        let t34 = t33.sqrt();
+        let t35 = length * reference[6];
+        let t36 = t35
+            * (t34 - 1.0 + t31 * reference[18] + t32 * reference[22] - reference[0]);
+        let t37 = 2.0 * t34;
+        let t38 = 1.0 / t37;
+        let t39 = t35 * t38;
+        let t40 = 2.0 * t38;
+        let t41 = t38 * t40 / t37;
+        let t42 = t38 * t39 - t36 * t41;
+        let t43 = t31 * 2.0;
+        let t44 = t38 * t43;
+        let t45 = reference[18] - t44;
+        let t46 = t35 * t45;
+        let t47 = t38 * (2.0 * t44) / t37;
+        let t48 = t38 * t46 + t36 * t47;
+        let t49 = t32 * 2.0;
+        let t50 = t38 * t49;
+        let t51 = reference[22] - t50;
+        let t52 = t35 * t51;
+        let t53 = t38 * (2.0 * t50) / t37;
+        let t54 = t38 * t52 + t36 * t53;
+        let t55 = t39 * t45 + t36 * (t41 * t43);
+        let t56 = length * reference[7];
+        let t57 = t56 + (t45 * t46 - t36 * (t40 + t43 * t47));
+        let t58 = reference[23] * t56;
+        let t59 = t45 * t52 - t36 * (t43 * t53) + t58;
+        let t60 = t39 * t51 + t36 * (t41 * t49);
+        let t61 = t58 + (t46 * t51 - t36 * (t47 * t49));
+        let t62 = length * reference[8];
+        let t63 = t62 + (t51 * t52 - t36 * (t40 + t49 * t53) + reference[23] * t58);
+        let t64 = t56 * (t31 + t32 * reference[23] - reference[1]);
+        let t65 = t36 * t45 + t64;
+        let t66 = t36 * t51 + reference[23] * t64 + t62 * (t32 - reference[2]);
+        let t67 = a_x * 2.0;
+        let t68 = a_y * 2.0;
+        let t69 = a_z * 2.0;
+        let t70 = t42 * t67 + b_x * t48 + c_x * t54;
+        let t71 = t42 * t68 + b_y * t48 + c_y * t54;
+        let t72 = t42 * t69 + b_z * t48 + c_z * t54;
+        let t73 = a_x * t48;
+        let t74 = a_y * t48;
+        let t75 = a_z * t48;
+        let t76 = a_x * t54;
+        let t77 = a_y * t54;
+        let t78 = a_z * t54;
+        let t79 = t55 * t67 + b_x * t57 + c_x * t59;
+        let t80 = t55 * t68 + b_y * t57 + c_y * t59;
+        let t81 = t55 * t69 + b_z * t57 + c_z * t59;
+        let t82 = a_x * t57;
+        let t83 = a_y * t57;
+        let t84 = a_z * t57;
+        let t85 = a_x * t59;
+        let t86 = a_y * t59;
+        let t87 = a_z * t59;
+        let t88 = t60 * t67 + b_x * t61 + c_x * t63;
+        let t89 = t60 * t68 + b_y * t61 + c_y * t63;
+        let t90 = t60 * t69 + b_z * t61 + c_z * t63;
+        let t91 = a_x * t61;
+        let t92 = a_y * t61;
+        let t93 = a_z * t61;
+        let t94 = a_x * t63;
+        let t95 = a_y * t63;
+        let t96 = a_z * t63;
+        let t97 = 2.0 * (t36 * t38);
+        stiffness[0][0] = t67 * t70 + b_x * t79 + c_x * t88 + t97;
+        stiffness[0][1] = t67 * t71 + b_x * t80 + c_x * t89;
+        stiffness[0][2] = t67 * t72 + b_x * t81 + c_x * t90;
+        stiffness[0][3] = t68 * t70 + b_y * t79 + c_y * t88;
+        stiffness[0][4] = t68 * t71 + b_y * t80 + c_y * t89 + t97;
+        stiffness[0][5] = t68 * t72 + b_y * t81 + c_y * t90;
+        stiffness[0][6] = t69 * t70 + b_z * t79 + c_z * t88;
+        stiffness[0][7] = t69 * t71 + b_z * t80 + c_z * t89;
+        stiffness[0][8] = t69 * t72 + b_z * t81 + c_z * t90 + t97;
+        stiffness[1][0] = t65 + (t67 * t73 + b_x * t82 + c_x * t91);
+        stiffness[1][1] = t67 * t74 + b_x * t83 + c_x * t92;
+        stiffness[1][2] = t67 * t75 + b_x * t84 + c_x * t93;
+        stiffness[1][3] = t68 * t73 + b_y * t82 + c_y * t91;
+        stiffness[1][4] = t65 + (t68 * t74 + b_y * t83 + c_y * t92);
+        stiffness[1][5] = t68 * t75 + b_y * t84 + c_y * t93;
+        stiffness[1][6] = t69 * t73 + b_z * t82 + c_z * t91;
+        stiffness[1][7] = t69 * t74 + b_z * t83 + c_z * t92;
+        stiffness[1][8] = t65 + (t69 * t75 + b_z * t84 + c_z * t93);
+        stiffness[2][0] = t66 + (t67 * t76 + b_x * t85 + c_x * t94);
+        stiffness[2][1] = t67 * t77 + b_x * t86 + c_x * t95;
+        stiffness[2][2] = t67 * t78 + b_x * t87 + c_x * t96;
+        stiffness[2][3] = t68 * t76 + b_y * t85 + c_y * t94;
+        stiffness[2][4] = t66 + (t68 * t77 + b_y * t86 + c_y * t95);
+        stiffness[2][5] = t68 * t78 + b_y * t87 + c_y * t96;
+        stiffness[2][6] = t69 * t76 + b_z * t85 + c_z * t94;
+        stiffness[2][7] = t69 * t77 + b_z * t86 + c_z * t95;
+        stiffness[2][8] = t66 + (t69 * t78 + b_z * t87 + c_z * t96);
+        stiffness[3][0] = a_x * t82;
+        stiffness[3][1] = a_x * t83;
+        stiffness[3][2] = a_x * t84;
+        stiffness[3][3] = a_y * t82;
+        stiffness[3][4] = a_y * t83;
+        stiffness[3][5] = a_y * t84;
+        stiffness[3][6] = a_z * t82;
+        stiffness[3][7] = a_z * t83;
+        stiffness[3][8] = a_z * t84;
+        stiffness[4][0] = a_x * t85;
+        stiffness[4][1] = a_x * t86;
+        stiffness[4][2] = a_x * t87;
+        stiffness[4][3] = a_y * t85;
+        stiffness[4][4] = a_y * t86;
+        stiffness[4][5] = a_y * t87;
+        stiffness[4][6] = a_z * t85;
+        stiffness[4][7] = a_z * t86;
+        stiffness[4][8] = a_z * t87;
+        stiffness[5][0] = a_x * t94;
+        stiffness[5][1] = a_x * t95;
+        stiffness[5][2] = a_x * t96;
+        stiffness[5][3] = a_y * t94;
+        stiffness[5][4] = a_y * t95;
+        stiffness[5][5] = a_y * t96;
+        stiffness[5][6] = a_z * t94;
+        stiffness[5][7] = a_z * t95;
+        stiffness[5][8] = a_z * t96;
     }
-    /// Writes the strain energy a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
+    /// Writes the strain energy a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
     ///
-    /// Operations: 31 additions, 47 multiplications, 1 function calls.
+    /// Operations: 17 additions, 26 multiplications, 1 function calls.
     pub fn full_beam_spatial_curved_points3_energy(
         row: &FullBeamSpatialCurved,
-        reference: &[f64; 31],
+        reference: &[f64; 26],
         fields: &[[f64; 3]; 3],
         energy: &mut f64,
     ) {
         let FullBeamSpatialCurved { length, .. } = *row;
         let [[a_x, a_y, a_z], [b_x, b_y, b_z], [c_x, c_y, c_z]] = *fields;
-        let t36 = a_x * b_x + a_y * b_y + a_z * b_z;
-        let t37 = a_x * c_x + a_y * c_y + a_z * c_z;
-        let t38 = a_x * a_x + a_y * a_y + a_z * a_z - (t36 * t36 + t37 * t37);
-        let t39 = 0.5 * (length * reference[27]);
-        let t40 = (t38.sqrt() - 1.0 + t36 * reference[21] + t37 * reference[25]
+        let t31 = a_x * b_x + a_y * b_y + a_z * b_z;
+        let t32 = a_x * c_x + a_y * c_y + a_z * c_z;
+        let t33 = a_x * a_x + a_y * a_y + a_z * a_z - (t31 * t31 + t32 * t32);
+        let t34 = (t33.sqrt() - 1.0 + t31 * reference[18] + t32 * reference[22]
             - reference[0])
-            .powi(2) * (0.5 * (length * reference[9]));
-        let t41 = t40
-            + (t36 + t37 * reference[26] - reference[1]).powi(2)
-                * (0.5 * (length * reference[10]))
-            + (t37 - reference[2]).powi(2) * (0.5 * (length * reference[11]));
-        let t42 = (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0) - reference[3])
+            .powi(2) * (0.5 * (length * reference[6]));
+        let t35 = t34
+            + (t31 + t32 * reference[23] - reference[1]).powi(2)
+                * (0.5 * (length * reference[7]))
+            + (t32 - reference[2]).powi(2) * (0.5 * (length * reference[8]));
+        *energy = t35;
+    }
+    /// Writes the forces on the fields b, c at a point of weight one on the unit element, for the terms that are integrated with 3 nodes points; fields are derivatives on the unit element.
+    ///
+    /// Operations: 17 additions, 36 multiplications.
+    pub fn full_beam_spatial_curved_nodes3_force(
+        row: &FullBeamSpatialCurved,
+        reference: &[f64; 26],
+        fields: &[[f64; 3]; 2],
+        forces: &mut [[f64; 3]; 2],
+    ) {
+        let FullBeamSpatialCurved { length, .. } = *row;
+        let [[b_x, b_y, b_z], [c_x, c_y, c_z]] = *fields;
+        let t24 = length * reference[24];
+        let t25 = t24 * (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0) - reference[0]);
+        let t26 = 0.5 * t25;
+        let t27 = length * reference[25]
+            * (b_x * c_x + b_y * c_y + b_z * c_z - reference[2]);
+        let t28 = t24 * (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0) - reference[1]);
+        let t29 = 0.5 * t28;
+        forces[0][0] = t26 * (b_x * 2.0) + c_x * t27;
+        forces[0][1] = t26 * (b_y * 2.0) + c_y * t27;
+        forces[0][2] = t26 * (b_z * 2.0) + c_z * t27;
+        forces[1][0] = b_x * t27 + t29 * (c_x * 2.0);
+        forces[1][1] = b_y * t27 + t29 * (c_y * 2.0);
+        forces[1][2] = b_z * t27 + t29 * (c_z * 2.0);
+    }
+    /// Writes the blocks of the tangent on the fields b, c at a point of weight one on the unit element, for the terms that are integrated with 3 nodes points; fields are derivatives on the unit element.
+    ///
+    /// Operations: 32 additions, 73 multiplications.
+    pub fn full_beam_spatial_curved_nodes3_tangent(
+        row: &FullBeamSpatialCurved,
+        reference: &[f64; 26],
+        fields: &[[f64; 3]; 2],
+        stiffness: &mut [[f64; 9]; 3],
+    ) {
+        let FullBeamSpatialCurved { length, .. } = *row;
+        let [[b_x, b_y, b_z], [c_x, c_y, c_z]] = *fields;
+        let t24 = length * reference[24];
+        let t25 = 0.5 * (0.5 * t24);
+        let t26 = length * reference[25];
+        let t27 = t24 * (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0) - reference[0]);
+        let t28 = t26 * (b_x * c_x + b_y * c_y + b_z * c_z - reference[2]);
+        let t29 = t24 * (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0) - reference[1]);
+        let t30 = b_x * 2.0;
+        let t31 = b_y * 2.0;
+        let t32 = b_z * 2.0;
+        let t33 = c_x * 2.0;
+        let t34 = c_y * 2.0;
+        let t35 = c_z * 2.0;
+        let t36 = t25 * t31;
+        let t37 = t25 * t32;
+        let t38 = c_y * t26;
+        let t39 = c_z * t26;
+        let t40 = b_x * t26;
+        let t41 = b_y * t26;
+        let t42 = b_z * t26;
+        let t43 = t25 * t34;
+        let t44 = t25 * t35;
+        let t45 = t30 * t36 + c_x * t38;
+        let t46 = t30 * t37 + c_x * t39;
+        let t47 = t31 * t37 + c_y * t39;
+        let t48 = b_x * t41 + t33 * t43;
+        let t49 = b_x * t42 + t33 * t44;
+        let t50 = b_y * t42 + t34 * t44;
+        let t51 = 0.5 * t27 * 2.0;
+        let t52 = 0.5 * t29 * 2.0;
+        stiffness[0][0] = t30 * (t25 * t30) + c_x * (c_x * t26) + t51;
+        stiffness[0][1] = t45;
+        stiffness[0][2] = t46;
+        stiffness[0][3] = t45;
+        stiffness[0][4] = t31 * t36 + c_y * t38 + t51;
+        stiffness[0][5] = t47;
+        stiffness[0][6] = t46;
+        stiffness[0][7] = t47;
+        stiffness[0][8] = t32 * t37 + c_z * t39 + t51;
+        stiffness[1][0] = t28 + c_x * t40;
+        stiffness[1][1] = c_x * t41;
+        stiffness[1][2] = c_x * t42;
+        stiffness[1][3] = c_y * t40;
+        stiffness[1][4] = t28 + c_y * t41;
+        stiffness[1][5] = c_y * t42;
+        stiffness[1][6] = c_z * t40;
+        stiffness[1][7] = c_z * t41;
+        stiffness[1][8] = t28 + c_z * t42;
+        stiffness[2][0] = b_x * t40 + t33 * (t25 * t33) + t52;
+        stiffness[2][1] = t48;
+        stiffness[2][2] = t49;
+        stiffness[2][3] = t48;
+        stiffness[2][4] = b_y * t41 + t34 * t43 + t52;
+        stiffness[2][5] = t50;
+        stiffness[2][6] = t49;
+        stiffness[2][7] = t50;
+        stiffness[2][8] = b_z * t42 + t35 * t44 + t52;
+    }
+    /// Writes the strain energy b, c at a point of weight one on the unit element, for the terms that are integrated with 3 nodes points; fields are derivatives on the unit element.
+    ///
+    /// Operations: 13 additions, 21 multiplications.
+    pub fn full_beam_spatial_curved_nodes3_energy(
+        row: &FullBeamSpatialCurved,
+        reference: &[f64; 26],
+        fields: &[[f64; 3]; 2],
+        energy: &mut f64,
+    ) {
+        let FullBeamSpatialCurved { length, .. } = *row;
+        let [[b_x, b_y, b_z], [c_x, c_y, c_z]] = *fields;
+        let t24 = 0.5 * (length * reference[24]);
+        let t25 = (0.5 * (b_x * b_x + b_y * b_y + b_z * b_z - 1.0) - reference[0])
             .powi(2);
-        let t43 = (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0) - reference[4])
+        let t26 = (0.5 * (c_x * c_x + c_y * c_y + c_z * c_z - 1.0) - reference[1])
             .powi(2);
-        let t44 = (b_x * c_x + b_y * c_y + b_z * c_z - reference[5]).powi(2)
-            * (0.5 * (length * reference[28]));
-        *energy = t41 + t39 * t42 + t39 * t43 + t44;
+        let t27 = (b_x * c_x + b_y * c_y + b_z * c_z - reference[2]).powi(2)
+            * (0.5 * (length * reference[25]));
+        *energy = t24 * t25 + t24 * t26 + t27;
     }
     /// Adds the generalised elastic force of one element, F_e = dU/dq (N on positions, N m on slopes).
     ///
     /// Beam with a full matrix of stiffness: axial strain, shear, torsion, bending, all coupled; .
     ///
-    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 2 and 3 Gauss points, one kernel of the fields at a point for each rule.
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 2 Gauss points and 3 Gauss points and 3 nodes, one kernel of the fields at a point for each rule.
     ///
-    /// Operations: 773 additions, 1061 multiplications, 33 divisions, 5 function calls.
+    /// Operations: 819 additions, 1119 multiplications, 33 divisions, 5 function calls.
     pub fn full_beam_spatial_curved_elastic_force(
         row: &FullBeamSpatialCurved,
-        reference: &[f64; 155],
+        reference: &[f64; 208],
         q: &[f64; 30],
         force: &mut [f64; 30],
     ) {
@@ -3156,7 +3204,7 @@ pub mod iea15mw_blade_equations {
                 &vectors,
                 |point, fields, rates, forces| full_beam_spatial_curved_points2_force(
                     row,
-                    ::rncf::emitted::array(&reference[0 + 31 * point..][..31]),
+                    ::rncf::emitted::array(&reference[0 + 26 * point..][..26]),
                     fields,
                     forces,
                 ),
@@ -3168,7 +3216,19 @@ pub mod iea15mw_blade_equations {
                 &vectors,
                 |point, fields, rates, forces| full_beam_spatial_curved_points3_force(
                     row,
-                    ::rncf::emitted::array(&reference[62 + 31 * point..][..31]),
+                    ::rncf::emitted::array(&reference[52 + 26 * point..][..26]),
+                    fields,
+                    forces,
+                ),
+                &mut sums,
+            );
+        FULL_BEAM_SPATIAL_CURVED_NODES3
+            .force(
+                &vectors,
+                &vectors,
+                |point, fields, rates, forces| full_beam_spatial_curved_nodes3_force(
+                    row,
+                    ::rncf::emitted::array(&reference[130 + 26 * point..][..26]),
                     fields,
                     forces,
                 ),
@@ -3180,12 +3240,12 @@ pub mod iea15mw_blade_equations {
     ///
     /// Beam with a full matrix of stiffness: axial strain, shear, torsion, bending, all coupled; .
     ///
-    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 2 and 3 Gauss points, one kernel of the fields at a point for each rule.
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 2 Gauss points and 3 Gauss points and 3 nodes, one kernel of the fields at a point for each rule.
     ///
-    /// Operations: 7197 additions, 8639 multiplications, 114 divisions, 5 function calls.
+    /// Operations: 7685 additions, 9190 multiplications, 114 divisions, 5 function calls.
     pub fn full_beam_spatial_curved_elastic_tangent(
         row: &FullBeamSpatialCurved,
-        reference: &[f64; 155],
+        reference: &[f64; 208],
         q: &[f64; 30],
         stiffness: &mut [f64; 900],
     ) {
@@ -3197,7 +3257,7 @@ pub mod iea15mw_blade_equations {
                 (&FULL_BEAM_SPATIAL_CURVED_POINTS2_STIFFNESS, &mut tiles),
                 |point, fields, stiffness| full_beam_spatial_curved_points2_tangent(
                     row,
-                    ::rncf::emitted::array(&reference[0 + 31 * point..][..31]),
+                    ::rncf::emitted::array(&reference[0 + 26 * point..][..26]),
                     fields,
                     stiffness,
                 ),
@@ -3208,7 +3268,18 @@ pub mod iea15mw_blade_equations {
                 (&FULL_BEAM_SPATIAL_CURVED_POINTS3_STIFFNESS, &mut tiles),
                 |point, fields, stiffness| full_beam_spatial_curved_points3_tangent(
                     row,
-                    ::rncf::emitted::array(&reference[62 + 31 * point..][..31]),
+                    ::rncf::emitted::array(&reference[52 + 26 * point..][..26]),
+                    fields,
+                    stiffness,
+                ),
+            );
+        FULL_BEAM_SPATIAL_CURVED_NODES3
+            .tangent(
+                &vectors,
+                (&FULL_BEAM_SPATIAL_CURVED_NODES3_STIFFNESS, &mut tiles),
+                |point, fields, stiffness| full_beam_spatial_curved_nodes3_tangent(
+                    row,
+                    ::rncf::emitted::array(&reference[130 + 26 * point..][..26]),
                     fields,
                     stiffness,
                 ),
@@ -3219,12 +3290,12 @@ pub mod iea15mw_blade_equations {
     ///
     /// Beam with a full matrix of stiffness: axial strain, shear, torsion, bending, all coupled; .
     ///
-    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 2 and 3 Gauss points, one kernel of the fields at a point for each rule.
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 2 Gauss points and 3 Gauss points and 3 nodes, one kernel of the fields at a point for each rule.
     ///
-    /// Operations: 381 additions, 485 multiplications, 6 divisions, 5 function calls.
+    /// Operations: 413 additions, 510 multiplications, 6 divisions, 5 function calls.
     pub fn full_beam_spatial_curved_strain_energy(
         row: &FullBeamSpatialCurved,
-        reference: &[f64; 155],
+        reference: &[f64; 208],
         q: &[f64; 30],
         energy: &mut f64,
     ) {
@@ -3237,7 +3308,7 @@ pub mod iea15mw_blade_equations {
                         let mut density = 0.0;
                         full_beam_spatial_curved_points2_energy(
                             row,
-                            ::rncf::emitted::array(&reference[0 + 31 * point..][..31]),
+                            ::rncf::emitted::array(&reference[0 + 26 * point..][..26]),
                             fields,
                             &mut density,
                         );
@@ -3252,7 +3323,22 @@ pub mod iea15mw_blade_equations {
                         let mut density = 0.0;
                         full_beam_spatial_curved_points3_energy(
                             row,
-                            ::rncf::emitted::array(&reference[62 + 31 * point..][..31]),
+                            ::rncf::emitted::array(&reference[52 + 26 * point..][..26]),
+                            fields,
+                            &mut density,
+                        );
+                        density
+                    },
+                );
+        *energy
+            += FULL_BEAM_SPATIAL_CURVED_NODES3
+                .integral(
+                    &vectors,
+                    |point, fields| {
+                        let mut density = 0.0;
+                        full_beam_spatial_curved_nodes3_energy(
+                            row,
+                            ::rncf::emitted::array(&reference[130 + 26 * point..][..26]),
                             fields,
                             &mut density,
                         );
@@ -3266,11 +3352,11 @@ pub mod iea15mw_blade_equations {
     ///
     /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 Gauss points, unrolled.
     ///
-    /// Operations: 255 additions, 337 multiplications, 5 divisions, 5 function calls.
+    /// Operations: 245 additions, 325 multiplications, 5 divisions, 5 function calls.
     pub fn full_beam_spatial_curved_reference(
         row: &FullBeamSpatialCurved,
         q: &[f64; 30],
-        reference: &mut [f64; 155],
+        reference: &mut [f64; 208],
     ) {
         let FullBeamSpatialCurved { length, .. } = *row;
         let [r0_x, r0_y, r0_z, r0x_x, r0x_y, r0x_z, r0y_x, r0y_y, r0y_z, r0z_x, r0z_y,
@@ -3315,144 +3401,149 @@ pub mod iea15mw_blade_equations {
                 + r1z_z * (-0.15470053837925146));
         let t101 = t80 * t86 + t81 * t87 + t82 * t88;
         let t102 = t80 * t92 + t81 * t93 + t82 * t94;
-        let t103 = t86 * t98 + t87 * t99 + t88 * t100;
-        let t104 = t92 * t95 + t93 * t96 + t94 * t97;
-        let t105 = t80 * t80 + t81 * t81 + t82 * t82 - (t101 * t101 + t102 * t102);
-        let t106 = t105.sqrt();
-        let t107 = t106 - 1.0;
-        let t108 = 0.5 * (t104 - t103);
-        let t109 = 1.0 - 0.5 * (t86 * t86 + t87 * t87 + t88 * t88 - 1.0);
-        let t110 = 1.0 - 0.5 * (t92 * t92 + t93 * t93 + t94 * t94 - 1.0);
-        let t111 = t110 * ((t80 * t98 + t81 * t99 + t82 * t100 + t101 * t108) / t106);
-        let t112 = t109 * ((t80 * t95 + t81 * t96 + t82 * t97 - t102 * t108) / t106);
-        let t113 = t108 * (t109 * t110) + reference[12] * t111 - reference[13] * t112
-            + reference[15] * t107 + t101 * reference[18];
-        let t114 = r0x_x * (-0.2886751345948131) + d_x * 1.0000000000000004
+        let t103 = t80 * t80 + t81 * t81 + t82 * t82 - (t101 * t101 + t102 * t102);
+        let t104 = t103.sqrt();
+        let t105 = t104 - 1.0;
+        let t106 = t92 * t95 + t93 * t96 + t94 * t97
+            - (t86 * t98 + t87 * t99 + t88 * t100);
+        let t107 = 0.5 * t106;
+        let t108 = 1.0 - 0.5 * (t86 * t86 + t87 * t87 + t88 * t88 - 1.0);
+        let t109 = 1.0 - 0.5 * (t92 * t92 + t93 * t93 + t94 * t94 - 1.0);
+        let t110 = t109 * ((t80 * t98 + t81 * t99 + t82 * t100 + t101 * t107) / t104);
+        let t111 = t108 * ((t80 * t95 + t81 * t96 + t82 * t97 - t102 * t107) / t104);
+        let t112 = t107 * (t108 * t109) + reference[9] * t110 - reference[10] * t111
+            + reference[12] * t105 + t101 * reference[15];
+        let t113 = r0x_x * (-0.2886751345948131) + d_x * 1.0000000000000004
             + r1x_x * 0.28867513459481264;
-        let t115 = r0x_y * (-0.2886751345948131) + d_y * 1.0000000000000004
+        let t114 = r0x_y * (-0.2886751345948131) + d_y * 1.0000000000000004
             + r1x_y * 0.28867513459481264;
-        let t116 = r0x_z * (-0.2886751345948131) + d_z * 1.0000000000000004
+        let t115 = r0x_z * (-0.2886751345948131) + d_z * 1.0000000000000004
             + r1x_z * 0.28867513459481264;
-        let t117 = t83 + r0y_x * (-0.12200846792814612) + r1y_x * 0.4553418012614795;
-        let t118 = t84 + r0y_y * (-0.12200846792814612) + r1y_y * 0.4553418012614795;
-        let t119 = t85 + r0y_z * (-0.12200846792814612) + r1y_z * 0.4553418012614795;
-        let t120 = t89 + r0z_x * (-0.12200846792814612) + r1z_x * 0.4553418012614795;
-        let t121 = t90 + r0z_y * (-0.12200846792814612) + r1z_y * 0.4553418012614795;
-        let t122 = t91 + r0z_z * (-0.12200846792814612) + r1z_z * 0.4553418012614795;
-        let t123 = inverse_length
+        let t116 = t83 + r0y_x * (-0.12200846792814612) + r1y_x * 0.4553418012614795;
+        let t117 = t84 + r0y_y * (-0.12200846792814612) + r1y_y * 0.4553418012614795;
+        let t118 = t85 + r0y_z * (-0.12200846792814612) + r1y_z * 0.4553418012614795;
+        let t119 = t89 + r0z_x * (-0.12200846792814612) + r1z_x * 0.4553418012614795;
+        let t120 = t90 + r0z_y * (-0.12200846792814612) + r1z_y * 0.4553418012614795;
+        let t121 = t91 + r0z_z * (-0.12200846792814612) + r1z_z * 0.4553418012614795;
+        let t122 = inverse_length
             * (r0y_x * 0.15470053837925146 + ry_half_x * (-2.309401076758503)
                 + r1y_x * 2.1547005383792515);
-        let t124 = inverse_length
+        let t123 = inverse_length
             * (r0y_y * 0.15470053837925146 + ry_half_y * (-2.309401076758503)
                 + r1y_y * 2.1547005383792515);
-        let t125 = inverse_length
+        let t124 = inverse_length
             * (r0y_z * 0.15470053837925146 + ry_half_z * (-2.309401076758503)
                 + r1y_z * 2.1547005383792515);
-        let t126 = inverse_length
+        let t125 = inverse_length
             * (r0z_x * 0.15470053837925146 + rz_half_x * (-2.309401076758503)
                 + r1z_x * 2.1547005383792515);
-        let t127 = inverse_length
+        let t126 = inverse_length
             * (r0z_y * 0.15470053837925146 + rz_half_y * (-2.309401076758503)
                 + r1z_y * 2.1547005383792515);
-        let t128 = inverse_length
+        let t127 = inverse_length
             * (r0z_z * 0.15470053837925146 + rz_half_z * (-2.309401076758503)
                 + r1z_z * 2.1547005383792515);
-        let t129 = t114 * t117 + t115 * t118 + t116 * t119;
-        let t130 = t114 * t120 + t115 * t121 + t116 * t122;
-        let t131 = t117 * t126 + t118 * t127 + t119 * t128;
-        let t132 = t120 * t123 + t121 * t124 + t122 * t125;
-        let t133 = t114 * t114 + t115 * t115 + t116 * t116 - (t129 * t129 + t130 * t130);
-        let t134 = t133.sqrt();
-        let t135 = t134 - 1.0;
-        let t136 = 0.5 * (t132 - t131);
-        let t137 = 1.0 - 0.5 * (t117 * t117 + t118 * t118 + t119 * t119 - 1.0);
-        let t138 = 1.0 - 0.5 * (t120 * t120 + t121 * t121 + t122 * t122 - 1.0);
-        let t139 = t138
-            * ((t114 * t126 + t115 * t127 + t116 * t128 + t129 * t136) / t134);
-        let t140 = t137
-            * ((t114 * t123 + t115 * t124 + t116 * t125 - t130 * t136) / t134);
-        let t141 = t136 * (t137 * t138) + reference[43] * t139 - reference[44] * t140
-            + reference[46] * t135 + t129 * reference[49];
-        let t142 = d_x * 0.6;
-        let t143 = d_y * 0.6;
-        let t144 = d_z * 0.6;
-        let t145 = r0x_x * 0.5872983346207417 + t142 + r1x_x * (-0.18729833462074166);
-        let t146 = r0x_y * 0.5872983346207417 + t143 + r1x_y * (-0.18729833462074166);
-        let t147 = r0x_z * 0.5872983346207417 + t144 + r1x_z * (-0.18729833462074166);
-        let t148 = ry_half_x * 0.39999999999999997;
-        let t149 = ry_half_y * 0.39999999999999997;
-        let t150 = ry_half_z * 0.39999999999999997;
-        let t151 = r0y_x * 0.6872983346207417 + t148 + r1y_x * (-0.08729833462074169);
-        let t152 = r0y_y * 0.6872983346207417 + t149 + r1y_y * (-0.08729833462074169);
-        let t153 = r0y_z * 0.6872983346207417 + t150 + r1y_z * (-0.08729833462074169);
-        let t154 = rz_half_x * 0.39999999999999997;
-        let t155 = rz_half_y * 0.39999999999999997;
-        let t156 = rz_half_z * 0.39999999999999997;
-        let t157 = r0z_x * 0.6872983346207417 + t154 + r1z_x * (-0.08729833462074169);
-        let t158 = r0z_y * 0.6872983346207417 + t155 + r1z_y * (-0.08729833462074169);
-        let t159 = r0z_z * 0.6872983346207417 + t156 + r1z_z * (-0.08729833462074169);
-        let t160 = t145 * t151 + t146 * t152 + t147 * t153;
-        let t161 = t145 * t157 + t146 * t158 + t147 * t159;
-        let t162 = t145 * t145 + t146 * t146 + t147 * t147 - (t160 * t160 + t161 * t161);
-        let t163 = r0x_x * (-0.25) + d_x * 1.5 + r1x_x * (-0.25);
-        let t164 = r0x_y * (-0.25) + d_y * 1.5 + r1x_y * (-0.25);
-        let t165 = r0x_z * (-0.25) + d_z * 1.5 + r1x_z * (-0.25);
-        let t166 = ry_half_x * t163 + ry_half_y * t164 + ry_half_z * t165;
-        let t167 = rz_half_x * t163 + rz_half_y * t164 + rz_half_z * t165;
-        let t168 = t163 * t163 + t164 * t164 + t165 * t165 - (t166 * t166 + t167 * t167);
-        let t169 = t142 + r0x_x * (-0.18729833462074175) + r1x_x * 0.5872983346207418;
-        let t170 = t143 + r0x_y * (-0.18729833462074175) + r1x_y * 0.5872983346207418;
-        let t171 = t144 + r0x_z * (-0.18729833462074175) + r1x_z * 0.5872983346207418;
-        let t172 = t148 + r0y_x * (-0.08729833462074166) + r1y_x * 0.6872983346207417;
-        let t173 = t149 + r0y_y * (-0.08729833462074166) + r1y_y * 0.6872983346207417;
-        let t174 = t150 + r0y_z * (-0.08729833462074166) + r1y_z * 0.6872983346207417;
-        let t175 = t154 + r0z_x * (-0.08729833462074166) + r1z_x * 0.6872983346207417;
-        let t176 = t155 + r0z_y * (-0.08729833462074166) + r1z_y * 0.6872983346207417;
-        let t177 = t156 + r0z_z * (-0.08729833462074166) + r1z_z * 0.6872983346207417;
-        let t178 = t169 * t172 + t170 * t173 + t171 * t174;
-        let t179 = t169 * t175 + t170 * t176 + t171 * t177;
-        let t180 = t169 * t169 + t170 * t170 + t171 * t171 - (t178 * t178 + t179 * t179);
-        reference[0] = t113 + t102 * reference[22];
-        reference[1] = t111 - reference[14] * t112 + reference[16] * t107
-            + t101 * reference[19] + t102 * reference[23];
-        reference[2] = reference[17] * t107 - t112 + t101 * reference[20]
-            + t102 * reference[24];
-        reference[3] = t86 * t95 + t87 * t96 + t88 * t97;
-        reference[4] = t92 * t98 + t93 * t99 + t94 * t100;
-        reference[5] = t103 + t104;
-        reference[31] = t141 + t130 * reference[53];
-        reference[32] = t139 - reference[45] * t140 + reference[47] * t135
-            + t129 * reference[50] + t130 * reference[54];
-        reference[33] = reference[48] * t135 - t140 + t129 * reference[51]
-            + t130 * reference[55];
-        reference[34] = t117 * t123 + t118 * t124 + t119 * t125;
-        reference[35] = t120 * t126 + t121 * t127 + t122 * t128;
-        reference[36] = t131 + t132;
-        reference[62] = t162.sqrt() - 1.0 + t160 * reference[83] + t161 * reference[87];
-        reference[63] = t160 + t161 * reference[88];
-        reference[64] = t161;
-        reference[65] = 0.5 * (t151 * t151 + t152 * t152 + t153 * t153 - 1.0);
-        reference[66] = 0.5 * (t157 * t157 + t158 * t158 + t159 * t159 - 1.0);
-        reference[67] = t151 * t157 + t152 * t158 + t153 * t159;
-        reference[93] = t168.sqrt() - 1.0 + t166 * reference[114]
-            + t167 * reference[118];
-        reference[94] = t166 + t167 * reference[119];
-        reference[95] = t167;
-        reference[96] = 0.5
+        let t128 = t113 * t116 + t114 * t117 + t115 * t118;
+        let t129 = t113 * t119 + t114 * t120 + t115 * t121;
+        let t130 = t113 * t113 + t114 * t114 + t115 * t115 - (t128 * t128 + t129 * t129);
+        let t131 = t130.sqrt();
+        let t132 = t131 - 1.0;
+        let t133 = t119 * t122 + t120 * t123 + t121 * t124
+            - (t116 * t125 + t117 * t126 + t118 * t127);
+        let t134 = 0.5 * t133;
+        let t135 = 1.0 - 0.5 * (t116 * t116 + t117 * t117 + t118 * t118 - 1.0);
+        let t136 = 1.0 - 0.5 * (t119 * t119 + t120 * t120 + t121 * t121 - 1.0);
+        let t137 = t136
+            * ((t113 * t125 + t114 * t126 + t115 * t127 + t128 * t134) / t131);
+        let t138 = t135
+            * ((t113 * t122 + t114 * t123 + t115 * t124 - t129 * t134) / t131);
+        let t139 = t134 * (t135 * t136) + reference[35] * t137 - reference[36] * t138
+            + reference[38] * t132 + t128 * reference[41];
+        let t140 = d_x * 0.6;
+        let t141 = d_y * 0.6;
+        let t142 = d_z * 0.6;
+        let t143 = r0x_x * 0.5872983346207417 + t140 + r1x_x * (-0.18729833462074166);
+        let t144 = r0x_y * 0.5872983346207417 + t141 + r1x_y * (-0.18729833462074166);
+        let t145 = r0x_z * 0.5872983346207417 + t142 + r1x_z * (-0.18729833462074166);
+        let t146 = ry_half_x * 0.39999999999999997;
+        let t147 = ry_half_y * 0.39999999999999997;
+        let t148 = ry_half_z * 0.39999999999999997;
+        let t149 = rz_half_x * 0.39999999999999997;
+        let t150 = rz_half_y * 0.39999999999999997;
+        let t151 = rz_half_z * 0.39999999999999997;
+        let t152 = t143
+            * (r0y_x * 0.6872983346207417 + t146 + r1y_x * (-0.08729833462074169))
+            + t144
+                * (r0y_y * 0.6872983346207417 + t147 + r1y_y * (-0.08729833462074169));
+        let t153 = t152
+            + t145
+                * (r0y_z * 0.6872983346207417 + t148 + r1y_z * (-0.08729833462074169));
+        let t154 = t143
+            * (r0z_x * 0.6872983346207417 + t149 + r1z_x * (-0.08729833462074169))
+            + t144
+                * (r0z_y * 0.6872983346207417 + t150 + r1z_y * (-0.08729833462074169));
+        let t155 = t154
+            + t145
+                * (r0z_z * 0.6872983346207417 + t151 + r1z_z * (-0.08729833462074169));
+        let t156 = t143 * t143 + t144 * t144 + t145 * t145 - (t153 * t153 + t155 * t155);
+        let t157 = r0x_x * (-0.25) + d_x * 1.5 + r1x_x * (-0.25);
+        let t158 = r0x_y * (-0.25) + d_y * 1.5 + r1x_y * (-0.25);
+        let t159 = r0x_z * (-0.25) + d_z * 1.5 + r1x_z * (-0.25);
+        let t160 = ry_half_x * t157 + ry_half_y * t158 + ry_half_z * t159;
+        let t161 = rz_half_x * t157 + rz_half_y * t158 + rz_half_z * t159;
+        let t162 = t157 * t157 + t158 * t158 + t159 * t159 - (t160 * t160 + t161 * t161);
+        let t163 = t140 + r0x_x * (-0.18729833462074175) + r1x_x * 0.5872983346207418;
+        let t164 = t141 + r0x_y * (-0.18729833462074175) + r1x_y * 0.5872983346207418;
+        let t165 = t142 + r0x_z * (-0.18729833462074175) + r1x_z * 0.5872983346207418;
+        let t166 = t163
+            * (t146 + r0y_x * (-0.08729833462074166) + r1y_x * 0.6872983346207417)
+            + t164
+                * (t147 + r0y_y * (-0.08729833462074166) + r1y_y * 0.6872983346207417);
+        let t167 = t166
+            + t165
+                * (t148 + r0y_z * (-0.08729833462074166) + r1y_z * 0.6872983346207417);
+        let t168 = t163
+            * (t149 + r0z_x * (-0.08729833462074166) + r1z_x * 0.6872983346207417)
+            + t164
+                * (t150 + r0z_y * (-0.08729833462074166) + r1z_y * 0.6872983346207417);
+        let t169 = t168
+            + t165
+                * (t151 + r0z_z * (-0.08729833462074166) + r1z_z * 0.6872983346207417);
+        let t170 = t163 * t163 + t164 * t164 + t165 * t165 - (t167 * t167 + t169 * t169);
+        reference[0] = t112 + t102 * reference[19];
+        reference[1] = t110 - reference[11] * t111 + reference[13] * t105
+            + t101 * reference[16] + t102 * reference[20];
+        reference[2] = reference[14] * t105 - t111 + t101 * reference[17]
+            + t102 * reference[21];
+        reference[26] = t139 + t129 * reference[45];
+        reference[27] = t137 - reference[37] * t138 + reference[39] * t132
+            + t128 * reference[42] + t129 * reference[46];
+        reference[28] = reference[40] * t132 - t138 + t128 * reference[43]
+            + t129 * reference[47];
+        reference[52] = t156.sqrt() - 1.0 + t153 * reference[70] + t155 * reference[74];
+        reference[53] = t153 + t155 * reference[75];
+        reference[54] = t155;
+        reference[78] = t162.sqrt() - 1.0 + t160 * reference[96] + t161 * reference[100];
+        reference[79] = t160 + t161 * reference[101];
+        reference[80] = t161;
+        reference[104] = t170.sqrt() - 1.0 + t167 * reference[122]
+            + t169 * reference[126];
+        reference[105] = t167 + t169 * reference[127];
+        reference[106] = t169;
+        reference[130] = 0.5 * (r0y_x * r0y_x + r0y_y * r0y_y + r0y_z * r0y_z - 1.0);
+        reference[131] = 0.5 * (r0z_x * r0z_x + r0z_y * r0z_y + r0z_z * r0z_z - 1.0);
+        reference[132] = r0y_x * r0z_x + r0y_y * r0z_y + r0y_z * r0z_z;
+        reference[156] = 0.5
             * (ry_half_x * ry_half_x + ry_half_y * ry_half_y + ry_half_z * ry_half_z
                 - 1.0);
-        reference[97] = 0.5
+        reference[157] = 0.5
             * (rz_half_x * rz_half_x + rz_half_y * rz_half_y + rz_half_z * rz_half_z
                 - 1.0);
-        reference[98] = ry_half_x * rz_half_x + ry_half_y * rz_half_y
+        reference[158] = ry_half_x * rz_half_x + ry_half_y * rz_half_y
             + ry_half_z * rz_half_z;
-        reference[124] = t180.sqrt() - 1.0 + t178 * reference[145]
-            + t179 * reference[149];
-        reference[125] = t178 + t179 * reference[150];
-        reference[126] = t179;
-        reference[127] = 0.5 * (t172 * t172 + t173 * t173 + t174 * t174 - 1.0);
-        reference[128] = 0.5 * (t175 * t175 + t176 * t176 + t177 * t177 - 1.0);
-        reference[129] = t172 * t175 + t173 * t176 + t174 * t177;
+        reference[182] = 0.5 * (r1y_x * r1y_x + r1y_y * r1y_y + r1y_z * r1y_z - 1.0);
+        reference[183] = 0.5 * (r1z_x * r1z_x + r1z_y * r1z_y + r1z_z * r1z_z - 1.0);
+        reference[184] = r1y_x * r1z_x + r1y_y * r1z_y + r1y_z * r1z_z;
     }
     /// Weights of the nodal vectors in the position at xi in [0, 1]; the others are left alone.
     ///
@@ -3538,262 +3629,230 @@ pub mod iea15mw_blade_equations {
     }
     /// Writes the forces on the fields a, b, c, db, dc at a point, dU/d(field) per unit length, from their values in the stress-free shape and at present.
     ///
-    /// Operations: 376 additions, 529 multiplications, 35 divisions, 2 function calls.
+    /// Operations: 320 additions, 469 multiplications, 35 divisions, 2 function calls.
     pub fn full_beam_spatial_curved_field_forces(
         row: &FullBeamSpatialCurved,
-        coefficients: &[f64; 25],
+        coefficients: &[f64; 23],
         stress_free: &[f64; 15],
         fields: &[f64; 15],
         forces: &mut [f64; 15],
     ) {
         let FullBeamSpatialCurved { length, .. } = *row;
         let [D1, D2, D3, D4, D5, D6, L21, L31, L32, L41, L42, L43, L51, L52, L53, L54,
-        L61, L62, L63, L64, L65, held, half_held, smooth, half_smooth] = *coefficients;
-        let t67 = fields[0] * fields[3] + fields[1] * fields[4] + fields[2] * fields[5];
-        let t68 = fields[0] * fields[6] + fields[1] * fields[7] + fields[2] * fields[8];
-        let t69 = fields[3] * fields[12] + fields[4] * fields[13]
-            + fields[5] * fields[14];
-        let t70 = fields[6] * fields[9] + fields[7] * fields[10]
-            + fields[8] * fields[11];
-        let t71 = 0.5
-            * (fields[3] * fields[3] + fields[4] * fields[4] + fields[5] * fields[5]
-                - 1.0);
-        let t72 = 0.5
-            * (fields[6] * fields[6] + fields[7] * fields[7] + fields[8] * fields[8]
-                - 1.0);
-        let t73 = fields[0] * fields[0] + fields[1] * fields[1] + fields[2] * fields[2]
-            - (t67 * t67 + t68 * t68);
-        let t74 = t73.sqrt();
-        let t75 = t74 - 1.0;
-        let t76 = 0.5 * (t70 - t69);
-        let t77 = 1.0 - t71;
-        let t78 = 1.0 - t72;
-        let t79 = t77 * t78;
-        let t80 = (fields[0] * fields[12] + fields[1] * fields[13]
-            + fields[2] * fields[14] + t67 * t76) / t74;
-        let t81 = t78 * t80;
-        let t82 = (fields[0] * fields[9] + fields[1] * fields[10]
-            + fields[2] * fields[11] - t68 * t76) / t74;
-        let t83 = t77 * t82;
-        let t84 = t76 * t79 + t81 * L21 - t83 * L31 + t75 * L41 + t67 * L51;
-        let t85 = stress_free[0] * stress_free[3] + stress_free[1] * stress_free[4]
+        L61, L62, L63, L64, L65, held, half_held] = *coefficients;
+        let t63 = fields[0] * fields[3] + fields[1] * fields[4] + fields[2] * fields[5];
+        let t64 = fields[0] * fields[6] + fields[1] * fields[7] + fields[2] * fields[8];
+        let t65 = fields[0] * fields[0] + fields[1] * fields[1] + fields[2] * fields[2]
+            - (t63 * t63 + t64 * t64);
+        let t66 = t65.sqrt();
+        let t67 = t66 - 1.0;
+        let t68 = fields[6] * fields[9] + fields[7] * fields[10] + fields[8] * fields[11]
+            - (fields[3] * fields[12] + fields[4] * fields[13] + fields[5] * fields[14]);
+        let t69 = 0.5 * t68;
+        let t70 = 1.0
+            - 0.5
+                * (fields[3] * fields[3] + fields[4] * fields[4] + fields[5] * fields[5]
+                    - 1.0);
+        let t71 = 1.0
+            - 0.5
+                * (fields[6] * fields[6] + fields[7] * fields[7] + fields[8] * fields[8]
+                    - 1.0);
+        let t72 = t70 * t71;
+        let t73 = (fields[0] * fields[12] + fields[1] * fields[13]
+            + fields[2] * fields[14] + t63 * t69) / t66;
+        let t74 = t71 * t73;
+        let t75 = (fields[0] * fields[9] + fields[1] * fields[10]
+            + fields[2] * fields[11] - t64 * t69) / t66;
+        let t76 = t70 * t75;
+        let t77 = t69 * t72 + t74 * L21 - t76 * L31 + t67 * L41 + t63 * L51;
+        let t78 = stress_free[0] * stress_free[3] + stress_free[1] * stress_free[4]
             + stress_free[2] * stress_free[5];
-        let t86 = stress_free[0] * stress_free[6] + stress_free[1] * stress_free[7]
+        let t79 = stress_free[0] * stress_free[6] + stress_free[1] * stress_free[7]
             + stress_free[2] * stress_free[8];
-        let t87 = stress_free[3] * stress_free[12] + stress_free[4] * stress_free[13]
-            + stress_free[5] * stress_free[14];
-        let t88 = stress_free[6] * stress_free[9] + stress_free[7] * stress_free[10]
-            + stress_free[8] * stress_free[11];
-        let t89 = 0.5
-            * (stress_free[3] * stress_free[3] + stress_free[4] * stress_free[4]
-                + stress_free[5] * stress_free[5] - 1.0);
-        let t90 = 0.5
-            * (stress_free[6] * stress_free[6] + stress_free[7] * stress_free[7]
-                + stress_free[8] * stress_free[8] - 1.0);
-        let t91 = stress_free[0] * stress_free[0] + stress_free[1] * stress_free[1]
-            + stress_free[2] * stress_free[2] - (t85 * t85 + t86 * t86);
-        let t92 = t91.sqrt();
-        let t93 = t92 - 1.0;
-        let t94 = 0.5 * (t88 - t87);
-        let t95 = 1.0 - t89;
-        let t96 = 1.0 - t90;
-        let t97 = t96
+        let t80 = stress_free[0] * stress_free[0] + stress_free[1] * stress_free[1]
+            + stress_free[2] * stress_free[2] - (t78 * t78 + t79 * t79);
+        let t81 = t80.sqrt();
+        let t82 = t81 - 1.0;
+        let t83 = stress_free[6] * stress_free[9] + stress_free[7] * stress_free[10]
+            + stress_free[8] * stress_free[11]
+            - (stress_free[3] * stress_free[12] + stress_free[4] * stress_free[13]
+                + stress_free[5] * stress_free[14]);
+        let t84 = 0.5 * t83;
+        let t85 = 1.0
+            - 0.5
+                * (stress_free[3] * stress_free[3] + stress_free[4] * stress_free[4]
+                    + stress_free[5] * stress_free[5] - 1.0);
+        let t86 = 1.0
+            - 0.5
+                * (stress_free[6] * stress_free[6] + stress_free[7] * stress_free[7]
+                    + stress_free[8] * stress_free[8] - 1.0);
+        let t87 = t86
             * ((stress_free[0] * stress_free[12] + stress_free[1] * stress_free[13]
-                + stress_free[2] * stress_free[14] + t85 * t94) / t92);
-        let t98 = t95
+                + stress_free[2] * stress_free[14] + t78 * t84) / t81);
+        let t88 = t85
             * ((stress_free[0] * stress_free[9] + stress_free[1] * stress_free[10]
-                + stress_free[2] * stress_free[11] - t86 * t94) / t92);
-        let t99 = t94 * (t95 * t96) + L21 * t97 - L31 * t98 + L41 * t93 + L51 * t85;
-        let t100 = D1 * (t84 + t68 * L61 - (t99 + L61 * t86));
-        let t101 = t67 * 2.0;
-        let t102 = t68 * 2.0;
-        let t103 = 1.0 / (t74 * 2.0);
-        let t104 = (fields[0] * 2.0 - (fields[3] * t101 + fields[6] * t102)) * t103;
-        let t105 = t78 * ((fields[12] + fields[3] * t76 - t80 * t104) / t74);
-        let t106 = t77 * ((fields[9] - fields[6] * t76 - t82 * t104) / t74);
-        let t107 = L21 * t105 - L31 * t106 + L41 * t104 + fields[3] * L51
-            + fields[6] * L61;
-        let t108 = t103 * (fields[1] * 2.0 - (fields[4] * t101 + fields[7] * t102));
-        let t109 = t78 * ((fields[13] + fields[4] * t76 - t80 * t108) / t74);
-        let t110 = t77 * ((fields[10] - fields[7] * t76 - t82 * t108) / t74);
-        let t111 = L21 * t109 - L31 * t110 + L41 * t108 + fields[4] * L51
+                + stress_free[2] * stress_free[11] - t79 * t84) / t81);
+        let t89 = t84 * (t85 * t86) + L21 * t87 - L31 * t88 + L41 * t82 + L51 * t78;
+        let t90 = D1 * (t77 + t64 * L61 - (t89 + L61 * t79));
+        let t91 = t63 * 2.0;
+        let t92 = t64 * 2.0;
+        let t93 = 1.0 / (t66 * 2.0);
+        let t94 = (fields[0] * 2.0 - (fields[3] * t91 + fields[6] * t92)) * t93;
+        let t95 = t71 * ((fields[12] + fields[3] * t69 - t73 * t94) / t66);
+        let t96 = t70 * ((fields[9] - fields[6] * t69 - t75 * t94) / t66);
+        let t97 = L21 * t95 - L31 * t96 + L41 * t94 + fields[3] * L51 + fields[6] * L61;
+        let t98 = t93 * (fields[1] * 2.0 - (fields[4] * t91 + fields[7] * t92));
+        let t99 = t71 * ((fields[13] + fields[4] * t69 - t73 * t98) / t66);
+        let t100 = t70 * ((fields[10] - fields[7] * t69 - t75 * t98) / t66);
+        let t101 = L21 * t99 - L31 * t100 + L41 * t98 + fields[4] * L51
             + fields[7] * L61;
-        let t112 = t103 * (fields[2] * 2.0 - (fields[5] * t101 + fields[8] * t102));
-        let t113 = t78 * ((fields[14] + fields[5] * t76 - t80 * t112) / t74);
-        let t114 = t77 * ((fields[11] - fields[8] * t76 - t82 * t112) / t74);
-        let t115 = L21 * t113 - L31 * t114 + L41 * t112 + fields[5] * L51
+        let t102 = t93 * (fields[2] * 2.0 - (fields[5] * t91 + fields[8] * t92));
+        let t103 = t71 * ((fields[14] + fields[5] * t69 - t73 * t102) / t66);
+        let t104 = t70 * ((fields[11] - fields[8] * t69 - t75 * t102) / t66);
+        let t105 = L21 * t103 - L31 * t104 + L41 * t102 + fields[5] * L51
             + fields[8] * L61;
-        let t116 = 0.5 * (fields[3] * 2.0);
-        let t117 = t103 * (fields[0] * t101);
-        let t118 = fields[12] * 0.5;
-        let t119 = fields[0] * t76;
-        let t120 = t78 * ((t119 - t67 * t118 + t80 * t117) / t74);
-        let t121 = t77 * ((t68 * t118 + t82 * t117) / t74) - t82 * t116;
-        let t122 = L21 * t120 - (t79 * t118 + t76 * (t78 * t116)) - L31 * t121
-            - L41 * t117;
-        let t123 = 0.5 * (fields[4] * 2.0);
-        let t124 = t103 * (fields[1] * t101);
-        let t125 = fields[13] * 0.5;
-        let t126 = fields[1] * t76;
-        let t127 = t78 * ((t126 - t67 * t125 + t80 * t124) / t74);
-        let t128 = t77 * ((t68 * t125 + t82 * t124) / t74) - t82 * t123;
-        let t129 = L21 * t127 - (t79 * t125 + t76 * (t78 * t123)) - L31 * t128
-            - L41 * t124;
-        let t130 = 0.5 * (fields[5] * 2.0);
-        let t131 = t103 * (fields[2] * t101);
-        let t132 = fields[14] * 0.5;
-        let t133 = fields[2] * t76;
-        let t134 = t78 * ((t133 - t67 * t132 + t80 * t131) / t74);
-        let t135 = t77 * ((t68 * t132 + t82 * t131) / t74) - t82 * t130;
-        let t136 = L21 * t134 - (t79 * t132 + t76 * (t78 * t130)) - L31 * t135
-            - L41 * t131;
-        let t137 = 0.5 * (fields[6] * 2.0);
-        let t138 = t103 * (fields[0] * t102);
-        let t139 = fields[9] * 0.5;
-        let t140 = t78 * ((t67 * t139 + t80 * t138) / t74) - t80 * t137;
-        let t141 = t77 * ((t82 * t138 - (t119 + t68 * t139)) / t74);
-        let t142 = t79 * t139 - t76 * (t77 * t137) + L21 * t140 - L31 * t141
-            - L41 * t138;
-        let t143 = 0.5 * (fields[7] * 2.0);
-        let t144 = t103 * (fields[1] * t102);
-        let t145 = fields[10] * 0.5;
-        let t146 = t78 * ((t67 * t145 + t80 * t144) / t74) - t80 * t143;
-        let t147 = t77 * ((t82 * t144 - (t126 + t68 * t145)) / t74);
-        let t148 = t79 * t145 - t76 * (t77 * t143) + L21 * t146 - L31 * t147
-            - L41 * t144;
-        let t149 = 0.5 * (fields[8] * 2.0);
-        let t150 = t103 * (fields[2] * t102);
-        let t151 = fields[11] * 0.5;
-        let t152 = t78 * ((t67 * t151 + t80 * t150) / t74) - t80 * t149;
-        let t153 = t77 * ((t82 * t150 - (t133 + t68 * t151)) / t74);
-        let t154 = t79 * t151 - t76 * (t77 * t149) + L21 * t152 - L31 * t153
-            - L41 * t150;
-        let t155 = fields[6] * 0.5;
-        let t156 = t78 * (t67 * t155 / t74);
-        let t157 = t77 * ((fields[0] - t68 * t155) / t74);
-        let t158 = fields[7] * 0.5;
-        let t159 = t78 * (t67 * t158 / t74);
-        let t160 = t77 * ((fields[1] - t68 * t158) / t74);
-        let t161 = fields[8] * 0.5;
-        let t162 = t78 * (t67 * t161 / t74);
-        let t163 = t77 * ((fields[2] - t68 * t161) / t74);
-        let t164 = fields[3] * 0.5;
-        let t165 = t78 * ((fields[0] - t67 * t164) / t74);
-        let t166 = t77 * (t68 * t164 / t74);
-        let t167 = fields[4] * 0.5;
-        let t168 = t78 * ((fields[1] - t67 * t167) / t74);
-        let t169 = t77 * (t68 * t167 / t74);
-        let t170 = fields[5] * 0.5;
-        let t171 = t78 * ((fields[2] - t67 * t170) / t74);
-        let t172 = t77 * (t68 * t170 / t74);
-        let t173 = t81 - t83 * L32 + t75 * L42 + t67 * L52 + t68 * L62
-            - (t97 - L32 * t98 + L42 * t93 + L52 * t85 + L62 * t86);
-        let t174 = D2 * t173;
-        let t175 = t174
-            * (t105 - L32 * t106 + L42 * t104 + fields[3] * L52 + fields[6] * L62);
-        let t176 = t174
-            * (t109 - L32 * t110 + L42 * t108 + fields[4] * L52 + fields[7] * L62);
-        let t177 = t174
-            * (t113 - L32 * t114 + L42 * t112 + fields[5] * L52 + fields[8] * L62);
-        let t178 = t100 * (t122 + fields[0] * L51)
-            + t174 * (t120 - L32 * t121 - L42 * t117 + fields[0] * L52);
-        let t179 = t100 * (t129 + fields[1] * L51)
-            + t174 * (t127 - L32 * t128 - L42 * t124 + fields[1] * L52);
-        let t180 = t100 * (t136 + fields[2] * L51)
-            + t174 * (t134 - L32 * t135 - L42 * t131 + fields[2] * L52);
-        let t181 = t100 * (t142 + fields[0] * L61)
-            + t174 * (t140 - L32 * t141 - L42 * t138 + fields[0] * L62);
-        let t182 = t100 * (t148 + fields[1] * L61)
-            + t174 * (t146 - L32 * t147 - L42 * t144 + fields[1] * L62);
-        let t183 = t100 * (t154 + fields[2] * L61)
-            + t174 * (t152 - L32 * t153 - L42 * t150 + fields[2] * L62);
-        let t184 = t100 * (t79 * t155 + L21 * t156 - L31 * t157)
-            + t174 * (t156 - L32 * t157);
-        let t185 = t100 * (t79 * t158 + L21 * t159 - L31 * t160)
-            + t174 * (t159 - L32 * t160);
-        let t186 = t100 * (t79 * t161 + L21 * t162 - L31 * t163)
-            + t174 * (t162 - L32 * t163);
-        let t187 = t100 * (L21 * t165 - t79 * t164 - L31 * t166)
-            + t174 * (t165 - L32 * t166);
-        let t188 = t100 * (L21 * t168 - t79 * t167 - L31 * t169)
-            + t174 * (t168 - L32 * t169);
-        let t189 = t100 * (L21 * t171 - t79 * t170 - L31 * t172)
-            + t174 * (t171 - L32 * t172);
-        let t190 = t75 * L43 - t83 + t67 * L53 + t68 * L63
-            - (L43 * t93 - t98 + L53 * t85 + L63 * t86);
-        let t191 = D3 * t190;
-        let t192 = t100 * t107 + t175
-            + t191 * (L43 * t104 - t106 + fields[3] * L53 + fields[6] * L63);
-        let t193 = t100 * t111 + t176
-            + t191 * (L43 * t108 - t110 + fields[4] * L53 + fields[7] * L63);
-        let t194 = t100 * t115 + t177
-            + t191 * (L43 * t112 - t114 + fields[5] * L53 + fields[8] * L63);
-        let t195 = t75 + t67 * L54 + t68 * L64 - (t93 + L54 * t85 + L64 * t86);
-        let t196 = D4 * t195;
-        let t197 = t178 + t191 * (fields[0] * L53 - (t121 + L43 * t117))
-            + t196 * (fields[0] * L54 - t117);
-        let t198 = t179 + t191 * (fields[1] * L53 - (t128 + L43 * t124))
-            + t196 * (fields[1] * L54 - t124);
-        let t199 = t180 + t191 * (fields[2] * L53 - (t135 + L43 * t131))
-            + t196 * (fields[2] * L54 - t131);
-        let t200 = t181 + t191 * (fields[0] * L63 - (t141 + L43 * t138))
-            + t196 * (fields[0] * L64 - t138);
-        let t201 = t182 + t191 * (fields[1] * L63 - (t147 + L43 * t144))
-            + t196 * (fields[1] * L64 - t144);
-        let t202 = t183 + t191 * (fields[2] * L63 - (t153 + L43 * t150))
-            + t196 * (fields[2] * L64 - t150);
-        let t203 = D5 * (t67 + t68 * L65 - (t85 + L65 * t86));
-        let t204 = t192 + t196 * (t104 + fields[3] * L54 + fields[6] * L64)
-            + t203 * (fields[3] + fields[6] * L65);
-        let t205 = t193 + t196 * (t108 + fields[4] * L54 + fields[7] * L64)
-            + t203 * (fields[4] + fields[7] * L65);
-        let t206 = t194 + t196 * (t112 + fields[5] * L54 + fields[8] * L64)
-            + t203 * (fields[5] + fields[8] * L65);
-        let t207 = D6 * (t68 - t86);
-        let t208 = held * (t71 - t89);
-        let t209 = held * (t72 - t90);
-        let t210 = fields[3] * fields[6] + fields[4] * fields[7] + fields[5] * fields[8]
-            - (stress_free[3] * stress_free[6] + stress_free[4] * stress_free[7]
-                + stress_free[5] * stress_free[8]);
-        let t211 = half_held * t210;
-        let t212 = t200 + t203 * (fields[0] * L65) + fields[0] * t207 + t137 * t209
-            + fields[3] * t211;
-        let t213 = t201 + t203 * (fields[1] * L65) + fields[1] * t207 + t143 * t209
-            + fields[4] * t211;
-        let t214 = t202 + t203 * (fields[2] * L65) + fields[2] * t207 + t149 * t209
-            + fields[5] * t211;
-        let t215 = fields[3] * fields[9] + fields[4] * fields[10]
-            + fields[5] * fields[11]
-            - (stress_free[3] * stress_free[9] + stress_free[4] * stress_free[10]
-                + stress_free[5] * stress_free[11]);
-        let t216 = smooth * t215;
-        let t217 = fields[6] * fields[12] + fields[7] * fields[13]
-            + fields[8] * fields[14]
-            - (stress_free[6] * stress_free[12] + stress_free[7] * stress_free[13]
-                + stress_free[8] * stress_free[14]);
-        let t218 = smooth * t217;
-        let t219 = half_smooth * (t69 + t70 - (t87 + t88));
-        let t220 = t197 + fields[0] * t203 + t116 * t208 + fields[6] * t211
-            + fields[9] * t216 + fields[12] * t219;
-        let t221 = t198 + fields[1] * t203 + t123 * t208 + fields[7] * t211
-            + fields[10] * t216 + fields[13] * t219;
-        let t222 = t199 + fields[2] * t203 + t130 * t208 + fields[8] * t211
-            + fields[11] * t216 + fields[14] * t219;
-        forces[0] = t204 + fields[6] * t207;
-        forces[1] = t205 + fields[7] * t207;
-        forces[2] = t206 + fields[8] * t207;
-        forces[3] = t220;
-        forces[4] = t221;
-        forces[5] = t222;
-        forces[6] = t212 + fields[12] * t218 + fields[9] * t219;
-        forces[7] = t213 + fields[13] * t218 + fields[10] * t219;
-        forces[8] = t214 + fields[14] * t218 + fields[11] * t219;
-        forces[9] = t184 - t157 * t191 + fields[3] * t216 + fields[6] * t219;
-        forces[10] = t185 - t160 * t191 + fields[4] * t216 + fields[7] * t219;
-        forces[11] = t186 - t163 * t191 + fields[5] * t216 + fields[8] * t219;
-        forces[12] = t187 - t166 * t191 + fields[6] * t218 + fields[3] * t219;
-        forces[13] = t188 - t169 * t191 + fields[7] * t218 + fields[4] * t219;
-        forces[14] = t189 - t172 * t191 + fields[8] * t218 + fields[5] * t219;
+        let t106 = 0.5 * (fields[3] * 2.0);
+        let t107 = t93 * (fields[0] * t91);
+        let t108 = fields[12] * 0.5;
+        let t109 = fields[0] * t69;
+        let t110 = t71 * ((t109 - t63 * t108 + t73 * t107) / t66);
+        let t111 = t70 * ((t64 * t108 + t75 * t107) / t66) - t75 * t106;
+        let t112 = L21 * t110 - (t72 * t108 + t69 * (t71 * t106)) - L31 * t111
+            - L41 * t107;
+        let t113 = 0.5 * (fields[4] * 2.0);
+        let t114 = t93 * (fields[1] * t91);
+        let t115 = fields[13] * 0.5;
+        let t116 = fields[1] * t69;
+        let t117 = t71 * ((t116 - t63 * t115 + t73 * t114) / t66);
+        let t118 = t70 * ((t64 * t115 + t75 * t114) / t66) - t75 * t113;
+        let t119 = L21 * t117 - (t72 * t115 + t69 * (t71 * t113)) - L31 * t118
+            - L41 * t114;
+        let t120 = 0.5 * (fields[5] * 2.0);
+        let t121 = t93 * (fields[2] * t91);
+        let t122 = fields[14] * 0.5;
+        let t123 = fields[2] * t69;
+        let t124 = t71 * ((t123 - t63 * t122 + t73 * t121) / t66);
+        let t125 = t70 * ((t64 * t122 + t75 * t121) / t66) - t75 * t120;
+        let t126 = L21 * t124 - (t72 * t122 + t69 * (t71 * t120)) - L31 * t125
+            - L41 * t121;
+        let t127 = 0.5 * (fields[6] * 2.0);
+        let t128 = t93 * (fields[0] * t92);
+        let t129 = fields[9] * 0.5;
+        let t130 = t71 * ((t63 * t129 + t73 * t128) / t66) - t73 * t127;
+        let t131 = t70 * ((t75 * t128 - (t109 + t64 * t129)) / t66);
+        let t132 = t72 * t129 - t69 * (t70 * t127) + L21 * t130 - L31 * t131
+            - L41 * t128;
+        let t133 = 0.5 * (fields[7] * 2.0);
+        let t134 = t93 * (fields[1] * t92);
+        let t135 = fields[10] * 0.5;
+        let t136 = t71 * ((t63 * t135 + t73 * t134) / t66) - t73 * t133;
+        let t137 = t70 * ((t75 * t134 - (t116 + t64 * t135)) / t66);
+        let t138 = t72 * t135 - t69 * (t70 * t133) + L21 * t136 - L31 * t137
+            - L41 * t134;
+        let t139 = 0.5 * (fields[8] * 2.0);
+        let t140 = t93 * (fields[2] * t92);
+        let t141 = fields[11] * 0.5;
+        let t142 = t71 * ((t63 * t141 + t73 * t140) / t66) - t73 * t139;
+        let t143 = t70 * ((t75 * t140 - (t123 + t64 * t141)) / t66);
+        let t144 = t72 * t141 - t69 * (t70 * t139) + L21 * t142 - L31 * t143
+            - L41 * t140;
+        let t145 = fields[6] * 0.5;
+        let t146 = t71 * (t63 * t145 / t66);
+        let t147 = t70 * ((fields[0] - t64 * t145) / t66);
+        let t148 = fields[7] * 0.5;
+        let t149 = t71 * (t63 * t148 / t66);
+        let t150 = t70 * ((fields[1] - t64 * t148) / t66);
+        let t151 = fields[8] * 0.5;
+        let t152 = t71 * (t63 * t151 / t66);
+        let t153 = t70 * ((fields[2] - t64 * t151) / t66);
+        let t154 = fields[3] * 0.5;
+        let t155 = t71 * ((fields[0] - t63 * t154) / t66);
+        let t156 = t70 * (t64 * t154 / t66);
+        let t157 = fields[4] * 0.5;
+        let t158 = t71 * ((fields[1] - t63 * t157) / t66);
+        let t159 = t70 * (t64 * t157 / t66);
+        let t160 = fields[5] * 0.5;
+        let t161 = t71 * ((fields[2] - t63 * t160) / t66);
+        let t162 = t70 * (t64 * t160 / t66);
+        let t163 = t74 - t76 * L32 + t67 * L42 + t63 * L52 + t64 * L62
+            - (t87 - L32 * t88 + L42 * t82 + L52 * t78 + L62 * t79);
+        let t164 = D2 * t163;
+        let t165 = t164
+            * (t95 - L32 * t96 + L42 * t94 + fields[3] * L52 + fields[6] * L62);
+        let t166 = t164
+            * (t99 - L32 * t100 + L42 * t98 + fields[4] * L52 + fields[7] * L62);
+        let t167 = t164
+            * (t103 - L32 * t104 + L42 * t102 + fields[5] * L52 + fields[8] * L62);
+        let t168 = t90 * (t112 + fields[0] * L51)
+            + t164 * (t110 - L32 * t111 - L42 * t107 + fields[0] * L52);
+        let t169 = t90 * (t119 + fields[1] * L51)
+            + t164 * (t117 - L32 * t118 - L42 * t114 + fields[1] * L52);
+        let t170 = t90 * (t126 + fields[2] * L51)
+            + t164 * (t124 - L32 * t125 - L42 * t121 + fields[2] * L52);
+        let t171 = t90 * (t132 + fields[0] * L61)
+            + t164 * (t130 - L32 * t131 - L42 * t128 + fields[0] * L62);
+        let t172 = t90 * (t138 + fields[1] * L61)
+            + t164 * (t136 - L32 * t137 - L42 * t134 + fields[1] * L62);
+        let t173 = t90 * (t144 + fields[2] * L61)
+            + t164 * (t142 - L32 * t143 - L42 * t140 + fields[2] * L62);
+        let t174 = t90 * (t72 * t145 + L21 * t146 - L31 * t147)
+            + t164 * (t146 - L32 * t147);
+        let t175 = t90 * (t72 * t148 + L21 * t149 - L31 * t150)
+            + t164 * (t149 - L32 * t150);
+        let t176 = t90 * (t72 * t151 + L21 * t152 - L31 * t153)
+            + t164 * (t152 - L32 * t153);
+        let t177 = t90 * (L21 * t155 - t72 * t154 - L31 * t156)
+            + t164 * (t155 - L32 * t156);
+        let t178 = t90 * (L21 * t158 - t72 * t157 - L31 * t159)
+            + t164 * (t158 - L32 * t159);
+        let t179 = t90 * (L21 * t161 - t72 * t160 - L31 * t162)
+            + t164 * (t161 - L32 * t162);
+        let t180 = t67 * L43 - t76 + t63 * L53 + t64 * L63
+            - (L43 * t82 - t88 + L53 * t78 + L63 * t79);
+        let t181 = D3 * t180;
+        let t182 = t90 * t97 + t165
+            + t181 * (L43 * t94 - t96 + fields[3] * L53 + fields[6] * L63);
+        let t183 = t90 * t101 + t166
+            + t181 * (L43 * t98 - t100 + fields[4] * L53 + fields[7] * L63);
+        let t184 = t90 * t105 + t167
+            + t181 * (L43 * t102 - t104 + fields[5] * L53 + fields[8] * L63);
+        let t185 = t67 + t63 * L54 + t64 * L64 - (t82 + L54 * t78 + L64 * t79);
+        let t186 = D4 * t185;
+        let t187 = t168 + t181 * (fields[0] * L53 - (t111 + L43 * t107))
+            + t186 * (fields[0] * L54 - t107);
+        let t188 = t169 + t181 * (fields[1] * L53 - (t118 + L43 * t114))
+            + t186 * (fields[1] * L54 - t114);
+        let t189 = t170 + t181 * (fields[2] * L53 - (t125 + L43 * t121))
+            + t186 * (fields[2] * L54 - t121);
+        let t190 = t171 + t181 * (fields[0] * L63 - (t131 + L43 * t128))
+            + t186 * (fields[0] * L64 - t128);
+        let t191 = t172 + t181 * (fields[1] * L63 - (t137 + L43 * t134))
+            + t186 * (fields[1] * L64 - t134);
+        let t192 = t173 + t181 * (fields[2] * L63 - (t143 + L43 * t140))
+            + t186 * (fields[2] * L64 - t140);
+        let t193 = D5 * (t63 + t64 * L65 - (t78 + L65 * t79));
+        let t194 = t182 + t186 * (t94 + fields[3] * L54 + fields[6] * L64)
+            + t193 * (fields[3] + fields[6] * L65);
+        let t195 = t183 + t186 * (t98 + fields[4] * L54 + fields[7] * L64)
+            + t193 * (fields[4] + fields[7] * L65);
+        let t196 = t184 + t186 * (t102 + fields[5] * L54 + fields[8] * L64)
+            + t193 * (fields[5] + fields[8] * L65);
+        let t197 = D6 * (t64 - t79);
+        forces[0] = t194 + fields[6] * t197;
+        forces[1] = t195 + fields[7] * t197;
+        forces[2] = t196 + fields[8] * t197;
+        forces[3] = t187 + fields[0] * t193;
+        forces[4] = t188 + fields[1] * t193;
+        forces[5] = t189 + fields[2] * t193;
+        forces[6] = t190 + t193 * (fields[0] * L65) + fields[0] * t197;
+        forces[7] = t191 + t193 * (fields[1] * L65) + fields[1] * t197;
+        forces[8] = t192 + t193 * (fields[2] * L65) + fields[2] * t197;
+        forces[9] = t174 - t147 * t181;
+        forces[10] = t175 - t150 * t181;
+        forces[11] = t176 - t153 * t181;
+        forces[12] = t177 - t156 * t181;
+        forces[13] = t178 - t159 * t181;
+        forces[14] = t179 - t162 * t181;
     }
     /// Load `pull` in its frame's axes.
     ///
@@ -3898,7 +3957,7 @@ pub mod iea15mw_blade_equations {
         model: &Iea15mwBlade,
         x: f64,
         length: f64,
-    ) -> ::std::result::Result<([f64; 25], [f64; 6]), ::rncf::ModelError> {
+    ) -> ::std::result::Result<([f64; 23], [f64; 6]), ::rncf::ModelError> {
         let law = ::rncf::emitted::SectionLaw::new(
             "layup",
             ::rncf::emitted::Stiffness::Matrix([
@@ -3955,7 +4014,7 @@ pub mod iea15mw_blade_equations {
     pub struct Equations {
         pub model: Iea15mwBlade,
         pub row_blade: ::std::vec::Vec<FullBeamSpatialCurved>,
-        pub reference_blade: ::std::vec::Vec<[f64; 155]>,
+        pub reference_blade: ::std::vec::Vec<[f64; 208]>,
         pub mass_blade: ::std::vec::Vec<::std::vec::Vec<f64>>,
     }
     impl Equations {
@@ -4195,16 +4254,19 @@ pub mod iea15mw_blade_equations {
                 let row = FullBeamSpatialCurved {
                     length: nodes[1] - nodes[0],
                 };
-                let mut reference = [0.0; 155];
+                let mut reference = [0.0; 208];
                 for (place, xi) in [
-                    (6, 0.21132486540518713),
-                    (37, 0.7886751345948129),
-                    (68, 0.1127016653792583),
-                    (99, 0.5),
-                    (130, 0.8872983346207417),
+                    (3, 0.21132486540518713),
+                    (29, 0.7886751345948129),
+                    (55, 0.1127016653792583),
+                    (81, 0.5),
+                    (107, 0.8872983346207417),
+                    (133, 0.0),
+                    (159, 0.5),
+                    (185, 1.0),
                 ] {
                     let (coefficients, _) = at(nodes[0] + xi * row.length)?;
-                    reference[place..place + 25].copy_from_slice(&coefficients);
+                    reference[place..place + 23].copy_from_slice(&coefficients);
                 }
                 full_beam_spatial_curved_reference(
                     &row,

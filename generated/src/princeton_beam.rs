@@ -535,7 +535,7 @@ pub mod princeton_beam_equations {
         nodal: [[1, 6, 7], [2, 4, 8], [3, 5, 9]],
         positions: [[false, true, false], [false, false, false], [false, false, false]],
     };
-    /// Gauss rule with 3 points, and derivatives of the shape functions there.
+    /// Weights of 3 Gauss points, and derivatives of the shape functions there.
     static BEAM_SPATIAL_POINTS3: ::rncf::emitted::Rule<3, 3, 3> = ::rncf::emitted::Rule {
         groups: [0, 1, 2],
         weights: [0.2777777777777776, 0.4444444444444444, 0.2777777777777776],
@@ -559,7 +559,7 @@ pub mod princeton_beam_equations {
             &[(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)],
             &[(0, 0, 1), (1, 1, 2), (2, 2, 3), (3, 3, 4), (4, 4, 5), (5, 5, 6)],
         );
-    /// Gauss rule with 2 points, and derivatives of the shape functions there.
+    /// Weights of 2 Gauss points, and derivatives of the shape functions there.
     static BEAM_SPATIAL_POINTS2: ::rncf::emitted::Rule<2, 5, 3> = ::rncf::emitted::Rule {
         groups: [0, 1, 2, 1, 2],
         weights: [0.5000000000000001, 0.5000000000000001],
@@ -656,7 +656,7 @@ pub mod princeton_beam_equations {
                 (8, 17, 21),
             ],
         );
-    /// Writes the forces on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
+    /// Writes the forces on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
     ///
     /// Operations: 33 additions, 70 multiplications.
     pub fn beam_spatial_points3_force(
@@ -696,7 +696,7 @@ pub mod princeton_beam_equations {
         forces[2][1] = a_y * t29 + b_y * t31 + t32 * (c_y * 2.0);
         forces[2][2] = a_z * t29 + b_z * t31 + t32 * (c_z * 2.0);
     }
-    /// Writes the blocks of the tangent on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
+    /// Writes the blocks of the tangent on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
     ///
     /// Operations: 69 additions, 156 multiplications.
     pub fn beam_spatial_points3_tangent(
@@ -828,7 +828,7 @@ pub mod princeton_beam_equations {
         stiffness[5][7] = t75;
         stiffness[5][8] = a_z * t57 + b_z * t64 + t45 * t66 + t79;
     }
-    /// Writes the strain energy a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 points; fields are derivatives on the unit element.
+    /// Writes the strain energy a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
     ///
     /// Operations: 20 additions, 41 multiplications.
     pub fn beam_spatial_points3_energy(
@@ -860,7 +860,7 @@ pub mod princeton_beam_equations {
         let t32 = 0.5 * (length * halfEA) * (b_x * c_x + b_y * c_y + b_z * c_z).powi(2);
         *energy = t27 + t28 + t29 + t30 + t31 + t32;
     }
-    /// Writes the forces on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
+    /// Writes the forces on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
     ///
     /// Operations: 37 additions, 81 multiplications, 1 divisions.
     pub fn beam_spatial_points2_force(
@@ -921,7 +921,7 @@ pub mod princeton_beam_equations {
         forces[4][1] = a_y * t46 + b_y * t48 + c_y * t50;
         forces[4][2] = a_z * t46 + b_z * t48 + c_z * t50;
     }
-    /// Writes the blocks of the tangent on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
+    /// Writes the blocks of the tangent on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
     ///
     /// Operations: 143 additions, 342 multiplications, 1 divisions.
     pub fn beam_spatial_points2_tangent(
@@ -1163,7 +1163,7 @@ pub mod princeton_beam_equations {
         stiffness[14][7] = a_z * t78 + b_z * t96 + c_z * t114;
         stiffness[14][8] = a_z * t79 + b_z * t97 + c_z * t115;
     }
-    /// Writes the strain energy a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 points; fields are derivatives on the unit element.
+    /// Writes the strain energy a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
     ///
     /// Operations: 19 additions, 49 multiplications, 1 divisions.
     pub fn beam_spatial_points2_energy(
@@ -1207,7 +1207,7 @@ pub mod princeton_beam_equations {
     ///
     /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none, axial = green.
     ///
-    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 Gauss points and 2 Gauss points, one kernel of the fields at a point for each rule.
     ///
     /// Operations: 515 additions, 714 multiplications, 2 divisions.
     pub fn beam_spatial_elastic_force(
@@ -1245,7 +1245,7 @@ pub mod princeton_beam_equations {
     ///
     /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none, axial = green.
     ///
-    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 Gauss points and 2 Gauss points, one kernel of the fields at a point for each rule.
     ///
     /// Operations: 4552 additions, 5211 multiplications, 2 divisions.
     pub fn beam_spatial_elastic_tangent(
@@ -1281,7 +1281,7 @@ pub mod princeton_beam_equations {
     ///
     /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none, axial = green.
     ///
-    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 Gauss points and 2 Gauss points, one kernel of the fields at a point for each rule.
     ///
     /// Operations: 274 additions, 397 multiplications, 2 divisions.
     pub fn beam_spatial_strain_energy(
@@ -1646,7 +1646,7 @@ pub mod princeton_beam_equations {
         forces[14] = fields[2] * t72 - t75 * (fields[5] * 0.5) + fields[8] * t85
             + fields[5] * t86;
     }
-    /// Writes the conserving forces on the fields a, b, c at a point of weight one on the unit element between two states, for the terms that are integrated with 3 points.
+    /// Writes the conserving forces on the fields a, b, c at a point of weight one on the unit element between two states, for the terms that are integrated at 3 Gauss points.
     ///
     /// Operations: 60 additions, 103 multiplications.
     pub fn beam_spatial_points3_conserving_force(
@@ -1709,7 +1709,7 @@ pub mod princeton_beam_equations {
         forces[2][1] = t36 * t53 + t39 * t55 + t56 * (t42 * 2.0);
         forces[2][2] = t37 * t53 + t40 * t55 + t56 * (t43 * 2.0);
     }
-    /// Writes the blocks of the derivative by the mean of both states on the fields a, b, c at a point of weight one on the unit element between two states, for the terms that are integrated with 3 points.
+    /// Writes the blocks of the derivative by the mean of both states on the fields a, b, c at a point of weight one on the unit element between two states, for the terms that are integrated at 3 Gauss points.
     ///
     /// Operations: 123 additions, 252 multiplications.
     pub fn beam_spatial_points3_conserving_tangent(
@@ -1884,7 +1884,7 @@ pub mod princeton_beam_equations {
         stiffness[8][7] = t37 * t80 + t40 * t89 + t66 * t92;
         stiffness[8][8] = t37 * t81 + t40 * t90 + t66 * t93 + t96;
     }
-    /// Writes the conserving forces on the fields a, b, c, db, dc at a point of weight one on the unit element between two states, for the terms that are integrated with 2 points.
+    /// Writes the conserving forces on the fields a, b, c, db, dc at a point of weight one on the unit element between two states, for the terms that are integrated at 2 Gauss points.
     ///
     /// Operations: 70 additions, 126 multiplications, 1 divisions.
     pub fn beam_spatial_points2_conserving_force(
@@ -1979,7 +1979,7 @@ pub mod princeton_beam_equations {
         forces[4][1] = t63 * t88 + t66 * t90 + t69 * t92;
         forces[4][2] = t64 * t88 + t67 * t90 + t70 * t92;
     }
-    /// Writes the blocks of the derivative by the mean of both states on the fields a, b, c, db, dc at a point of weight one on the unit element between two states, for the terms that are integrated with 2 points.
+    /// Writes the blocks of the derivative by the mean of both states on the fields a, b, c, db, dc at a point of weight one on the unit element between two states, for the terms that are integrated at 2 Gauss points.
     ///
     /// Operations: 188 additions, 441 multiplications, 1 divisions.
     pub fn beam_spatial_points2_conserving_tangent(
@@ -2317,7 +2317,7 @@ pub mod princeton_beam_equations {
     ///
     /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none, axial = green.
     ///
-    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 Gauss points and 2 Gauss points, one kernel of the fields at a point for each rule.
     pub fn beam_spatial_conserving_force(
         row: &BeamSpatial,
         start: &[f64; 30],
@@ -2357,7 +2357,7 @@ pub mod princeton_beam_equations {
     ///
     /// Beam with a cross-section: axial strain, shear, bending, torsion; coupling = none, axial = green.
     ///
-    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 and 2 Gauss points, one kernel of the fields at a point for each rule.
+    /// U = sum over points of weight * length * density; stress S = d(density)/dI on the inner products I of the fields, force S dI/dq. 3 Gauss points and 2 Gauss points, one kernel of the fields at a point for each rule.
     pub fn beam_spatial_conserving_tangent(
         row: &BeamSpatial,
         start: &[f64; 30],

@@ -93,6 +93,41 @@ rncf::model! {
     }
 }
 
+rncf::model! {
+    /// A steel shaft of 1 m that forces twist beside its axis, one that a spring beside it holds at its start, and one that a place
+    /// beside it does.
+    pub model Levers {
+        param elements: count = 1;
+        param torque = 0 N*m;
+        const arm = 50 mm;
+        material steel { density = 7850 kg/m^3; young = 210 GPa; poisson = 0.3; }
+        section round = circle(radius = 50 mm);
+        body couple { spatial; line from [0, 0, 0] m to [1, 0, 0] m; mesh elements * beam(round, steel); }
+        joint couple_root = clamp(couple.start, inertial);
+        load up = force(couple.end.beside([0 m, arm, 0 m]), [0 N, 0 N, torque / (2 * arm)]);
+        load down = force(couple.end.beside([0 m, -arm, 0 m]), [0 N, 0 N, -torque / (2 * arm)]);
+        body spring { spatial; line from [0, 0, 0] m to [1, 0, 0] m; mesh elements * beam(round, steel); }
+        joint spring_pin = pin(spring.start, inertial);
+        joint spring_y = hold(spring.end.y);
+        joint spring_z = hold(spring.end.z);
+        spring lever = bushing(spring.start.beside([0 m, arm, 0 m]), inertial.at([0 m, arm, 0 m]), stiffness = [0, 0, 1] GN/m);
+        load turn = moment(spring.end, [torque, 0 [N*m], 0 [N*m]]);
+        body place { spatial; line from [0, 0, 0] m to [1, 0, 0] m; mesh elements * beam(round, steel); }
+        joint place_pin = pin(place.start, inertial);
+        joint place_y = hold(place.end.y);
+        joint place_z = hold(place.end.z);
+        constraint place_held = place.start.beside([0 m, arm, 0 m]).z;
+        load twist = moment(place.end, [torque, 0 [N*m], 0 [N*m]]);
+        output couple_y = couple.end.ey.z;
+        output couple_z = -couple.end.ez.y;
+        output spring_y = spring.end.ey.z;
+        output spring_z = -spring.end.ez.y;
+        output place_y = place.end.ey.z;
+        output place_z = -place.end.ez.y;
+        output around = (couple.end.beside([0 m, arm, 0 m]).z - couple.end.beside([0 m, -arm, 0 m]).z) / (2 * arm);
+    }
+}
+
 const NAMES: [&str; 7] = ["weld", "drive", "spring", "slide", "rigid", "cross", "motor"];
 const RADIUS: f64 = 0.05;
 const YOUNG: f64 = 210e9;
@@ -180,4 +215,27 @@ fn torsional_frequencies() {
     let near: Vec<f64> = errors.filter(|error| error.abs() < 1e-3).collect();
     println!("{exact:.3} rad/s, off by {near:?}");
     assert_eq!(near.iter().filter(|error| error.abs() < 1e-6).count(), 6, "{near:?}");
+}
+
+/// Forces, springs and conditions beside the axis twist the section and do not shear it, on any mesh.
+#[test]
+fn what_acts_beside_the_axis_twists_the_section() {
+    let torque = 1e-4 * SHEAR * polar();
+    let spring = torque / (1e9 * 0.05 * 0.05) / 1e-4;
+    for elements in [1, 8, 32] {
+        for way in [WAYS[0], WAYS[1]] {
+            let model = Levers {
+                elements,
+                torque,
+                ..Levers::default()
+            };
+            let row = at_rest(&model, way);
+            let found: Vec<f64> = row.iter().map(|angle| angle / 1e-4).collect();
+            println!("{elements} elements: {found:?}");
+            let wanted = [1.0, 1.0, 1.0 + spring, 1.0 + spring, 1.0, 1.0, 1.0];
+            for (found, wanted) in found.iter().zip(wanted) {
+                assert!((found - wanted).abs() < 2e-6, "{elements} {way:?}: {found} {wanted}");
+            }
+        }
+    }
 }

@@ -19,6 +19,10 @@ const DECLARED: f64 = 1e-4;
 /// Least eigenvalue of a stiffness that is scaled to a diagonal of ones.
 const LEAST: f64 = 1e-9;
 
+/// Part of a motion that may be the section's own strain, for waves whose number times the larger radius of bending is one over this.
+const STRAINED: f64 = 5e-3;
+const SHORTEST: f64 = 2.0;
+
 /// A symmetric matrix, rows first.
 type Matrix6 = [[f64; 6]; 6];
 
@@ -86,12 +90,11 @@ impl SectionLaw {
     }
 
     /// Coefficients of the energy: pivots and factors of `L D L^T` in the order torsion, bending about y and z, axial, shear
-    /// along y and z, the factors row by row; then what holds the section in its plane: as stiff as it is axially (N) and half
-    /// of it, about as stiff as it bends (N m^2) and half of it.
-    pub fn coefficients(&self) -> [f64; 25] {
+    /// along y and z, the factors row by row; then what holds the section in its plane (N), and half of it.
+    pub fn coefficients(&self) -> [f64; 23] {
         const ORDER: [usize; 6] = [3, 4, 5, 0, 1, 2];
         let mut matrix: Matrix6 = std::array::from_fn(|i| std::array::from_fn(|j| self.stiffness[ORDER[i]][ORDER[j]]));
-        let mut out = [0.0; 25];
+        let mut out = [0.0; 23];
         let place = |row: usize, column: usize| 6 + row * (row - 1) / 2 + column;
         for pivot in 0..6 {
             out[pivot] = matrix[pivot][pivot];
@@ -103,24 +106,40 @@ impl SectionLaw {
                 }
             }
         }
-        let held = self.stiffness[0][0];
-        let smooth = 0.2 * (self.stiffness[4][4] + self.stiffness[5][5]);
-        out[21..].copy_from_slice(&[held, 0.5 * held, smooth, 0.5 * smooth]);
+        let held = self.held();
+        out[21..].copy_from_slice(&[held, 0.5 * held]);
         out
+    }
+
+    /// Stiffness (N) of the section in its own plane, where a rod is rigid: its inertia must not strain it. Motions of frequency w
+    /// strain it by the part w^2 I/held, I the inertia that a motion of the axis, or a twist, couples with the section's shape:
+    /// first moments, and unlike second ones. That part is [`STRAINED`] for waves as short as [`SHORTEST`] says, and falls with the
+    /// square or the fourth power of longer ones. More than that costs iterations where sections turn far.
+    fn held(&self) -> f64 {
+        let k = &self.stiffness;
+        let [mass, y, z, yy, zz, yz] = self.masses;
+        let axial = k[0][0];
+        // About the tension centre.
+        let [about_y, about_z] = [4, 5].map(|row| k[row][row] - k[0][row] * k[0][row] / axial);
+        let wave = axial / (SHORTEST * SHORTEST * about_y.max(about_z));
+        let bending = axial / (SHORTEST * SHORTEST * mass) * wave;
+        let torsion = k[3][3] / (yy + zz) * wave;
+        let shapes = ((y * y + z * z) / mass).max(((yy - zz).powi(2) + 4.0 * yz * yz) / (yy + zz));
+        axial.max(bending.max(torsion) * shapes / STRAINED)
     }
 
     /// The same, followed by the square roots of the dampings (s) of the strains (in the order of the matrix: axial, shear along y
     /// and z, torsion, bending about y and z) and the factors times them, in the order of the factors.
-    pub fn viscous_coefficients(&self, damping: [f64; 6]) -> [f64; 46] {
+    pub fn viscous_coefficients(&self, damping: [f64; 6]) -> [f64; 44] {
         const ORDER: [usize; 6] = [3, 4, 5, 0, 1, 2];
         let roots = ORDER.map(|strain| damping[strain].sqrt());
-        let mut out = [0.0; 46];
-        out[..25].copy_from_slice(&self.coefficients());
-        out[25..31].copy_from_slice(&roots);
+        let mut out = [0.0; 44];
+        out[..23].copy_from_slice(&self.coefficients());
+        out[23..29].copy_from_slice(&roots);
         let mut place = 6;
         for row in 1..6 {
             for _ in 0..row {
-                out[25 + place] = roots[row] * out[place];
+                out[23 + place] = roots[row] * out[place];
                 place += 1;
             }
         }

@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 use crate::model::{Expr, Function, fold};
 use crate::symbolic::{Graph, Id, Invariant, Product, invariants};
-use crate::tensors::{Polynomial, Rational};
+use crate::tensors::{Polynomial, Rational, Sampling};
 
 pub use curved::at_rest;
 pub use full_beam::{VISCOUS, full_beam};
@@ -129,8 +129,8 @@ pub struct Term {
     pub coefficient: &'static str,
     /// What is multiplied.
     pub density: Density,
-    /// Number of Gauss points of this term; `None`: the rule that the body asks for.
-    pub points: Option<usize>,
+    /// Where this term is integrated; `None`: by the rule that the body asks for.
+    pub points: Option<Sampling>,
 }
 
 /// Density of a term, as an expression of the invariants of the fields.

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 
 use super::{Density, Element, Interpolant, NodalVector, Term, field_invariants};
 use crate::symbolic::{Graph, Id, Invariant, Product};
-use crate::tensors::{Rule, gauss_rule};
+use crate::tensors::{Rule, Sampling};
 
 /// Points of a rule that integrates any energy of these elements well enough to leave no motion out.
 const RICH: usize = 12;
@@ -59,12 +59,14 @@ impl Element {
             let Some(expressions) = slopes(&mut graph, term, &symbols) else {
                 continue;
             };
-            let points = match rules {
-                Rules::Declared(points) => term.points.unwrap_or(points),
-                Rules::Rich => RICH,
+            let points = match (rules, term.points) {
+                (_, Some(nodes @ Sampling::Nodes(_))) => nodes,
+                (Rules::Declared(_), Some(points)) => points,
+                (Rules::Declared(points), None) => Sampling::Gauss(points),
+                (Rules::Rich, _) => Sampling::Gauss(RICH),
             };
             let factor = coefficients.get(term.coefficient).copied().unwrap_or(1.0);
-            let Rule { points, weights } = gauss_rule(points);
+            let Rule { points, weights } = points.rule();
             for (xi, weight) in points.into_iter().zip(weights) {
                 let point = Point::new(self, dimension, &vectors, xi, stretch);
                 point.add(

@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use super::{Density, Invariants, Term};
 use crate::model::{Binary, ElementQuantity, Expr, fold};
 use crate::symbolic::{Graph, Id};
+use crate::tensors::Sampling;
 
 /// Where a statement applies: the plane or space, values of options; empty: everywhere.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -73,8 +74,8 @@ pub struct WrittenTerm {
     pub density: Expr,
     /// Derivative of the density with respect to its strain, where it is written.
     pub stress: Option<Expr>,
-    /// Gauss points of its own.
-    pub points: Option<usize>,
+    /// Where it is integrated, if it says so.
+    pub points: Option<Sampling>,
     /// What damps it.
     pub nature: Nature,
 }

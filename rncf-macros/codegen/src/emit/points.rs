@@ -5,8 +5,9 @@ use crate::lower::camel_case;
 use crate::lower::elastic::{Between, FieldBlocks, FieldKernels, FieldRule};
 use crate::lower::material::{Material, SectionRule};
 use crate::model::{Body, Expr, SectionShape};
+use crate::tensors::Sampling;
 
-/// Statics `{NAME}_VECTORS`, and for each rule `{NAME}_POINTS{n}`, `.._STIFFNESS`, `.._DAMPING`.
+/// Statics `{NAME}_VECTORS`, and for each rule `{NAME}_POINTS{n}` or `{NAME}_NODES{n}`, `.._STIFFNESS`, `.._DAMPING`.
 pub fn tables(name: &str, dimension: usize, fields: &FieldKernels) -> String {
     let name = name.to_uppercase();
     let groups = &fields.groups;
@@ -40,7 +41,8 @@ pub fn tables(name: &str, dimension: usize, fields: &FieldKernels) -> String {
 }
 
 fn rule_table(name: &str, size: usize, rule: &FieldRule) -> String {
-    let (points, fields) = (rule.points, rule.fields.len());
+    let (points, fields) = (rule.points.count(), rule.fields.len());
+    let word = rule.points.word().to_uppercase();
     let list = |values: &[f64]| {
         format!(
             "[{}]",
@@ -53,9 +55,10 @@ fn rule_table(name: &str, size: usize, rule: &FieldRule) -> String {
     };
     let shapes: Vec<String> = rule.shapes.iter().map(point).collect();
     let mut text = format!(
-        "/// Gauss rule with {points} points, and derivatives of the shape functions there.\n\
-         static {name}_POINTS{points}: ::rncf::emitted::Rule<{points}, {fields}, {size}> = ::rncf::emitted::Rule {{\n\
+        "/// Weights of {}, and derivatives of the shape functions there.\n\
+         static {name}_{word}: ::rncf::emitted::Rule<{points}, {fields}, {size}> = ::rncf::emitted::Rule {{\n\
          groups: {:?}, weights: {}, shapes: [{}] }};\n",
+        rule.points,
         rule.groups,
         list(&rule.weights),
         shapes.join(",\n"),
@@ -63,18 +66,19 @@ fn rule_table(name: &str, size: usize, rule: &FieldRule) -> String {
     let blocks = [("STIFFNESS", Some(&rule.stiffness)), ("DAMPING", rule.damping.as_ref())];
     for (word, blocks) in blocks {
         if let Some(blocks) = blocks {
-            text += &block_table(name, word, size, points, blocks);
+            text += &block_table(name, word, size, rule.points, blocks);
         }
     }
     text
 }
 
-fn block_table(name: &str, word: &str, size: usize, points: usize, blocks: &FieldBlocks) -> String {
+fn block_table(name: &str, word: &str, size: usize, points: Sampling, blocks: &FieldBlocks) -> String {
     let FieldBlocks { pairs, tiles } = blocks;
+    let (rule, points) = (points.word().to_uppercase(), points.count());
     format!(
         "/// Blocks that the tangent's kernel writes, by pairs of fields.\n\
-         static {name}_POINTS{points}_{word}: ::rncf::emitted::Blocks<{points}, {}, {}> =\n\
-         {name}_POINTS{points}.blocks(&{pairs:?}, &{tiles:?});\n",
+         static {name}_{rule}_{word}: ::rncf::emitted::Blocks<{points}, {}, {}> =\n\
+         {name}_{rule}.blocks(&{pairs:?}, &{tiles:?});\n",
         size * size,
         pairs.len(),
     )

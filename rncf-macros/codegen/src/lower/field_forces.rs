@@ -8,6 +8,7 @@ use super::signature::Signature;
 use super::variant::Variant;
 use crate::elements::{Density, Field, Invariants, Library, at_rest};
 use crate::symbolic::{Graph, Id, Product, invariants as all_invariants, linear::Vector};
+use crate::tensors::Sampling;
 
 /// Symbols of the fields, one vector each.
 fn symbols(graph: &mut Graph, name: &str, count: usize, dimension: usize) -> Vec<Vector> {
@@ -106,8 +107,8 @@ fn of_material(variant: &Variant, library: &Library) -> Kernel {
     let name = variant.name(library);
     bindings.push(format!("let mut sums = [[0.0; {dimension}]; {count}];"));
     bindings.push(format!(
-        "{name}_points{}_force(row, {}&fields, {}&mut sums);",
-        element.default_points,
+        "{name}_{}_force(row, {}&fields, {}&mut sums);",
+        Sampling::Gauss(element.default_points).word(),
         if variant.curved {
             "::rncf::emitted::array(stress_free.as_flattened()), "
         } else {
@@ -163,6 +164,10 @@ pub fn field_forces_kernel(variant: &Variant, library: &Library) -> Kernel {
     });
     let mut forces = vec![graph.zero(); count * dimension];
     for (at, term) in terms.into_iter().enumerate() {
+        // What acts at nodes has no density.
+        if matches!(term.points, Some(Sampling::Nodes(_))) {
+            continue;
+        }
         let coefficient = match term.coefficient {
             "" => graph.one(),
             name => graph.input(name),

@@ -5,6 +5,7 @@ use super::kernel::{Kernel, PointLoop};
 use super::variant::Variant;
 use crate::elements::Library;
 use crate::symbolic::{Graph, Id};
+use crate::tensors::Sampling;
 
 /// What the signatures of an element's kernels depend on.
 pub(super) struct Signature<'a> {
@@ -65,7 +66,7 @@ impl Signature<'_> {
     fn reference_count(&self, form: Form) -> usize {
         let element = self.variant.declaration(self.library);
         match form {
-            Form::Loop => self.references * points(element, self.variant.quadrature),
+            Form::Loop => self.references * points(element, self.variant.quadrature).count(),
             Form::Tensor | Form::Points => self.references,
             Form::Fields => self.references,
         }
@@ -184,7 +185,7 @@ impl Signature<'_> {
     /// components in both states, number of blocks.
     pub fn point_between_states(
         &self,
-        (points, quantity): (usize, Quantity),
+        (points, quantity): (Sampling, Quantity),
         graph: Graph,
         outputs: Vec<(String, Id)>,
         (names, inputs, blocks): (&[&str], &[Vec<Vec<String>>; 2], usize),
@@ -208,10 +209,14 @@ impl Signature<'_> {
             ("force", "the conserving forces")
         };
         Kernel {
-            name: format!("{}_points{points}_conserving_{word}", self.variant.name(self.library)),
+            name: format!(
+                "{}_{}_conserving_{word}",
+                self.variant.name(self.library),
+                points.word()
+            ),
             doc: vec![format!(
                 "Writes {what} on the fields {} at a point of weight one on the unit element between two states, for the \
-                 terms that are integrated with {points} points.",
+                 terms that are integrated at {points}.",
                 names.join(", ")
             )],
             arguments,
@@ -226,7 +231,7 @@ impl Signature<'_> {
     /// Wraps the expressions of a kernel of the fields at a point.
     pub fn field_point(
         &self,
-        points: usize,
+        points: Sampling,
         quantity: Quantity,
         graph: Graph,
         outputs: Vec<(String, Id)>,
@@ -269,7 +274,7 @@ impl Signature<'_> {
         };
         let name = self.variant.name(self.library);
         Kernel {
-            name: format!("{name}_points{points}_{word}"),
+            name: format!("{name}_{}_{word}", points.word()),
             doc: vec![format!(
                 "Writes {what} {} at a point of weight one on the unit element, for the terms that are integrated with \
                  {points} points; fields are derivatives on the unit element.",
@@ -288,7 +293,7 @@ impl Signature<'_> {
     /// the blocks of stiffness and damping.
     pub fn section_point(
         &self,
-        (points, quantity): (usize, Quantity),
+        (points, quantity): (Sampling, Quantity),
         point: &PointInputs,
         pairs: [Option<&[(usize, usize)]>; 2],
     ) -> Kernel {
@@ -327,7 +332,7 @@ impl Signature<'_> {
     /// The fields at all points in the stress-free shape, which a material with an energy needs.
     pub fn fields_before(variant: &Variant, library: &Library, fields: &FieldKernels) -> Option<(usize, Kernel)> {
         let rule = fields.rules.first()?;
-        let count = rule.references * rule.points;
+        let count = rule.references * rule.points.count();
         let signature = Signature {
             variant,
             library,
@@ -339,8 +344,9 @@ impl Signature<'_> {
             format!("let vectors = {upper}_VECTORS.relative(row.length, q);"),
             format!(
                 "for (point, reference) in reference.chunks_exact_mut({}).enumerate() {{ \
-                 reference.copy_from_slice({upper}_POINTS{}.fields(point, &vectors).as_flattened()); }}",
-                rule.references, rule.points
+                 reference.copy_from_slice({upper}_{}.fields(point, &vectors).as_flattened()); }}",
+                rule.references,
+                rule.points.word().to_uppercase()
             ),
         ];
         Some((count, kernel))
@@ -384,14 +390,17 @@ impl Signature<'_> {
         }
         let mut passed = 0;
         for rule in &fields.rules {
-            let (at, count) = (format!("{upper}_POINTS{}", rule.points), rule.references);
-            let kernel = |word: &str| format!("{name}_points{}_{word}", rule.points);
+            let (at, count) = (
+                format!("{upper}_{}", rule.points.word().to_uppercase()),
+                rule.references,
+            );
+            let kernel = |word: &str| format!("{name}_{}_{word}", rule.points.word());
             let reference = if self.variant.has_references() {
                 format!("::rncf::emitted::array(&reference[{passed} + {count} * point..][..{count}]), ")
             } else {
                 String::new()
             };
-            passed += rule.references * rule.points;
+            passed += rule.references * rule.points.count();
             out.push(match quantity {
                 Quantity::Force => format!(
                     "{at}.force(&vectors, {}, |point, fields, rates, forces| {}(row, {reference}fields, {}forces), &mut sums);",
@@ -476,13 +485,13 @@ impl Signature<'_> {
                       of the fields, force S dI/dq.";
         match form {
             Form::Tensor if exact => format!("{tensor} integrated exactly, unrolled."),
-            Form::Tensor => format!("{tensor} integrated with {count} Gauss points, unrolled."),
-            Form::Points => format!("{points} {count} Gauss points, unrolled."),
-            Form::Loop => format!("{points} {count} Gauss points, in a loop."),
+            Form::Tensor => format!("{tensor} integrated with {count}, unrolled."),
+            Form::Points => format!("{points} {count}, unrolled."),
+            Form::Loop => format!("{points} {count}, in a loop."),
             Form::Fields => {
-                let rules: Vec<String> = rules(self.variant, element).iter().map(usize::to_string).collect();
+                let rules: Vec<String> = rules(self.variant, element).iter().map(ToString::to_string).collect();
                 format!(
-                    "{points} {} Gauss points, one kernel of the fields at a point for each rule.",
+                    "{points} {}, one kernel of the fields at a point for each rule.",
                     rules.join(" and ")
                 )
             }

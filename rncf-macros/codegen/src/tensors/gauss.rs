@@ -1,4 +1,6 @@
-//! Gauss-Legendre rules on [0, 1].
+//! Rules of integration on [0, 1].
+
+use std::fmt;
 
 use super::{Polynomial, Rational};
 
@@ -9,6 +11,51 @@ pub struct Rule {
     pub points: Vec<f64>,
     /// Weights; their sum is one.
     pub weights: Vec<f64>,
+}
+
+/// Where a part of an energy is integrated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sampling {
+    /// At this many Gauss points.
+    Gauss(usize),
+    /// At two or three nodes, the third in the middle: what acts on the vectors of single nodes and leaves the element between them.
+    Nodes(usize),
+}
+
+impl Sampling {
+    /// Number of points.
+    pub fn count(self) -> usize {
+        match self {
+            Self::Gauss(count) | Self::Nodes(count) => count,
+        }
+    }
+
+    /// Points and weights.
+    pub fn rule(self) -> Rule {
+        let [points, weights] = match self {
+            Self::Gauss(count) => return gauss_rule(count),
+            Self::Nodes(3) => [vec![0.0, 0.5, 1.0], vec![1.0 / 6.0, 2.0 / 3.0, 1.0 / 6.0]],
+            Self::Nodes(_) => [vec![0.0, 1.0], vec![0.5, 0.5]],
+        };
+        Rule { points, weights }
+    }
+
+    /// Part of names in generated code.
+    pub fn word(self) -> String {
+        match self {
+            Self::Gauss(count) => format!("points{count}"),
+            Self::Nodes(count) => format!("nodes{count}"),
+        }
+    }
+}
+
+impl fmt::Display for Sampling {
+    fn fmt(&self, text: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Gauss(count) => write!(text, "{count} Gauss points"),
+            Self::Nodes(count) => write!(text, "{count} nodes"),
+        }
+    }
 }
 
 /// The Legendre polynomial of the given degree, shifted to [0, 1].

@@ -4,7 +4,7 @@ mod gauss;
 mod polynomial;
 mod rational;
 
-pub use gauss::{Rule, gauss_rule, shifted_legendre};
+pub use gauss::{Rule, Sampling, gauss_rule, shifted_legendre};
 pub use polynomial::Polynomial;
 pub use rational::Rational;
 

@@ -65,8 +65,6 @@ pub const PIVOTS: &[&str] = &[
     "L65",
     "held",
     "half_held",
-    "smooth",
-    "half_smooth",
 ];
 
 /// What follows in `SectionLaw::viscous_coefficients`: factors of the rates, with dampings in seconds.
@@ -80,8 +78,7 @@ pub fn pivot_dimension(name: &str) -> Dimension {
     let digit = |at: usize| name.as_bytes().get(at).map_or(0, |digit| digit.wrapping_sub(b'0'));
     Dimension::of(match name.as_bytes()[0] {
         b'D' if digit(1) > 3 => FORCE,
-        b'D' | b's' => BENDING,
-        b'h' if name == "half_smooth" => BENDING,
+        b'D' => BENDING,
         b'h' => FORCE,
         b'L' | b'W' if digit(1) > 3 && digit(2) <= 3 => [-1, 0, 0, 0, 0, 0],
         _ => [0; 6],

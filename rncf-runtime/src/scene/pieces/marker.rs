@@ -11,8 +11,12 @@ pub(crate) enum Marker {
     Fixed { frame: usize, at: Vector, is_point: bool },
     /// A vector at a place on a body.
     Body { point: MeshPoint, of: PlaceVector },
-    /// A direction that is fixed in a section, with its components in the triad of the section.
-    Section { point: MeshPoint, along: Vector },
+    /// What is fixed in a section, with its components in the triad of the section: a point, from the axis on, else a direction.
+    Section {
+        point: MeshPoint,
+        along: Vector,
+        is_point: bool,
+    },
     /// The turning of a frame.
     Turn { frame: usize },
     /// The turning of a section.
@@ -27,6 +31,7 @@ impl Marker {
         matches!(
             self,
             Self::Fixed { is_point: true, .. }
+                | Self::Section { is_point: true, .. }
                 | Self::Body {
                     of: PlaceVector::Position,
                     ..

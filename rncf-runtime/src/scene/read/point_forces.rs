@@ -48,7 +48,12 @@ impl MeshScene {
             let force = self.buffers.frames[self.bodies[point.body].frame].direction_to_frame(force);
             let moment = match marker {
                 Marker::Body { of, .. } => return act(point, *of, force),
-                Marker::Section { .. } => self.within(marker)[0].cross(&force),
+                Marker::Section { along, is_point, .. } => {
+                    if *is_point {
+                        act(point, PlaceVector::Position, force);
+                    }
+                    self.direction_in_section(point, *along).cross(&force)
+                }
                 _ => force,
             };
             for (of, force) in self.on_section_axes(point, moment) {

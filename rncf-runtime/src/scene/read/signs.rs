@@ -164,6 +164,9 @@ impl MeshScene {
                 point,
                 of: PlaceVector::Position,
             }
+            | Marker::Section {
+                point, is_point: true, ..
+            }
             | Marker::SectionTurn { point } => Some(self.on_curve(point)),
             Marker::Turn { frame } => Some(SignPlace::Frame {
                 frame: *frame,

@@ -81,7 +81,7 @@ impl<'a> Check<'a> {
                     points,
                     nature,
                 } => {
-                    let points = points.as_ref().map(|points| self.point_count(points));
+                    let points = points.as_ref().map(|points| self.sampling(points, &draft.vectors));
                     let term = self.term(name, when, value, stress.as_ref(), draft);
                     draft.is_formula_lost |= term.is_none();
                     if let (Some(mut term), Some(points)) = (term, points.map_or(Some(None), |points| points.map(Some)))

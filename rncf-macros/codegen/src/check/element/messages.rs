@@ -4,7 +4,8 @@ pub const POSITION_AS_FIELD: &str =
     "an energy of `r` itself changes when the body is moved: fields are derivatives such as `r_x`";
 pub const INERTIA_OF: &str = "mass moves with `r`, `r_y` or `r_z`, not with their derivatives";
 pub const DAMPING: &str = "the damping of an element is that of its material: write `damping = material.damping;`";
-pub const POINTS: &str = "a number of Gauss points is a whole number from 1 to 20";
+pub const POINTS: &str =
+    "a number of Gauss points is a whole number from 1 to 20; what acts at nodes alone has `points nodes`";
 pub const POINTS_OF_SOME: &str =
     "other parts of the energy have `points` of their own: give this one some, too, or take those away";
 pub const PLACE: &str = "a nodal vector sits at a fraction of the unit element: `at 0`, `at 1/2`, `at 1`";

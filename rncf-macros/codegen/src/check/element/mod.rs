@@ -20,11 +20,15 @@ use crate::parse::tree::{
     ElementKind, ElementStatement, Expr, ExprKind, Item, ItemKind, Keyword, Name, Tree, UnitText,
 };
 use crate::suggest;
+use crate::tensors::{Rational, Sampling};
 use crate::units::Dimension;
 use crate::vocabulary::{DERIVED, MATERIAL, PIVOTS, PIVOTS_OF_RATES, SECTION, pivot_dimension};
 use messages as say;
 
 pub(super) use formula::FieldOfElement;
+
+/// The word for the nodes as points of integration.
+const NODES: &str = "nodes";
 
 /// Derivatives of the position that can be named.
 const DERIVATIVES: [&str; 8] = ["r", "r_x", "r_xx", "r_xxx", "r_y", "r_yx", "r_z", "r_zx"];
@@ -246,7 +250,11 @@ impl<'a> Check<'a> {
         }
         let own_rule = places != 0;
         let default_points = draft.points.unwrap_or_else(|| {
-            let own = draft.written.terms.iter().filter_map(|term| term.points).max();
+            let own = draft.written.terms.iter().filter_map(|term| match term.points {
+                Some(Sampling::Gauss(points)) => Some(points),
+                _ => None,
+            });
+            let own = own.max();
             own.unwrap_or_else(|| points_for(draft.vectors.iter().map(|(_, vector)| vector)))
         });
         let written = draft.written.clone();
@@ -524,6 +532,16 @@ impl<'a> Check<'a> {
     }
 
     /// A number of Gauss points.
+    /// Where a part of the energy is integrated.
+    fn sampling(&mut self, value: &Expr, vectors: &[(&Name, NodalVector)]) -> Option<Sampling> {
+        if matches!(&value.kind, ExprKind::Name(name) if name.text == NODES) {
+            let half = Rational::new(1, 2);
+            let has_middle = vectors.iter().any(|(_, vector)| vector.place == half);
+            return Some(Sampling::Nodes(if has_middle { 3 } else { 2 }));
+        }
+        self.point_count(value).map(Sampling::Gauss)
+    }
+
     fn point_count(&mut self, value: &Expr) -> Option<usize> {
         let found = match &value.kind {
             ExprKind::Number { text, unit: None } => text.parse::<usize>().ok(),

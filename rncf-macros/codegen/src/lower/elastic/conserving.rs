@@ -21,6 +21,7 @@ use crate::lower::signature::Signature;
 use crate::lower::variant::Variant;
 use crate::symbolic::Invariant;
 use crate::symbolic::{Graph, Id, linear::Vector};
+use crate::tensors::Sampling;
 
 /// The invariant, or its mean over two states.
 pub(super) fn averaged_value(
@@ -101,8 +102,8 @@ pub struct Between {
 /// Kernels at a point of a rule, in the form by fields.
 #[derive(Clone, Debug)]
 pub struct BetweenRule {
-    /// Number of Gauss points.
-    pub points: usize,
+    /// Its points.
+    pub points: Sampling,
     /// Force and derivative.
     pub kernels: [Kernel; 2],
     /// Blocks that the derivative writes.
@@ -128,7 +129,7 @@ pub fn conserving_kernels(
             .map(|points| between_rule(variant, library, &fields.groups, points))
             .collect();
         let kernels = [Quantity::Force, Quantity::Tangent].map(|quantity| {
-            let references = rules.iter().map(|rule| rule.references * rule.points).sum();
+            let references = rules.iter().map(|rule| rule.references * rule.points.count()).sum();
             let signature = Signature {
                 variant,
                 library,
@@ -156,7 +157,7 @@ pub fn conserving_kernels(
     })
 }
 
-fn between_rule(variant: &Variant, library: &Library, groups: &Groups, points: usize) -> BetweenRule {
+fn between_rule(variant: &Variant, library: &Library, groups: &Groups, points: Sampling) -> BetweenRule {
     let point = |quantity| {
         let mut builder = Builder::new(variant, library, Form::Fields, quantity);
         builder.rule = points;
@@ -195,13 +196,16 @@ fn calls(
     });
     let mut passed = 0;
     for rule in rules {
-        let (at, count) = (format!("{upper}_POINTS{}", rule.points), rule.references);
+        let (at, count) = (
+            format!("{upper}_{}", rule.points.word().to_uppercase()),
+            rule.references,
+        );
         let reference = if variant.has_references() {
             format!("::rncf::emitted::array(&reference[{passed} + {count} * point..][..{count}]), ")
         } else {
             String::new()
         };
-        passed += count * rule.points;
+        passed += count * rule.points.count();
         let kernel = &rule.kernels[usize::from(is_tangent)].name;
         out.push(if is_tangent {
             format!(

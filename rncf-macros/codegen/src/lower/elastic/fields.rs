@@ -11,7 +11,7 @@ use crate::lower::signature::{PointInputs, Signature};
 use crate::lower::variant::Variant;
 use crate::symbolic::Invariant;
 use crate::symbolic::{Cost, Id, linear::Vector};
-use crate::tensors::gauss_rule;
+use crate::tensors::Sampling;
 
 /// Nodal vectors by what they interpolate.
 #[derive(Clone, Debug)]
@@ -72,7 +72,7 @@ pub struct FieldBlocks {
 #[derive(Clone, Debug)]
 pub struct FieldRule {
     /// Number of Gauss points.
-    pub points: usize,
+    pub points: Sampling,
     /// Fields that the terms depend on, as indices into the element's fields.
     pub fields: Vec<usize>,
     /// Group of each field.
@@ -122,7 +122,7 @@ pub fn field_kernels(variant: &Variant, library: &Library) -> FieldKernels {
             points,
             groups: tangent.groups,
             fields: tangent.fields,
-            weights: gauss_rule(points).weights,
+            weights: points.rule().weights,
             shapes,
             stiffness: tangent.stiffness.unwrap_or_else(no_blocks),
             damping: tangent.damping,
@@ -153,12 +153,12 @@ fn shapes(
     library: &Library,
     groups: &Groups,
     fields: &[usize],
-    points: usize,
+    points: Sampling,
 ) -> Vec<Vec<Vec<f64>>> {
     let declared: Vec<_> = variant.declaration(library).fields_in(variant.dimension).collect();
     let vectors = variant.vectors(library);
     let relative = relative_shapes(&vectors);
-    let rule = gauss_rule(points);
+    let rule = points.rule();
     let at = |field: usize, xi: f64| {
         let field = declared[field];
         let mut values = vec![0.0; groups.size()];
@@ -439,7 +439,7 @@ impl FieldKernels {
                 Some(_) => particles.fold(Cost::default(), |sum, particle| sum + particle.cost() * self.particles),
                 None => kernel.cost(),
             };
-            cost = cost + (inside + pairs(states * to + back)) * rule.points;
+            cost = cost + (inside + pairs(states * to + back)) * rule.points.count();
         }
         cost
     }

@@ -22,7 +22,7 @@ use crate::lower::signature::Signature;
 use crate::lower::variant::Variant;
 use crate::model::Quadrature;
 use crate::symbolic::{Array, Graph, Id, Invariant, linear::Vector};
-use crate::tensors::gauss_rule;
+use crate::tensors::Sampling;
 
 /// How the strain energy is integrated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,16 +50,16 @@ pub enum Quantity {
     Reference,
 }
 
-/// Number of integration points of the rule, exact or not.
-pub fn points(element: &Element, quadrature: Quadrature) -> usize {
-    match quadrature {
+/// The rule of terms that say none, exact or not.
+pub fn points(element: &Element, quadrature: Quadrature) -> Sampling {
+    Sampling::Gauss(match quadrature {
         Quadrature::Exact => element.default_points,
         Quadrature::Gauss(points) => points,
-    }
+    })
 }
 
-/// Numbers of integration points that the terms of the energy ask for, each once, in the order of the terms.
-pub fn rules(variant: &Variant, element: &Element) -> Vec<usize> {
+/// The rules that the terms of the energy ask for, each once, in the order of the terms.
+pub fn rules(variant: &Variant, element: &Element) -> Vec<Sampling> {
     let default = points(element, variant.quadrature);
     if variant.material.is_some() {
         // Gradients and strains of the axis are in one energy, so that two points are not enough.
@@ -102,7 +102,7 @@ pub fn kept(variant: &Variant, library: &Library) -> (usize, Vec<(usize, f64)>) 
         terms.retain(|term| term.points.unwrap_or(default) == rule);
         let products: Vec<Id> = symbols.iter().map(|&(_, symbol)| symbol).collect();
         let [measures, coefficients] = kept_at_point((variant, library), &terms, &graph, &products);
-        for xi in gauss_rule(rule).points {
+        for xi in rule.rule().points {
             places.push((passed + measures, xi));
             passed += measures + coefficients;
         }
@@ -173,7 +173,7 @@ struct Builder<'a> {
     /// Constant tensors that the kernel reads.
     arrays: Vec<Array>,
     /// Number of points of the rule whose terms are integrated.
-    rule: usize,
+    rule: Sampling,
     /// Measures at the points before.
     passed: usize,
     points: Option<PointLoop>,
@@ -216,7 +216,7 @@ impl<'a> Builder<'a> {
             energy: graph.zero(),
             references: Vec::new(),
             arrays: Vec::new(),
-            rule: 0,
+            rule: Sampling::Gauss(0),
             passed: 0,
             points: None,
             graph,

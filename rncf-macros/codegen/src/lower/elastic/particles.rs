@@ -12,6 +12,7 @@ use crate::lower::quadratic::length_power;
 use crate::lower::signature::{PointInputs, Signature, camel_case};
 use crate::lower::variant::Variant;
 use crate::symbolic::Id;
+use crate::tensors::Sampling;
 
 /// Blocks of all pairs of fields, ordered by tile; of a symmetric tangent those of tiles on and above the diagonal.
 fn all_blocks(group_of: &[usize], groups: usize, symmetric: bool) -> FieldBlocks {
@@ -37,7 +38,7 @@ pub(super) fn section_point(
     variant: &Variant,
     library: &Library,
     groups: &Groups,
-    (points, quantity): (usize, Quantity),
+    (points, quantity): (Sampling, Quantity),
 ) -> Point {
     let declared: Vec<&Field> = variant.declaration(library).fields_in(variant.dimension).collect();
     let group_of: Vec<usize> = declared.iter().map(|field| groups.group(field.of)).collect();

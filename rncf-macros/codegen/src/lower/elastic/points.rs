@@ -7,7 +7,7 @@ use crate::lower::invariants::{Blocks, Response, mirror, zero_blocks};
 use crate::lower::kernel::PointLoop;
 use crate::lower::quadratic::{length_power, relative_shapes};
 use crate::symbolic::{Graph, Id, linear::Vector};
-use crate::tensors::gauss_rule;
+use crate::tensors::Sampling;
 
 /// What one point adds.
 struct Contribution {
@@ -58,8 +58,8 @@ impl Builder<'_> {
     }
 
     /// For each point its weight, then for each field the shape derivatives of the relative vectors.
-    fn table(&self, points: usize) -> Vec<Vec<f64>> {
-        let rule = gauss_rule(points);
+    fn table(&self, points: Sampling) -> Vec<Vec<f64>> {
+        let rule = points.rule();
         let shapes = relative_shapes(&self.nodal);
         let row = |point: usize| {
             let mut row = vec![rule.weights[point]];
@@ -74,7 +74,7 @@ impl Builder<'_> {
             }
             row
         };
-        (0..points).map(row).collect()
+        (0..points.count()).map(row).collect()
     }
 
     fn start_sums(&mut self) {

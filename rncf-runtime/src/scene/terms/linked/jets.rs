@@ -102,25 +102,20 @@ impl MeshScene {
     fn within_to<const N: usize>(&self, marker: &Marker) -> [Vector; 4] {
         match marker {
             Marker::Fixed { at, .. } => [*at, Vector::zeros(), Vector::zeros(), Vector::zeros()],
-            Marker::Body { point, of } => {
-                let buffers = &self.buffers;
-                let full = [&buffers.q, &buffers.v, &buffers.a, &buffers.jerks];
-                let mut jet = [Vector::zeros(); 4];
-                for (value, full) in jet.iter_mut().zip(full).take(N) {
-                    *value = self.at_point(point, *of, full);
-                }
-                if *of == PlaceVector::Position {
-                    jet[0] += self.bodies[point.body].offset;
+            Marker::Body { point, of } => self.on_body::<N>(point, *of),
+            Marker::Section { point, along, is_point } => {
+                let mut jet = if N == 1 {
+                    let direction = self.triad(point).direction(*along);
+                    [direction, Vector::zeros(), Vector::zeros(), Vector::zeros()]
+                } else {
+                    let (triad, spins) = self.section_motion(point);
+                    turning(triad.direction(*along), &spins)
+                };
+                if *is_point {
+                    let axis = self.on_body::<N>(point, PlaceVector::Position);
+                    jet.iter_mut().zip(axis).for_each(|(value, axis)| *value += axis);
                 }
                 jet
-            }
-            Marker::Section { point, along } if N == 1 => {
-                let direction = self.triad(point).direction(*along);
-                [direction, Vector::zeros(), Vector::zeros(), Vector::zeros()]
-            }
-            Marker::Section { point, along } => {
-                let (triad, spins) = self.section_motion(point);
-                turning(triad.direction(*along), &spins)
             }
             Marker::SectionTurn { point } => {
                 let (_, [spin, rate, jerk]) = self.section_motion(point);
@@ -128,6 +123,20 @@ impl MeshScene {
             }
             Marker::Turn { .. } | Marker::Angle { .. } => [Vector::zeros(); 4],
         }
+    }
+
+    /// The first N of a nodal vector, or of a position, at a place on a body.
+    fn on_body<const N: usize>(&self, point: &MeshPoint, of: PlaceVector) -> [Vector; 4] {
+        let buffers = &self.buffers;
+        let full = [&buffers.q, &buffers.v, &buffers.a, &buffers.jerks];
+        let mut jet = [Vector::zeros(); 4];
+        for (value, full) in jet.iter_mut().zip(full).take(N) {
+            *value = self.at_point(point, of, full);
+        }
+        if of == PlaceVector::Position {
+            jet[0] += self.bodies[point.body].offset;
+        }
+        jet
     }
 
     /// The axes of a section in one of the full arrays, frame axes.
@@ -144,6 +153,11 @@ impl MeshScene {
     pub(super) fn triad(&self, point: &MeshPoint) -> Triad {
         let plane = self.bodies[point.body].spec.plane_normal();
         Triad::new(self.section_axes(point, &self.buffers.q), plane)
+    }
+
+    /// The direction with these components in the triad of a section at the loaded state, frame axes.
+    pub(crate) fn direction_in_section(&self, point: &MeshPoint, along: Vector) -> Vector {
+        self.triad(point).direction(along)
     }
 
     /// Forces on the axes of a section that do the work of a moment (frame axes) on its turning.
@@ -176,7 +190,7 @@ impl MeshScene {
     /// What the rotation of a section adds to the second derivatives of a marker under a force (frame axes).
     pub(crate) fn curvature(&self, marker: &Marker, force: Vector) -> Option<Curvature> {
         let (point, along) = match marker {
-            Marker::Section { point, along } => (point, Some(*along)),
+            Marker::Section { point, along, .. } => (point, Some(*along)),
             Marker::SectionTurn { point } => (point, None),
             _ => return None,
         };
@@ -329,31 +343,44 @@ impl MeshScene {
             }
         }
         match marker {
-            Marker::Body { point, of } => {
-                let body = &self.bodies[point.body];
-                let weights = point.weights(*of);
-                let dimension = body.spec.dimension();
-                for (place, &component) in body.connectivity.element(point.element).iter().enumerate() {
-                    let weight = weights[place / dimension];
-                    if weight == 0.0 {
-                        continue;
-                    }
-                    let mut within = Vector::zeros();
-                    within[body.spec.axes[place % dimension]] = weight;
-                    call(Column {
-                        component,
-                        value: frame.rotation * within,
-                        rate: frame.rotation * frame.spin.cross(&within),
-                        within,
-                        turned: within,
-                        ..Column::default()
-                    });
-                }
+            Marker::Body { point, of } => self.body_columns(point, *of, call),
+            Marker::Section {
+                point, is_point: true, ..
+            } => {
+                // The vectors of the axis are others than those of the section.
+                self.body_columns(point, PlaceVector::Position, &mut call);
+                let [axis, ..] = self.on_body::<1>(point, PlaceVector::Position);
+                self.section_columns(point, false, p - axis).into_iter().for_each(call);
             }
             Marker::Section { point, .. } | Marker::SectionTurn { point } => {
                 self.section_columns(point, is_turn, p).into_iter().for_each(call);
             }
             _ => {}
+        }
+    }
+
+    /// How a vector at a place on a body depends on nodal vectors.
+    #[inline]
+    fn body_columns(&self, point: &MeshPoint, of: PlaceVector, mut call: impl FnMut(Column)) {
+        let body = &self.bodies[point.body];
+        let frame = &self.buffers.frames[body.frame];
+        let weights = point.weights(of);
+        let dimension = body.spec.dimension();
+        for (place, &component) in body.connectivity.element(point.element).iter().enumerate() {
+            let weight = weights[place / dimension];
+            if weight == 0.0 {
+                continue;
+            }
+            let mut within = Vector::zeros();
+            within[body.spec.axes[place % dimension]] = weight;
+            call(Column {
+                component,
+                value: frame.rotation * within,
+                rate: frame.rotation * frame.spin.cross(&within),
+                within,
+                turned: within,
+                ..Column::default()
+            });
         }
     }
 

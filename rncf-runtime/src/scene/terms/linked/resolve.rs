@@ -35,15 +35,19 @@ pub(crate) fn markers(
             body: index,
             at,
             beside: [y, z],
-        } => mesh_point(parts, bodies, index, at, USER).map(|point| Marker::Body {
-            point: point.combined([1.0, 0.0, y, z]),
-            of: PlaceVector::Position,
+        } => mesh_point(parts, bodies, index, at, USER).map(|point| Marker::Section {
+            point,
+            along: Vector::new(0.0, y, z),
+            is_point: true,
         }),
         MarkerSpec::BodySlope { body: index, at } => body(index, at, PlaceVector::Slope),
         MarkerSpec::BodySection { body: index, at, axis } => body(index, at, PlaceVector::section(3)[axis - 1]),
         MarkerSpec::InSection { body: index, at, .. } => {
-            let along = Vector::zeros();
-            mesh_point(parts, bodies, index, at, USER).map(|point| Marker::Section { point, along })
+            mesh_point(parts, bodies, index, at, USER).map(|point| Marker::Section {
+                point,
+                along: Vector::zeros(),
+                is_point: false,
+            })
         }
         MarkerSpec::Turn { frame } => Ok(Marker::Turn { frame }),
         MarkerSpec::SectionTurn { body: index, at } => {
@@ -103,7 +107,11 @@ impl MeshScene {
                 let direction = self.initial(&specs, index, 0)?;
                 let point = self.point(body, at, USER)?;
                 let along = self.in_section(&point, direction)?;
-                self.links.markers[index] = Marker::Section { point, along };
+                self.links.markers[index] = Marker::Section {
+                    point,
+                    along,
+                    is_point: false,
+                };
             }
         }
         Ok(())
