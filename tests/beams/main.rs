@@ -18,6 +18,7 @@ mod runs;
 mod scenes;
 mod sections_along_curves;
 mod statics;
+mod stepped;
 mod table_curves;
 mod table_files;
 mod thick;

@@ -182,7 +182,7 @@ rncf::model! {
         param turned = 50 deg;
         param n: count = 24;
 
-        /// The library's beam under another name.
+        /// The library's beam under another name, with strains of other strains, and one coefficient for both rotary inertias.
         element rod(section, material) {
             domain xi in 0..1;
             vector r0      = r   at 0,   shape 1 - 3*xi^2 + 2*xi^3;
@@ -211,12 +211,12 @@ rncf::model! {
             coefficient GIy: N m^2 = material.shear_modulus * section.second_moment_y;
             coefficient GIyz: N m^2 = material.shear_modulus * section.quarter_polar_moment;
             coefficient rhoA: kg/m = material.density * section.area;
-            coefficient rhoIz: kg m = material.density * section.second_moment_z;
-            coefficient rhoIy: kg m = material.density * section.second_moment_y;
+            coefficient rhoI: kg m = material.density * section.second_moment_z;
             inertia r = rhoA;
-            inertia r_y = rhoIz;
-            inertia r_z = rhoIy;
-            strain ex = 1/2*(dot(a, a) - 1);
+            inertia r_y = rhoI;
+            inertia r_z = rhoI;
+            strain half = 1/4*(dot(a, a) - 1);
+            strain ex = half + half;
             strain ey = 1/2*(dot(b, b) - 1);
             strain ez = 1/2*(dot(c, c) - 1);
             strain gy = dot(a, b);
@@ -224,7 +224,9 @@ rncf::model! {
             strain gyz = dot(b, c);
             strain kz = dot(a, db);
             strain ky = dot(a, dc);
-            strain tau = 1/2*(dot(db, c) - dot(dc, b));
+            strain first = dot(db, c);
+            strain second = dot(dc, b);
+            strain tau = 1/2*first - second/2;
             strain ty = dot(b, db);
             strain tz = dot(c, dc);
             strain tyz = dot(db, c) + dot(dc, b);

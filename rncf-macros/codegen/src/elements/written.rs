@@ -117,6 +117,7 @@ impl Written {
             fields,
             options,
             changes: HashMap::new(),
+            is_measure: false,
         };
         // What is named is made in the order of the names.
         for definition in self.definitions.iter().filter(|one| !one.is_strain) {
@@ -185,6 +186,76 @@ impl Written {
     }
 }
 
+/// How an expression depends on strains.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum OfStrains {
+    /// Not at all.
+    None,
+    /// As a sum of them with factors that do not change, beside other things.
+    Linear,
+    /// In another way.
+    Other,
+}
+
+impl Written {
+    /// How an expression depends on the strains that are defined so far.
+    pub fn of_strains(&self, expr: &Expr) -> OfStrains {
+        match expr {
+            Expr::Element(ElementQuantity::Named(name)) => {
+                let all = self.definitions.iter().filter(|one| one.name == *name);
+                let each = all.map(|one| {
+                    let inside = self.of_strains(&one.value);
+                    if one.is_strain {
+                        inside.max(OfStrains::Linear)
+                    } else {
+                        inside
+                    }
+                });
+                each.max().unwrap_or(OfStrains::None)
+            }
+            Expr::Negate(a) => self.of_strains(a),
+            Expr::Binary(operator, a, b) => {
+                let [left, right] = [a, b].map(|side| self.of_strains(side));
+                match operator {
+                    Binary::Add | Binary::Subtract => left.max(right),
+                    Binary::Multiply if left == OfStrains::None && !self.moves(a) => right,
+                    Binary::Multiply | Binary::Divide if right == OfStrains::None && !self.moves(b) => left,
+                    _ => at_most_none(left.max(right)),
+                }
+            }
+            Expr::Power(a, b) => at_most_none(self.of_strains(a).max(self.of_strains(b))),
+            Expr::Call(_, arguments) => {
+                let each = arguments.iter().map(|one| self.of_strains(one));
+                at_most_none(each.max().unwrap_or(OfStrains::None))
+            }
+            _ => OfStrains::None,
+        }
+    }
+
+    /// Whether an expression changes with the fields.
+    fn moves(&self, expr: &Expr) -> bool {
+        match expr {
+            Expr::Element(ElementQuantity::Dot(..) | ElementQuantity::Cross(..)) => true,
+            Expr::Element(ElementQuantity::Named(name)) => {
+                let mut all = self.definitions.iter().filter(|one| one.name == *name);
+                all.any(|one| self.moves(&one.value))
+            }
+            Expr::Negate(a) => self.moves(a),
+            Expr::Binary(_, a, b) | Expr::Power(a, b) => self.moves(a) || self.moves(b),
+            Expr::Call(_, arguments) => arguments.iter().any(|one| self.moves(one)),
+            _ => false,
+        }
+    }
+}
+
+/// What a function that is not linear makes of this.
+fn at_most_none(inside: OfStrains) -> OfStrains {
+    match inside {
+        OfStrains::None => OfStrains::None,
+        _ => OfStrains::Other,
+    }
+}
+
 /// A moderate whole number.
 fn whole(expr: &Expr) -> Option<i32> {
     let value = fold::constant(expr)?;
@@ -198,6 +269,8 @@ struct Scope<'w> {
     options: &'w [usize],
     /// Symbols of the changes of strains, and the measures themselves.
     changes: HashMap<usize, (Id, Id)>,
+    /// Whether this is the measure of a strain: what it has of others counts from zero, too.
+    is_measure: bool,
 }
 
 impl Scope<'_> {
@@ -262,20 +335,23 @@ impl Scope<'_> {
             }
             ElementQuantity::Coefficient(name) => Some(graph.input(name)),
             ElementQuantity::Named(name) => {
-                if let Some(&(symbol, _)) = self.changes.get(&name) {
-                    return Some(symbol);
+                if let Some(&(symbol, measure)) = self.changes.get(&name) {
+                    return Some(if self.is_measure { measure } else { symbol });
                 }
                 let written = self.written;
                 let definition = written.definitions.iter().find(|definition| {
                     definition.name == name && definition.when.applies(self.fields.dimension, self.options)
                 })?;
-                let value = self.value(graph, &definition.value)?;
                 if !definition.is_strain {
-                    return Some(value);
+                    return self.value(graph, &definition.value);
                 }
+                let is_within = std::mem::replace(&mut self.is_measure, true);
+                let value = self.value(graph, &definition.value);
+                self.is_measure = is_within;
+                let value = value?;
                 let symbol = graph.symbol("change");
                 self.changes.insert(name, (symbol, value));
-                Some(symbol)
+                Some(if self.is_measure { value } else { symbol })
             }
         }
     }

@@ -47,7 +47,11 @@ impl Signature<'_> {
                 .inertia
                 .iter()
                 .filter(|inertia| vectors.iter().any(|vector| vector.of == inertia.of));
-            fields.extend(used.map(|inertia| inertia.coefficient));
+            for inertia in used {
+                if !fields.contains(&inertia.coefficient) {
+                    fields.push(inertia.coefficient);
+                }
+            }
         }
         let mut bindings = vec![format!("let {} {{ {}, .. }} = *row;", self.row(), fields.join(", "))];
         for (argument, prefix) in states {

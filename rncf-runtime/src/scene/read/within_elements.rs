@@ -10,6 +10,8 @@ const POINTS: usize = 5;
 /// Places of a body that are looked at, and of an element at least; those of the rows of its tables beside them.
 const PLACES: usize = 512;
 const LEAST: usize = 8;
+/// Distance from a step at which its two values are read, as a part of an element.
+const STEP: f64 = 1e-9;
 /// Part of a property, or of its inverse, summed along the axis, from which on it is told that points miss it.
 const TOLD: f64 = 0.01;
 
@@ -53,9 +55,12 @@ impl MeshScene {
             .map(|element| {
                 let [from, to] = [0.0, 1.0].map(|xi| spec.arclength_of(length, element, xi));
                 let points = rule.iter().map(|&(xi, weight)| (at(from + xi * (to - from)), weight));
-                let inside = rows.iter().copied().filter(|row| (from..to).contains(row));
+                // At a step the value behind it is that of another element, or of another part of this one.
+                let beside = STEP * (to - from);
+                let inside = rows.iter().flat_map(|row| [row - beside, row + beside]);
                 let even = (0..=places).map(|place| from + (to - from) * place as f64 / places as f64);
-                let mut seen: Vec<f64> = even.chain(inside).collect();
+                let all = even.map(|x| x.clamp(from + beside, to - beside)).chain(inside);
+                let mut seen: Vec<f64> = all.filter(|x| (from..to).contains(x)).collect();
                 seen.sort_by(f64::total_cmp);
                 Element {
                     width: to - from,

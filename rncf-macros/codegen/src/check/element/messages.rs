@@ -4,6 +4,7 @@ pub const POSITION_AS_FIELD: &str =
     "an energy of `r` itself changes when the body is moved: fields are derivatives such as `r_x`";
 pub const INERTIA_OF: &str = "mass moves with `r`, `r_y` or `r_z`, not with their derivatives";
 pub const DAMPING: &str = "the damping of an element is that of its material: write `damping = material.damping;`";
+pub const STRAIN_OF_STRAINS: &str = "a strain may be a sum of others with constant factors; for another function of strains write `let`, and use it in the energy";
 pub const POINTS: &str =
     "a number of Gauss points is a whole number from 1 to 20; what acts at nodes alone has `points nodes`";
 pub const POINTS_OF_SOME: &str =
