@@ -1,4 +1,4 @@
-//! Loads per length over a part of an axis: steps of a table inside of elements.
+//! Loads per length over a part of an axis: steps of a table inside of elements; loads that are made of vectors.
 
 use rncf::app::{EquilibriumSettings, static_equilibria};
 
@@ -51,4 +51,43 @@ fn a_load_over_a_part_is_whole() {
             2e-3,
         );
     }
+}
+
+rncf::model! {
+    /// The same loads on equal bars, written out, and made of vectors.
+    pub model Made {
+        param lift = 30 N;
+        param at = 0.3 s;
+        table rows { at = u; u = [0, 1] s; f = [0, 2]; }
+        motion wave(t) = sin(5 [rad/s] * t);
+        material steel { density = 7850 kg/m^3; young = 210 GPa; poisson = 0.3; }
+        section bar { area = 1e-3 m^2; second_moment = 1e-6 m^4; }
+        body one { planar xy; line from [0, 0, 0] m to [1, 0, 0] m; mesh 2 * cable(bar, steel); }
+        body two { planar xy; line from [0, 0, 0] m to [1, 0, 0] m; mesh 2 * cable(bar, steel); }
+        joint foot = clamp(one.start, inertial);
+        joint other_foot = clamp(two.start, inertial);
+        load own = force(one.end, [5 N * rows.f(t), lift * wave(t), 0 N]);
+        load turn = moment(one.end, [0, 0, 2 [N*m] * wave(t)]);
+        load made = force(two.end, rows.f(t) * [5, 0, 0] N + [0, 1, 0] * wave(t) * lift);
+        load made_turn = moment(two.end, [0, 0, 2] N*m * sin(5 [rad/s] * t));
+        load inside = force(one.at(0.3 m), [0, 4, 0] N);
+        load part = force(two.at(eta = 0.3), [0, 4, 0] N);
+        load weight = gravity(-9.81 [m/s^2] * [0, 1, 0]);
+        output here = one.end;
+        output there = two.end;
+        output inside_here = one.at(0.6 m).y;
+        output inside_there = two.at(eta = 0.6).y;
+        run { t_end = at; every = at; }
+    }
+}
+
+#[test]
+fn loads_are_made_of_vectors() {
+    let found = static_equilibria(&Made::default(), &EquilibriumSettings::default()).unwrap();
+    let last = |index: usize| found.history.column(index).last().unwrap();
+    let [x, y] = [0, 1].map(|axis| last(axis));
+    let [other_x, other_y] = [2, 3].map(|axis| last(axis));
+    println!("{x} {y} {other_x} {other_y}");
+    assert_eq!(last(4), last(5));
+    assert!(y.abs() > 1e-6 && (y - other_y).abs() < 1e-9 * y.abs() && (x - other_x).abs() < 1e-12);
 }

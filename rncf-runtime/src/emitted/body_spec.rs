@@ -321,4 +321,6 @@ pub enum Place {
     End,
     /// Arclength of the stress-free axis, m.
     At(f64),
+    /// Part of its length.
+    Part(f64),
 }

@@ -87,7 +87,7 @@ impl<'a> Check<'a> {
             "revolute" if is_planar => JointKind::Pin,
             _ => return None,
         };
-        let is_end = !matches!(place.at.place(), Location::At(_)) || ENDS.iter().any(|(end, _)| *end == word);
+        let is_end = !place.at.is_along() || ENDS.iter().any(|(end, _)| *end == word);
         (is_linear && is_end).then_some(kind)
     }
 
@@ -106,7 +106,7 @@ impl<'a> Check<'a> {
     ) -> Option<()> {
         let Place { body, at, .. } = place.clone();
         (known.kind, known.body, known.frame) = (Some(kind), Some(body), Some(frame));
-        if let Location::At(_) = at.place() {
+        if at.is_along() {
             self.errors.at(area[0], say::JOINT_INSIDE);
             return None;
         }
@@ -299,7 +299,7 @@ impl<'a> Check<'a> {
         let kind = JointKind::Hold { of, axis };
         let is_section = matches!(of, model::Held::SectionY | model::Held::SectionZ);
         let is_spatial = place.body.space.and_then(normal).is_none();
-        if is_section && is_spatial || matches!(place.at.place(), Location::At(_)) {
+        if is_section && is_spatial || place.at.is_along() {
             if let Some(normal) = place.body.space.and_then(normal) {
                 self.keeps_plane(frame, normal, expr.area);
             }

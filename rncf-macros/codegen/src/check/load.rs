@@ -1,7 +1,6 @@
 //! Loads: gravity, dead forces and moments; per length and fields in `density`.
 
 use super::distributed::mentions;
-use super::expr::Scope;
 use super::place::Place;
 use super::plane::{AXES, is_parallel, normal, plane};
 use super::quantity::{Vector, Wanted};
@@ -87,7 +86,7 @@ impl<'a> Check<'a> {
         if !self.names.contains_key("position") && mentions(arguments.positional[0], "position") {
             return self.gravity_of_place(arguments.positional[0]);
         }
-        let vector = self.vector(arguments.positional[0], Scope::Prescribed, GRAVITY)?;
+        let vector = self.vector_of_time(arguments.positional[0], GRAVITY)?;
         // One message for each plane that it leaves, however many bodies and frames move in it.
         for normal in self.plane_normals() {
             self.in_plane(&vector, Space::Planar { normal }, "gravity");
@@ -116,7 +115,7 @@ impl<'a> Check<'a> {
             return None;
         };
         let place = self.place(place);
-        let vector = self.vector(components, Scope::Prescribed, if is_moment { MOMENT } else { FORCE });
+        let vector = self.vector_of_time(components, if is_moment { MOMENT } else { FORCE });
         let frame_argument = arguments.named.get("in").copied();
         let frame = frame_argument.map_or(Some(INERTIAL), |frame| self.frame_argument(frame));
         let (Place { body, at, is_line, .. }, vector, frame) = (place?, vector?, frame?);

@@ -345,6 +345,7 @@ messages! {
     no_twist(plane) = "the section of a body in the {plane} plane does not twist: leave the joint out";
     one_section_axis(plane) = "the section of a body in the {plane} plane has one axis in it: use `ey`";
     not_carried(word, kind, words) = "{kind} carries no `{word}`: use {words}";
+    stress_of_stiffness(name) = "section `{name}` says its stiffness by itself, so that its stresses are not known: they follow from `axial_force`, `shear_y`, `torque`, `moment_y` and so on with the layers of the section";
     section_axes_only(word) = "`{word}` has the axes of the section itself: leave out `.in(..)`";
     stress_without_shape(name, extents) = "the stress depends on the shape of section `{name}`: give it {extents} (distance of the outermost fibre), or write `circle(..)`, `tube(..)` or `rectangle(..)`";
     not_in_plane(word, plane, advice) = "a `{word}` makes no sense in the {plane} plane: {advice}";

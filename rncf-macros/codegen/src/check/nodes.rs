@@ -30,7 +30,10 @@ pub fn stand_where_something_acts(model: &mut Model) {
                 None => 1,
             };
             let value = |index: usize| fold::of_repetition(model, &of.place, 0.0, index as f64);
-            (0..times.min(LOOKED_AT)).filter_map(value).any(misses)
+            let unit = if of.is_part { length } else { 1.0 };
+            (0..times.min(LOOKED_AT))
+                .filter_map(value)
+                .any(|place| misses(place * unit))
         };
         if places.iter().any(is_within) {
             model.bodies[index].stations = Some(Stations::Places(places));
@@ -73,7 +76,11 @@ fn places(model: &Model, body: BodyId) -> Vec<NodeAt> {
     });
     let mut places: Vec<NodeAt> = Vec::new();
     for (of, at, repeat) in fixtures.chain(loads).chain(marked) {
-        let Location::At(place) = at.place() else { continue };
+        let (place, is_part) = match at.place() {
+            Location::At(place) => (place, false),
+            Location::Part(part) => (part, true),
+            _ => continue,
+        };
         if of != body {
             continue;
         }
@@ -86,6 +93,7 @@ fn places(model: &Model, body: BodyId) -> Vec<NodeAt> {
         };
         let place = NodeAt {
             place: (**place).clone(),
+            is_part,
             over,
         };
         if !places.contains(&place) {

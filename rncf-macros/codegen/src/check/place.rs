@@ -14,6 +14,11 @@ use crate::parse::tree::{Argument, Expr, ExprKind, Keyword};
 use crate::suggest;
 use crate::vocabulary::members;
 
+const PART: Wanted = Wanted {
+    what: "the part of the length",
+    dimension: [0; 6],
+    unit: "",
+};
 const PLACE: Wanted = Wanted {
     what: "the place on a body",
     dimension: [1, 0, 0, 0, 0, 0],
@@ -273,8 +278,14 @@ impl<'a> Check<'a> {
                     self.on_axis(&argument.value, fold::constant(&at), body.length);
                     Location::At(Box::new(at))
                 }
+                [argument] if argument.name.as_ref().is_some_and(|name| name.text == "eta") => {
+                    let part = self.quantity(&argument.value, Scope::Parameter, PART)?;
+                    self.on_axis(&argument.value, fold::constant(&part), Some(1.0));
+                    Location::Part(Box::new(part))
+                }
                 _ => {
-                    self.errors.at(expr.area, say::usage("at", "beam.at(4 m)"));
+                    self.errors
+                        .at(expr.area, say::usage("at", "beam.at(4 m)` or `beam.at(eta = 0.5)"));
                     return None;
                 }
             },

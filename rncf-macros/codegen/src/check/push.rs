@@ -21,7 +21,7 @@ const FOLLOWER: Shape = Shape {
 
 impl<'a> Check<'a> {
     /// Whether something of the motion stands in an expression.
-    fn observes(&self, expr: &Expr) -> bool {
+    pub(super) fn observes(&self, expr: &Expr) -> bool {
         match &expr.kind {
             // Of a table only the place where it is looked up may be of the motion.
             ExprKind::Member { base, arguments, .. } => match (&base.kind, arguments) {
@@ -81,7 +81,7 @@ impl<'a> Check<'a> {
             }
             (vector.values, vector.frame)
         } else {
-            let vector = self.vector(expr, Scope::Prescribed, wanted)?;
+            let vector = self.vector_of_time(expr, wanted)?;
             if let Some(hold) = &place {
                 self.lies_in_plane(hold, &vector, is_moment)?;
                 if let Spot::Flexible(place) = &hold.spot

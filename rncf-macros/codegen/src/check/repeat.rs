@@ -330,7 +330,7 @@ impl<'a> Check<'a> {
 pub fn has_index(at: &Location) -> bool {
     match at {
         Location::Start | Location::End => false,
-        Location::At(x) => fold::has_index(x),
+        Location::At(x) | Location::Part(x) => fold::has_index(x),
         Location::Of { instance, place } => fold::has_index(instance) || has_index(place),
     }
 }

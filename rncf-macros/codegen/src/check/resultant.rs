@@ -185,6 +185,9 @@ fn lacks_shape(body: &Body) -> Option<String> {
         return None;
     };
     let name = &body.section_name;
+    if body.law.is_some() {
+        return Some(say::stress_of_stiffness(name));
+    }
     match (y, z, body.space) {
         (None, _, Space::Planar { .. }) => Some(say::stress_without_shape(name, "`extent_y`")),
         (_, _, Space::Planar { .. }) | (Some(_), Some(_), _) => None,

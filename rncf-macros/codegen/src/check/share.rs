@@ -6,7 +6,7 @@ use super::place::Place;
 use super::repeat::has_index;
 use super::{Check, Shape, fold, say};
 use crate::errors::Area;
-use crate::model::{Body, Expr as Value, Fidelity, Location, RepeatId, Share};
+use crate::model::{Body, Expr as Value, Fidelity, RepeatId, Share};
 use crate::parse::tree::{Call, Expr, Item};
 
 /// Words for shared nodes, and what is written.
@@ -48,7 +48,7 @@ impl<'a> Check<'a> {
     fn shared_end(&mut self, expr: &'a Expr, held: &[Held]) -> Option<Place> {
         let place = self.place(expr)?;
         let body = self.body_of(place.body.id)?;
-        let message = if let Location::At(_) = place.at.place() {
+        let message = if place.at.is_along() {
             say::SHARED_INSIDE.into()
         } else if body.fidelity != Fidelity::Full {
             say::shared_modes(&body.name)

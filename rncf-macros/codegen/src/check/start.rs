@@ -294,6 +294,7 @@ impl<'m> Start<'m> {
             Location::Start => 0.0,
             Location::End => self.length(body),
             Location::At(x) => self.value(x),
+            Location::Part(part) => self.value(part) * self.length(body),
             Location::Of { place, .. } => self.arclength(body, place),
         }
     }

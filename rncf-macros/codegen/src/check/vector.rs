@@ -2,7 +2,7 @@
 
 use super::expr::Scope;
 use super::plane::AXES;
-use super::quantity::{Nature, Typed, bare_literal, hertz, is_bare_zero};
+use super::quantity::{Nature, Typed, Vector, Wanted, bare_literal, hertz, is_bare_zero};
 use super::{Check, fold, say};
 use crate::joints::algebra;
 use crate::model::{self, Binary, FrameId};
@@ -325,13 +325,29 @@ impl<'a> Check<'a> {
         }))
     }
 
+    /// A vector of params and time: written out, or made of such ones.
+    pub(super) fn vector_of_time(&mut self, expr: &'a Expr, wanted: Wanted) -> Option<Vector> {
+        if matches!(expr.kind, ExprKind::Vector { .. }) {
+            return self.vector(expr, Scope::Prescribed, wanted);
+        }
+        let found = if self.observes(expr) {
+            None
+        } else {
+            Some(self.value(expr, Scope::Force)?)
+        };
+        let Some(Quantity::Vector(vector)) = found else {
+            self.errors.at(expr.area, say::vector_wanted(wanted.what, wanted.unit));
+            return None;
+        };
+        self.is_wanted_vector(expr, &vector, wanted).then_some(Vector {
+            values: vector.values,
+            areas: [expr.area; 3],
+            area: expr.area,
+        })
+    }
+
     /// The text of a literal without unit stands for a vector's unit, too.
-    pub(super) fn is_wanted_vector(
-        &mut self,
-        expr: &Expr,
-        vector: &Vectorial,
-        wanted: super::quantity::Wanted,
-    ) -> bool {
+    pub(super) fn is_wanted_vector(&mut self, expr: &Expr, vector: &Vectorial, wanted: Wanted) -> bool {
         let dimension = Dimension::of(wanted.dimension);
         let is_wanted = vector.dimension == dimension;
         if !is_wanted {

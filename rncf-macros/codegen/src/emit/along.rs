@@ -101,17 +101,20 @@ impl Parts<'_> {
                     "::rncf::emitted::stations_at({}.length(), {}, &{})",
                     self.line(body),
                     self.count(&body.count),
-                    self.places(places)
+                    self.places(places, &self.line(body))
                 )
             }
         }
     }
 
     /// A list of places, those of loops once for each repetition.
-    fn places(&self, places: &[NodeAt]) -> String {
+    fn places(&self, places: &[NodeAt], line: &str) -> String {
         let (mut single, mut repeated) = (Vec::new(), Vec::new());
-        for NodeAt { place, over } in places {
-            let place = self.expr(place);
+        for NodeAt { place, is_part, over } in places {
+            let mut place = self.expr(place);
+            if *is_part {
+                place = format!("({place}) * {line}.length()");
+            }
             match over {
                 None => single.push(place),
                 Some(repeat) => repeated.push(format!(

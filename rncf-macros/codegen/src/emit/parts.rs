@@ -133,6 +133,7 @@ impl Parts<'_> {
             Location::Start => "::rncf::emitted::Place::Start".to_string(),
             Location::End => "::rncf::emitted::Place::End".to_string(),
             Location::At(expr) => format!("::rncf::emitted::Place::At({})", self.expr(expr)),
+            Location::Part(expr) => format!("::rncf::emitted::Place::Part({})", self.expr(expr)),
             Location::Of { place, .. } => self.place(place),
         }
     }

@@ -215,8 +215,10 @@ pub enum Stations {
 /// A place where a body has a node.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NodeAt {
-    /// m of arclength.
+    /// m of arclength, or part of the length.
     pub place: Expr,
+    /// Which of them.
+    pub is_part: bool,
     /// The loop over whose repetitions it stands on one body; `None` of a body that stands in the loop itself.
     pub over: Option<RepeatId>,
 }

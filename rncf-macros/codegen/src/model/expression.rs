@@ -401,6 +401,8 @@ pub enum Location {
     End,
     /// Arclength of the stress-free axis from the start, m.
     At(Box<Expr>),
+    /// Part of the length of the stress-free axis from the start.
+    Part(Box<Expr>),
     /// A place on one repetition of a repeated body.
     Of {
         /// Number of the repetition, from 0; may contain [`Expr::Index`].
@@ -411,6 +413,11 @@ pub enum Location {
 }
 
 impl Location {
+    /// Whether it is a place along the axis, not an end.
+    pub fn is_along(&self) -> bool {
+        matches!(self.place(), Location::At(_) | Location::Part(_))
+    }
+
     /// The place on the body or on its repetition.
     pub fn place(&self) -> &Location {
         match self {

@@ -61,6 +61,9 @@ fn factors(cursor: &mut Cursor, sign: i32, unit: &mut UnitText) -> Parsed<()> {
     factor(cursor, sign, unit)?;
     let mut divided = false;
     loop {
+        if is_call_behind(cursor) {
+            return Ok(());
+        }
         if cursor.eat_punct('*') {
             unit.text.push(' ');
             factor(cursor, sign, unit)?;
@@ -78,6 +81,14 @@ fn factors(cursor: &mut Cursor, sign: i32, unit: &mut UnitText) -> Parsed<()> {
             return Ok(());
         }
     }
+}
+
+/// Whether a value that is called multiplies what the unit belongs to: `[0, 1, 0] N * f(t)`.
+fn is_call_behind(cursor: &mut Cursor) -> bool {
+    let mark = cursor.mark();
+    let is_factor = cursor.eat_punct('*') && cursor.word().is_some() && cursor.is_second_group(Delimiter::Parenthesis);
+    cursor.reset(mark);
+    is_factor
 }
 
 fn factor(cursor: &mut Cursor, sign: i32, unit: &mut UnitText) -> Parsed<()> {

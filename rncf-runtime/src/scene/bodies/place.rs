@@ -148,6 +148,13 @@ pub(crate) fn element_at(spec: &BodySpec, at: Place, user: &str) -> Result<(usiz
         Place::At(x) if (x - x.clamp(0.0, length)).abs() <= ROUND_OFF * length => {
             spec.find((x / length).clamp(0.0, 1.0))
         }
+        Place::Part(part) if (part - part.clamp(0.0, 1.0)).abs() <= ROUND_OFF => spec.find(part.clamp(0.0, 1.0)),
+        Place::Part(part) => {
+            return Err(ModelError::new(format!(
+                "{user} is at {part} of the length of body `{}`: choose a part between 0 and 1",
+                spec.label()
+            )));
+        }
         Place::At(x) => {
             return Err(ModelError::new(format!(
                 "{user} is at {x} m of body `{}`, which is {length} m long: choose a place between 0 and its length",
