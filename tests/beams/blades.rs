@@ -374,10 +374,7 @@ fn the_axis_may_lie_anywhere_in_the_section() {
 #[test]
 fn the_axis_of_a_stout_bar_may_lie_beside_it() {
     let of = |off| {
-        let bar = Stout {
-            off,
-            ..Stout::default()
-        };
+        let bar = Stout { off };
         let hertz = frequencies(&bar, Kind::Static, 12);
         hertz.into_iter().map(|f| f * std::f64::consts::TAU).collect::<Vec<_>>()
     };

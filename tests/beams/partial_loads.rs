@@ -69,7 +69,7 @@ rncf::model! {
         load own = force(one.end, [5 N * rows.f(t), lift * wave(t), 0 N]);
         load turn = moment(one.end, [0, 0, 2 [N*m] * wave(t)]);
         load made = force(two.end, rows.f(t) * [5, 0, 0] N + [0, 1, 0] * wave(t) * lift);
-        load made_turn = moment(two.end, [0, 0, 2] N*m * sin(5 [rad/s] * t));
+        load made_turn = moment(two.end, [0, 0, 1] N*m * 2 * sin(5 [rad/s] * t));
         load inside = force(one.at(0.3 m), [0, 4, 0] N);
         load part = force(two.at(eta = 0.3), [0, 4, 0] N);
         load weight = gravity(-9.81 [m/s^2] * [0, 1, 0]);
@@ -85,8 +85,8 @@ rncf::model! {
 fn loads_are_made_of_vectors() {
     let found = static_equilibria(&Made::default(), &EquilibriumSettings::default()).unwrap();
     let last = |index: usize| found.history.column(index).last().unwrap();
-    let [x, y] = [0, 1].map(|axis| last(axis));
-    let [other_x, other_y] = [2, 3].map(|axis| last(axis));
+    let [x, y] = [0, 1].map(&last);
+    let [other_x, other_y] = [2, 3].map(&last);
     println!("{x} {y} {other_x} {other_y}");
     assert_eq!(last(4), last(5));
     assert!(y.abs() > 1e-6 && (y - other_y).abs() < 1e-9 * y.abs() && (x - other_x).abs() < 1e-12);

@@ -224,11 +224,7 @@ fn what_acts_beside_the_axis_twists_the_section() {
     let spring = torque / (1e9 * 0.05 * 0.05) / 1e-4;
     for elements in [1, 8, 32] {
         for way in [WAYS[0], WAYS[1]] {
-            let model = Levers {
-                elements,
-                torque,
-                ..Levers::default()
-            };
+            let model = Levers { elements, torque };
             let row = at_rest(&model, way);
             let found: Vec<f64> = row.iter().map(|angle| angle / 1e-4).collect();
             println!("{elements} elements: {found:?}");

@@ -23,7 +23,7 @@
 //!             | "coefficient" NAME ":" unit "=" right | "inertia" DERIVATIVE "=" COEFFICIENT | "damping" "=" expr
 //!             | "option" NAME "=" VALUE { "|" VALUE }
 //!             | ( "let" | "strain" ) NAME when "=" expr
-//!             | "energy" NAME when "=" expr [ "," "stress" expr ] [ "," "points" WHOLE ]
+//!             | "energy" NAME when "=" expr [ "," "stress" expr ] [ "," "points" ( WHOLE | "nodes" ) ]
 //! when        = [ "when" OPTION "is" VALUE { "and" OPTION "is" VALUE } ] [ "in" ( "plane" | "space" ) ]
 //! motion      = "motion" NAME "(" "t" ")" "=" right ";"
 //! frame       = "frame" NAME [ "in" FRAME ] "=" call ";"

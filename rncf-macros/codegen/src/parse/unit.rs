@@ -61,7 +61,7 @@ fn factors(cursor: &mut Cursor, sign: i32, unit: &mut UnitText) -> Parsed<()> {
     factor(cursor, sign, unit)?;
     let mut divided = false;
     loop {
-        if is_call_behind(cursor) {
+        if is_value_behind(cursor) {
             return Ok(());
         }
         if cursor.eat_punct('*') {
@@ -83,10 +83,12 @@ fn factors(cursor: &mut Cursor, sign: i32, unit: &mut UnitText) -> Parsed<()> {
     }
 }
 
-/// Whether a value that is called multiplies what the unit belongs to: `[0, 1, 0] N * f(t)`.
-fn is_call_behind(cursor: &mut Cursor) -> bool {
+/// Whether a number, or a value that is called, multiplies what the unit belongs to: `[0, 1, 0] N * f(t)`.
+fn is_value_behind(cursor: &mut Cursor) -> bool {
     let mark = cursor.mark();
-    let is_factor = cursor.eat_punct('*') && cursor.word().is_some() && cursor.is_second_group(Delimiter::Parenthesis);
+    let is_call = |cursor: &Cursor| cursor.word().is_some() && cursor.is_second_group(Delimiter::Parenthesis);
+    let is_number = |cursor: &Cursor| matches!(cursor.peek(), Some(TokenTree::Literal(_)));
+    let is_factor = cursor.eat_punct('*') && (is_call(cursor) || is_number(cursor));
     cursor.reset(mark);
     is_factor
 }
