@@ -639,7 +639,7 @@ pub mod curved_out_of_plane_equations {
             ],
             &[(0, 0, 1), (1, 1, 2), (2, 2, 3), (3, 3, 7), (4, 7, 11), (5, 11, 15)],
         );
-    /// Writes the forces on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the forces on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated at 3 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 39 additions, 70 multiplications.
     pub fn beam_spatial_curved_points3_force(
@@ -683,7 +683,7 @@ pub mod curved_out_of_plane_equations {
         forces[2][1] = a_y * t36 + b_y * t39 + t41 * (c_y * 2.0);
         forces[2][2] = a_z * t36 + b_z * t39 + t41 * (c_z * 2.0);
     }
-    /// Writes the blocks of the tangent on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the blocks of the tangent on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated at 3 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 75 additions, 156 multiplications.
     pub fn beam_spatial_curved_points3_tangent(
@@ -816,7 +816,7 @@ pub mod curved_out_of_plane_equations {
         stiffness[5][7] = t81;
         stiffness[5][8] = a_z * t63 + b_z * t70 + t51 * t72 + t85;
     }
-    /// Writes the strain energy a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the strain energy a, b, c at a point of weight one on the unit element, for the terms that are integrated at 3 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 26 additions, 41 multiplications.
     pub fn beam_spatial_curved_points3_energy(
@@ -855,7 +855,7 @@ pub mod curved_out_of_plane_equations {
             * (b_x * c_x + b_y * c_y + b_z * c_z - reference[5]).powi(2);
         *energy = t32 * t33 + t32 * t34 + t32 * t35 + t36 + t37 + t38;
     }
-    /// Writes the forces on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the forces on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated at 2 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 43 additions, 81 multiplications, 1 divisions.
     pub fn beam_spatial_curved_points2_force(
@@ -917,7 +917,7 @@ pub mod curved_out_of_plane_equations {
         forces[4][1] = a_y * t52 + b_y * t54 + c_y * t56;
         forces[4][2] = a_z * t52 + b_z * t54 + c_z * t56;
     }
-    /// Writes the blocks of the tangent on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the blocks of the tangent on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated at 2 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 149 additions, 342 multiplications, 1 divisions.
     pub fn beam_spatial_curved_points2_tangent(
@@ -1164,7 +1164,7 @@ pub mod curved_out_of_plane_equations {
         stiffness[14][7] = a_z * t84 + b_z * t102 + c_z * t120;
         stiffness[14][8] = a_z * t85 + b_z * t103 + c_z * t121;
     }
-    /// Writes the strain energy a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the strain energy a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated at 2 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 25 additions, 49 multiplications, 1 divisions.
     pub fn beam_spatial_curved_points2_energy(

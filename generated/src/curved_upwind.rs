@@ -520,7 +520,7 @@ pub mod curved_upwind_equations {
             &[(0, 0), (0, 2), (1, 1), (1, 2), (2, 1), (2, 2)],
             &[(0, 0, 1), (1, 1, 2), (2, 2, 6)],
         );
-    /// Writes the forces on the fields a, b at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the forces on the fields a, b at a point of weight one on the unit element, for the terms that are integrated at 3 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 12 additions, 27 multiplications.
     pub fn beam_planar_curved_points3_force(
@@ -540,7 +540,7 @@ pub mod curved_upwind_equations {
         forces[1][0] = a_x * t24 + t25 * (b_x * 2.0);
         forces[1][1] = a_y * t24 + t25 * (b_y * 2.0);
     }
-    /// Writes the blocks of the tangent on the fields a, b at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the blocks of the tangent on the fields a, b at a point of weight one on the unit element, for the terms that are integrated at 3 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 20 additions, 47 multiplications.
     pub fn beam_planar_curved_points3_tangent(
@@ -583,7 +583,7 @@ pub mod curved_upwind_equations {
         stiffness[2][2] = t36;
         stiffness[2][3] = a_y * t33 + t29 * t34 + t38;
     }
-    /// Writes the strain energy a, b at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the strain energy a, b at a point of weight one on the unit element, for the terms that are integrated at 3 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 10 additions, 18 multiplications.
     pub fn beam_planar_curved_points3_energy(
@@ -601,7 +601,7 @@ pub mod curved_upwind_equations {
             + 0.5 * (length * kyGA) * (a_x * b_x + a_y * b_y - reference[2]).powi(2);
         *energy = t24;
     }
-    /// Writes the forces on the fields a, b, db at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the forces on the fields a, b, db at a point of weight one on the unit element, for the terms that are integrated at 2 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 6 additions, 20 multiplications, 1 divisions.
     pub fn beam_planar_curved_points2_force(
@@ -626,7 +626,7 @@ pub mod curved_upwind_equations {
         forces[2][0] = a_x * t26 + b_x * t27;
         forces[2][1] = a_y * t26 + b_y * t27;
     }
-    /// Writes the blocks of the tangent on the fields a, b, db at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the blocks of the tangent on the fields a, b, db at a point of weight one on the unit element, for the terms that are integrated at 2 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 11 additions, 43 multiplications, 1 divisions.
     pub fn beam_planar_curved_points2_tangent(
@@ -685,7 +685,7 @@ pub mod curved_upwind_equations {
         stiffness[5][2] = t43;
         stiffness[5][3] = a_y * t35 + b_y * t38;
     }
-    /// Writes the strain energy a, b, db at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the strain energy a, b, db at a point of weight one on the unit element, for the terms that are integrated at 2 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 5 additions, 14 multiplications, 1 divisions.
     pub fn beam_planar_curved_points2_energy(

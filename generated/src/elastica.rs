@@ -492,7 +492,7 @@ pub mod elastica_equations {
             &[(0, 0), (0, 2), (2, 0), (1, 1), (1, 2), (2, 1), (2, 2)],
             &[(0, 0, 1), (1, 1, 2), (2, 2, 3), (3, 3, 7)],
         );
-    /// Writes the forces on the fields a, b at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the forces on the fields a, b at a point of weight one on the unit element, for the terms that are integrated at 3 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 9 additions, 27 multiplications.
     pub fn beam_planar_points3_force(
@@ -511,7 +511,7 @@ pub mod elastica_equations {
         forces[1][0] = a_x * t21 + t22 * (b_x * 2.0);
         forces[1][1] = a_y * t21 + t22 * (b_y * 2.0);
     }
-    /// Writes the blocks of the tangent on the fields a, b at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the blocks of the tangent on the fields a, b at a point of weight one on the unit element, for the terms that are integrated at 3 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 17 additions, 47 multiplications.
     pub fn beam_planar_points3_tangent(
@@ -551,7 +551,7 @@ pub mod elastica_equations {
         stiffness[2][2] = t33;
         stiffness[2][3] = a_y * t30 + t26 * t31 + t35;
     }
-    /// Writes the strain energy a, b at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the strain energy a, b at a point of weight one on the unit element, for the terms that are integrated at 3 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 7 additions, 18 multiplications.
     pub fn beam_planar_points3_energy(
@@ -566,7 +566,7 @@ pub mod elastica_equations {
             + t19 * (0.5 * (b_x * b_x + b_y * b_y - 1.0)).powi(2);
         *energy = t20 + 0.5 * (length * kyGA) * (a_x * b_x + a_y * b_y).powi(2);
     }
-    /// Writes the forces on the fields a, b, db at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the forces on the fields a, b, db at a point of weight one on the unit element, for the terms that are integrated at 2 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 4 additions, 20 multiplications, 1 divisions.
     pub fn beam_planar_points2_force(
@@ -588,7 +588,7 @@ pub mod elastica_equations {
         forces[2][0] = a_x * t24 + b_x * t25;
         forces[2][1] = a_y * t24 + b_y * t25;
     }
-    /// Writes the blocks of the tangent on the fields a, b, db at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the blocks of the tangent on the fields a, b, db at a point of weight one on the unit element, for the terms that are integrated at 2 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 9 additions, 43 multiplications, 1 divisions.
     pub fn beam_planar_points2_tangent(
@@ -646,7 +646,7 @@ pub mod elastica_equations {
         stiffness[5][2] = t41;
         stiffness[5][3] = a_y * t33 + b_y * t36;
     }
-    /// Writes the strain energy a, b, db at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the strain energy a, b, db at a point of weight one on the unit element, for the terms that are integrated at 2 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 3 additions, 14 multiplications, 1 divisions.
     pub fn beam_planar_points2_energy(

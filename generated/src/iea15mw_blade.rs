@@ -1953,7 +1953,7 @@ pub mod iea15mw_blade_equations {
     /// Blocks that the tangent's kernel writes, by pairs of fields.
     static FULL_BEAM_SPATIAL_CURVED_NODES3_STIFFNESS: ::rncf::emitted::Blocks<3, 9, 3> = FULL_BEAM_SPATIAL_CURVED_NODES3
         .blocks(&[(0, 0), (0, 1), (1, 1)], &[(3, 0, 1), (4, 1, 2), (5, 2, 3)]);
-    /// Writes the forces on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the forces on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated at 2 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 120 additions, 210 multiplications, 15 divisions, 1 function calls.
     pub fn full_beam_spatial_curved_points2_force(
@@ -2061,7 +2061,7 @@ pub mod iea15mw_blade_equations {
         forces[4][1] = a_y * t101 + b_y * t102;
         forces[4][2] = a_z * t101 + b_z * t102;
     }
-    /// Writes the blocks of the tangent on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the blocks of the tangent on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated at 2 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 1036 additions, 1571 multiplications, 51 divisions, 1 function calls.
     pub fn full_beam_spatial_curved_points2_tangent(
@@ -2837,7 +2837,7 @@ pub mod iea15mw_blade_equations {
         stiffness[16][7] = a_z * t455 + b_z * t479;
         stiffness[16][8] = a_z * t456 + b_z * t480;
     }
-    /// Writes the strain energy a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the strain energy a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated at 2 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 45 additions, 68 multiplications, 3 divisions, 1 function calls.
     pub fn full_beam_spatial_curved_points2_energy(
@@ -2880,7 +2880,7 @@ pub mod iea15mw_blade_equations {
             .powi(2) * (0.5 * (length * reference[5]));
         *energy = t66 + t67;
     }
-    /// Writes the forces on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the forces on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated at 3 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 26 additions, 47 multiplications, 1 divisions, 1 function calls.
     pub fn full_beam_spatial_curved_points3_force(
@@ -2913,7 +2913,7 @@ pub mod iea15mw_blade_equations {
         forces[2][1] = a_y * t40;
         forces[2][2] = a_z * t40;
     }
-    /// Writes the blocks of the tangent on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the blocks of the tangent on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated at 3 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 117 additions, 221 multiplications, 4 divisions, 1 function calls.
     pub fn full_beam_spatial_curved_points3_tangent(
@@ -3047,7 +3047,7 @@ pub mod iea15mw_blade_equations {
         stiffness[5][7] = a_z * t95;
         stiffness[5][8] = a_z * t96;
     }
-    /// Writes the strain energy a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the strain energy a, b, c at a point of weight one on the unit element, for the terms that are integrated at 3 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 17 additions, 26 multiplications, 1 function calls.
     pub fn full_beam_spatial_curved_points3_energy(
@@ -3070,7 +3070,7 @@ pub mod iea15mw_blade_equations {
             + (t32 - reference[2]).powi(2) * (0.5 * (length * reference[8]));
         *energy = t35;
     }
-    /// Writes the forces on the fields b, c at a point of weight one on the unit element, for the terms that are integrated with 3 nodes points; fields are derivatives on the unit element.
+    /// Writes the forces on the fields b, c at a point of weight one on the unit element, for the terms that are integrated at 3 nodes; fields are derivatives on the unit element.
     ///
     /// Operations: 17 additions, 36 multiplications.
     pub fn full_beam_spatial_curved_nodes3_force(
@@ -3095,7 +3095,7 @@ pub mod iea15mw_blade_equations {
         forces[1][1] = b_y * t27 + t29 * (c_y * 2.0);
         forces[1][2] = b_z * t27 + t29 * (c_z * 2.0);
     }
-    /// Writes the blocks of the tangent on the fields b, c at a point of weight one on the unit element, for the terms that are integrated with 3 nodes points; fields are derivatives on the unit element.
+    /// Writes the blocks of the tangent on the fields b, c at a point of weight one on the unit element, for the terms that are integrated at 3 nodes; fields are derivatives on the unit element.
     ///
     /// Operations: 32 additions, 73 multiplications.
     pub fn full_beam_spatial_curved_nodes3_tangent(
@@ -3163,7 +3163,7 @@ pub mod iea15mw_blade_equations {
         stiffness[2][7] = t50;
         stiffness[2][8] = b_z * t42 + t35 * t44 + t52;
     }
-    /// Writes the strain energy b, c at a point of weight one on the unit element, for the terms that are integrated with 3 nodes points; fields are derivatives on the unit element.
+    /// Writes the strain energy b, c at a point of weight one on the unit element, for the terms that are integrated at 3 nodes; fields are derivatives on the unit element.
     ///
     /// Operations: 13 additions, 21 multiplications.
     pub fn full_beam_spatial_curved_nodes3_energy(

@@ -782,7 +782,7 @@ pub mod motor_equations {
             ],
             &[(0, 0, 1), (1, 1, 2), (2, 2, 3), (3, 3, 7), (4, 7, 11), (5, 11, 15)],
         );
-    /// Writes the forces on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the forces on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated at 3 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 63 additions, 106 multiplications.
     pub fn beam_spatial_damped_points3_force(
@@ -840,7 +840,7 @@ pub mod motor_equations {
         forces[2][1] = a_y * t46 + b_y * t49 + t51 * (c_y * 2.0);
         forces[2][2] = a_z * t46 + b_z * t49 + t51 * (c_z * 2.0);
     }
-    /// Writes the blocks of the tangent on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the blocks of the tangent on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated at 3 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 189 additions, 396 multiplications.
     pub fn beam_spatial_damped_points3_tangent(
@@ -1099,7 +1099,7 @@ pub mod motor_equations {
         damping_matrix[5][7] = t125;
         damping_matrix[5][8] = a_z * t107 + b_z * t114 + t65 * t116;
     }
-    /// Writes the strain energy a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the strain energy a, b, c at a point of weight one on the unit element, for the terms that are integrated at 3 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 20 additions, 41 multiplications.
     pub fn beam_spatial_damped_points3_energy(
@@ -1132,7 +1132,7 @@ pub mod motor_equations {
         let t32 = 0.5 * (length * halfEA) * (b_x * c_x + b_y * c_y + b_z * c_z).powi(2);
         *energy = t27 + t28 + t29 + t30 + t31 + t32;
     }
-    /// Writes the forces on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the forces on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated at 2 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 75 additions, 130 multiplications, 1 divisions.
     pub fn beam_spatial_damped_points2_force(
@@ -1216,7 +1216,7 @@ pub mod motor_equations {
         forces[4][1] = a_y * t78 + b_y * t80 + c_y * t82;
         forces[4][2] = a_z * t78 + b_z * t80 + c_z * t82;
     }
-    /// Writes the blocks of the tangent on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the blocks of the tangent on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated at 2 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 344 additions, 796 multiplications, 1 divisions.
     pub fn beam_spatial_damped_points2_tangent(
@@ -1734,7 +1734,7 @@ pub mod motor_equations {
         damping_matrix[14][7] = a_z * t165 + b_z * t183 + c_z * t201;
         damping_matrix[14][8] = a_z * t166 + b_z * t184 + c_z * t202;
     }
-    /// Writes the strain energy a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the strain energy a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated at 2 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 19 additions, 49 multiplications, 1 divisions.
     pub fn beam_spatial_damped_points2_energy(

@@ -3156,7 +3156,7 @@ pub mod nrel5mw_blade_equations {
         3,
     > = FULL_BEAM_SPATIAL_CURVED_DAMPED_NODES3
         .blocks(&[(0, 0), (0, 1), (1, 1)], &[(3, 0, 1), (4, 1, 2), (5, 2, 3)]);
-    /// Writes the forces on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the forces on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated at 2 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 187 additions, 296 multiplications, 17 divisions, 1 function calls.
     pub fn full_beam_spatial_curved_damped_points2_force(
@@ -3315,7 +3315,7 @@ pub mod nrel5mw_blade_equations {
         forces[4][1] = a_y * t144 + b_y * t145;
         forces[4][2] = a_z * t144 + b_z * t145;
     }
-    /// Writes the blocks of the tangent on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the blocks of the tangent on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated at 2 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 2484 additions, 3620 multiplications, 64 divisions, 1 function calls.
     pub fn full_beam_spatial_curved_damped_points2_tangent(
@@ -4939,7 +4939,7 @@ pub mod nrel5mw_blade_equations {
         damping_matrix[16][7] = a_z * t890 + b_z * t914;
         damping_matrix[16][8] = a_z * t891 + b_z * t915;
     }
-    /// Writes the strain energy a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the strain energy a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated at 2 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 45 additions, 68 multiplications, 3 divisions, 1 function calls.
     pub fn full_beam_spatial_curved_damped_points2_energy(
@@ -4982,7 +4982,7 @@ pub mod nrel5mw_blade_equations {
             .powi(2) * (0.5 * (length * reference[5]));
         *energy = t66 + t67;
     }
-    /// Writes the forces on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the forces on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated at 3 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 47 additions, 71 multiplications, 1 divisions, 1 function calls.
     pub fn full_beam_spatial_curved_damped_points3_force(
@@ -5029,7 +5029,7 @@ pub mod nrel5mw_blade_equations {
         forces[2][1] = a_y * t56;
         forces[2][2] = a_z * t56;
     }
-    /// Writes the blocks of the tangent on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the blocks of the tangent on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated at 3 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 271 additions, 504 multiplications, 4 divisions, 1 function calls.
     pub fn full_beam_spatial_curved_damped_points3_tangent(
@@ -5310,7 +5310,7 @@ pub mod nrel5mw_blade_equations {
         damping_matrix[5][7] = a_z * t155;
         damping_matrix[5][8] = a_z * t156;
     }
-    /// Writes the strain energy a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the strain energy a, b, c at a point of weight one on the unit element, for the terms that are integrated at 3 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 17 additions, 26 multiplications, 1 function calls.
     pub fn full_beam_spatial_curved_damped_points3_energy(
@@ -5333,7 +5333,7 @@ pub mod nrel5mw_blade_equations {
             + (t32 - reference[2]).powi(2) * (0.5 * (length * reference[8]));
         *energy = t35;
     }
-    /// Writes the forces on the fields b, c at a point of weight one on the unit element, for the terms that are integrated with 3 nodes points; fields are derivatives on the unit element.
+    /// Writes the forces on the fields b, c at a point of weight one on the unit element, for the terms that are integrated at 3 nodes; fields are derivatives on the unit element.
     ///
     /// Operations: 31 additions, 53 multiplications.
     pub fn full_beam_spatial_curved_damped_nodes3_force(
@@ -5366,7 +5366,7 @@ pub mod nrel5mw_blade_equations {
         forces[1][1] = b_y * t37 + t39 * (c_y * 2.0);
         forces[1][2] = b_z * t37 + t39 * (c_z * 2.0);
     }
-    /// Writes the blocks of the tangent on the fields b, c at a point of weight one on the unit element, for the terms that are integrated with 3 nodes points; fields are derivatives on the unit element.
+    /// Writes the blocks of the tangent on the fields b, c at a point of weight one on the unit element, for the terms that are integrated at 3 nodes; fields are derivatives on the unit element.
     ///
     /// Operations: 79 additions, 178 multiplications.
     pub fn full_beam_spatial_curved_damped_nodes3_tangent(
@@ -5494,7 +5494,7 @@ pub mod nrel5mw_blade_equations {
         damping_matrix[2][7] = t76;
         damping_matrix[2][8] = b_z * t68 + t47 * t70;
     }
-    /// Writes the strain energy b, c at a point of weight one on the unit element, for the terms that are integrated with 3 nodes points; fields are derivatives on the unit element.
+    /// Writes the strain energy b, c at a point of weight one on the unit element, for the terms that are integrated at 3 nodes; fields are derivatives on the unit element.
     ///
     /// Operations: 13 additions, 21 multiplications.
     pub fn full_beam_spatial_curved_damped_nodes3_energy(

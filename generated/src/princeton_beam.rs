@@ -656,7 +656,7 @@ pub mod princeton_beam_equations {
                 (8, 17, 21),
             ],
         );
-    /// Writes the forces on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the forces on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated at 3 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 33 additions, 70 multiplications.
     pub fn beam_spatial_points3_force(
@@ -696,7 +696,7 @@ pub mod princeton_beam_equations {
         forces[2][1] = a_y * t29 + b_y * t31 + t32 * (c_y * 2.0);
         forces[2][2] = a_z * t29 + b_z * t31 + t32 * (c_z * 2.0);
     }
-    /// Writes the blocks of the tangent on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the blocks of the tangent on the fields a, b, c at a point of weight one on the unit element, for the terms that are integrated at 3 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 69 additions, 156 multiplications.
     pub fn beam_spatial_points3_tangent(
@@ -828,7 +828,7 @@ pub mod princeton_beam_equations {
         stiffness[5][7] = t75;
         stiffness[5][8] = a_z * t57 + b_z * t64 + t45 * t66 + t79;
     }
-    /// Writes the strain energy a, b, c at a point of weight one on the unit element, for the terms that are integrated with 3 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the strain energy a, b, c at a point of weight one on the unit element, for the terms that are integrated at 3 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 20 additions, 41 multiplications.
     pub fn beam_spatial_points3_energy(
@@ -860,7 +860,7 @@ pub mod princeton_beam_equations {
         let t32 = 0.5 * (length * halfEA) * (b_x * c_x + b_y * c_y + b_z * c_z).powi(2);
         *energy = t27 + t28 + t29 + t30 + t31 + t32;
     }
-    /// Writes the forces on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the forces on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated at 2 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 37 additions, 81 multiplications, 1 divisions.
     pub fn beam_spatial_points2_force(
@@ -921,7 +921,7 @@ pub mod princeton_beam_equations {
         forces[4][1] = a_y * t46 + b_y * t48 + c_y * t50;
         forces[4][2] = a_z * t46 + b_z * t48 + c_z * t50;
     }
-    /// Writes the blocks of the tangent on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the blocks of the tangent on the fields a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated at 2 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 143 additions, 342 multiplications, 1 divisions.
     pub fn beam_spatial_points2_tangent(
@@ -1163,7 +1163,7 @@ pub mod princeton_beam_equations {
         stiffness[14][7] = a_z * t78 + b_z * t96 + c_z * t114;
         stiffness[14][8] = a_z * t79 + b_z * t97 + c_z * t115;
     }
-    /// Writes the strain energy a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated with 2 Gauss points points; fields are derivatives on the unit element.
+    /// Writes the strain energy a, b, c, db, dc at a point of weight one on the unit element, for the terms that are integrated at 2 Gauss points; fields are derivatives on the unit element.
     ///
     /// Operations: 19 additions, 49 multiplications, 1 divisions.
     pub fn beam_spatial_points2_energy(

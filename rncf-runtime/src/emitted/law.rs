@@ -19,8 +19,9 @@ const DECLARED: f64 = 1e-4;
 /// Least eigenvalue of a stiffness that is scaled to a diagonal of ones.
 const LEAST: f64 = 1e-9;
 
-/// Part of a motion that may be the section's own strain, for waves whose number times the larger radius of bending is one over this.
+/// Part of a motion that may be the section's own strain, of waves as short as [`SHORTEST`] says.
 const STRAINED: f64 = 5e-3;
+/// One over wave number times the larger radius of gyration of bending: shorter waves are no motions of a rod.
 const SHORTEST: f64 = 2.0;
 
 /// A symmetric matrix, rows first.

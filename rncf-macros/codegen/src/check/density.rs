@@ -4,7 +4,7 @@ use super::expr::Scope;
 use super::load::GRAVITY;
 use super::plane::normal;
 use super::quantity::{Nature, Vector, Wanted};
-use super::vector::{Quantity, Vectorial};
+use super::vector::Vectorial;
 use super::{Arguments, Check, Shape, body, fold, say};
 use crate::errors::Area;
 use crate::joints::algebra;
@@ -110,13 +110,7 @@ impl<'a> Check<'a> {
         if let ExprKind::Vector { .. } = expr.kind {
             return Some((self.vector(expr, Scope::Constraint, wanted)?, None));
         }
-        let Quantity::Vector(vector) = self.value(expr, Scope::Constraint)? else {
-            self.errors.at(expr.area, say::vector_wanted(wanted.what, wanted.unit));
-            return None;
-        };
-        if !self.is_wanted_vector(expr, &vector, wanted) {
-            return None;
-        }
+        let vector = self.wanted_vector(expr, Scope::Constraint, wanted)?;
         let (areas, area): ([Area; 3], Area) = ([expr.area; 3], expr.area);
         let values = vector.values;
         Some((Vector { values, areas, area }, vector.frame))

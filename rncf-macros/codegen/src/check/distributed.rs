@@ -364,14 +364,7 @@ impl<'a> Check<'a> {
                 frame: None,
             }
         } else {
-            let Quantity::Vector(vector) = self.value(expr, Scope::Force)? else {
-                self.errors.at(expr.area, say::vector_wanted(wanted.what, wanted.unit));
-                return None;
-            };
-            if !self.is_wanted_vector(expr, &vector, wanted) {
-                return None;
-            }
-            vector
+            self.wanted_vector(expr, Scope::Force, wanted)?
         };
         let is_elsewhere = |value: &Value| {
             value.contains(&|part| {

@@ -4,8 +4,7 @@ use super::expr::Scope;
 use super::load::{FORCE, MOMENT};
 use super::place::{Hold, Spot};
 use super::plane::{AXES, normal, plane};
-use super::quantity::{Vector, Wanted};
-use super::vector::{Quantity, Vectorial};
+use super::quantity::Vector;
 use super::{Arguments, Check, Shape, fold, say};
 use crate::joints::algebra::{self, cross, observed};
 use crate::joints::{Builder, unit};
@@ -70,7 +69,7 @@ impl<'a> Check<'a> {
             None => None,
         };
         let (values, own) = if self.observes(expr) {
-            let vector = self.observed_vector(expr, wanted)?;
+            let vector = self.wanted_vector(expr, Scope::Force, wanted)?;
             let components = Vector {
                 values: vector.values.clone(),
                 areas: [expr.area; 3],
@@ -123,17 +122,6 @@ impl<'a> Check<'a> {
         };
         self.push_force(item, forces, None);
         Some(())
-    }
-
-    fn observed_vector(&mut self, expr: &'a Expr, wanted: Wanted) -> Option<Vectorial> {
-        let vector = match self.value(expr, Scope::Force)? {
-            Quantity::Vector(vector) => vector,
-            Quantity::Scalar(_) => {
-                self.errors.at(expr.area, say::vector_wanted(wanted.what, wanted.unit));
-                return None;
-            }
-        };
-        self.is_wanted_vector(expr, &vector, wanted).then_some(vector)
     }
 
     /// A load on something planar stays in its plane, or turns about its normal: other components are literally zero.

@@ -330,24 +330,29 @@ impl<'a> Check<'a> {
         if matches!(expr.kind, ExprKind::Vector { .. }) {
             return self.vector(expr, Scope::Prescribed, wanted);
         }
-        let found = if self.observes(expr) {
-            None
-        } else {
-            Some(self.value(expr, Scope::Force)?)
-        };
-        let Some(Quantity::Vector(vector)) = found else {
+        if self.observes(expr) {
             self.errors.at(expr.area, say::vector_wanted(wanted.what, wanted.unit));
             return None;
-        };
-        self.is_wanted_vector(expr, &vector, wanted).then_some(Vector {
+        }
+        let vector = self.wanted_vector(expr, Scope::Force, wanted)?;
+        Some(Vector {
             values: vector.values,
             areas: [expr.area; 3],
             area: expr.area,
         })
     }
 
+    /// A vector of the dimension that is wanted, as an expression gives it.
+    pub(super) fn wanted_vector(&mut self, expr: &'a Expr, scope: Scope, wanted: Wanted) -> Option<Vectorial> {
+        let Quantity::Vector(vector) = self.value(expr, scope)? else {
+            self.errors.at(expr.area, say::vector_wanted(wanted.what, wanted.unit));
+            return None;
+        };
+        self.is_wanted_vector(expr, &vector, wanted).then_some(vector)
+    }
+
     /// The text of a literal without unit stands for a vector's unit, too.
-    pub(super) fn is_wanted_vector(&mut self, expr: &Expr, vector: &Vectorial, wanted: Wanted) -> bool {
+    fn is_wanted_vector(&mut self, expr: &Expr, vector: &Vectorial, wanted: Wanted) -> bool {
         let dimension = Dimension::of(wanted.dimension);
         let is_wanted = vector.dimension == dimension;
         if !is_wanted {

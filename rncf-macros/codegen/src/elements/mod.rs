@@ -18,7 +18,7 @@ pub use curved::at_rest;
 pub use full_beam::{VISCOUS, full_beam};
 pub use rank::{Coefficients, Rules, STRETCHES, points_for};
 pub use word::word;
-pub use written::{Definition, Nature, OfStrains, When, Written, WrittenTerm};
+pub use written::{Definition, Nature, When, Written, WrittenTerm};
 
 /// Coordinates of the largest element, for which the runtime has memory: its `MAX_SIZE`.
 pub const LARGEST: usize = 32;

@@ -186,73 +186,41 @@ impl Written {
     }
 }
 
-/// How an expression depends on strains.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum OfStrains {
-    /// Not at all.
-    None,
-    /// As a sum of them with factors that do not change, beside other things.
-    Linear,
-    /// In another way.
-    Other,
-}
-
 impl Written {
-    /// How an expression depends on the strains that are defined so far.
-    pub fn of_strains(&self, expr: &Expr) -> OfStrains {
+    /// Whether an expression is free of strains, or a sum of them with factors that do not change, beside other things.
+    pub fn is_linear_in_strains(&self, expr: &Expr) -> bool {
         match expr {
-            Expr::Element(ElementQuantity::Named(name)) => {
-                let all = self.definitions.iter().filter(|one| one.name == *name);
-                let each = all.map(|one| {
-                    let inside = self.of_strains(&one.value);
-                    if one.is_strain {
-                        inside.max(OfStrains::Linear)
-                    } else {
-                        inside
-                    }
-                });
-                each.max().unwrap_or(OfStrains::None)
+            Expr::Element(ElementQuantity::Named(name)) => self
+                .definitions_of(*name)
+                .all(|one| one.is_strain || self.is_linear_in_strains(&one.value)),
+            Expr::Negate(a) => self.is_linear_in_strains(a),
+            Expr::Binary(Binary::Add | Binary::Subtract, a, b) => {
+                self.is_linear_in_strains(a) && self.is_linear_in_strains(b)
             }
-            Expr::Negate(a) => self.of_strains(a),
-            Expr::Binary(operator, a, b) => {
-                let [left, right] = [a, b].map(|side| self.of_strains(side));
-                match operator {
-                    Binary::Add | Binary::Subtract => left.max(right),
-                    Binary::Multiply if left == OfStrains::None && !self.moves(a) => right,
-                    Binary::Multiply | Binary::Divide if right == OfStrains::None && !self.moves(b) => left,
-                    _ => at_most_none(left.max(right)),
-                }
-            }
-            Expr::Power(a, b) => at_most_none(self.of_strains(a).max(self.of_strains(b))),
-            Expr::Call(_, arguments) => {
-                let each = arguments.iter().map(|one| self.of_strains(one));
-                at_most_none(each.max().unwrap_or(OfStrains::None))
-            }
-            _ => OfStrains::None,
+            Expr::Binary(Binary::Multiply, a, b) if !self.moves(a) => self.is_linear_in_strains(b),
+            Expr::Binary(Binary::Multiply | Binary::Divide, a, b) if !self.moves(b) => self.is_linear_in_strains(a),
+            _ => !self.has_strains(expr),
         }
     }
 
-    /// Whether an expression changes with the fields.
+    fn has_strains(&self, expr: &Expr) -> bool {
+        expr.contains(&|part| {
+            matches!(part, Expr::Element(ElementQuantity::Named(name))
+                if self.definitions_of(*name).any(|one| one.is_strain || self.has_strains(&one.value)))
+        })
+    }
+
+    /// Whether an expression changes with the fields, as a strain does.
     fn moves(&self, expr: &Expr) -> bool {
-        match expr {
+        expr.contains(&|part| match part {
             Expr::Element(ElementQuantity::Dot(..) | ElementQuantity::Cross(..)) => true,
-            Expr::Element(ElementQuantity::Named(name)) => {
-                let mut all = self.definitions.iter().filter(|one| one.name == *name);
-                all.any(|one| self.moves(&one.value))
-            }
-            Expr::Negate(a) => self.moves(a),
-            Expr::Binary(_, a, b) | Expr::Power(a, b) => self.moves(a) || self.moves(b),
-            Expr::Call(_, arguments) => arguments.iter().any(|one| self.moves(one)),
+            Expr::Element(ElementQuantity::Named(name)) => self.definitions_of(*name).any(|one| self.moves(&one.value)),
             _ => false,
-        }
+        })
     }
-}
 
-/// What a function that is not linear makes of this.
-fn at_most_none(inside: OfStrains) -> OfStrains {
-    match inside {
-        OfStrains::None => OfStrains::None,
-        _ => OfStrains::Other,
+    fn definitions_of(&self, name: usize) -> impl Iterator<Item = &Definition> {
+        self.definitions.iter().filter(move |one| one.name == name)
     }
 }
 

@@ -42,7 +42,7 @@ pub fn tables(name: &str, dimension: usize, fields: &FieldKernels) -> String {
 
 fn rule_table(name: &str, size: usize, rule: &FieldRule) -> String {
     let (points, fields) = (rule.points.count(), rule.fields.len());
-    let word = rule.points.word().to_uppercase();
+    let table = rule.points.table_of(name);
     let list = |values: &[f64]| {
         format!(
             "[{}]",
@@ -56,7 +56,7 @@ fn rule_table(name: &str, size: usize, rule: &FieldRule) -> String {
     let shapes: Vec<String> = rule.shapes.iter().map(point).collect();
     let mut text = format!(
         "/// Weights of {}, and derivatives of the shape functions there.\n\
-         static {name}_{word}: ::rncf::emitted::Rule<{points}, {fields}, {size}> = ::rncf::emitted::Rule {{\n\
+         static {table}: ::rncf::emitted::Rule<{points}, {fields}, {size}> = ::rncf::emitted::Rule {{\n\
          groups: {:?}, weights: {}, shapes: [{}] }};\n",
         rule.points,
         rule.groups,
@@ -74,11 +74,11 @@ fn rule_table(name: &str, size: usize, rule: &FieldRule) -> String {
 
 fn block_table(name: &str, word: &str, size: usize, points: Sampling, blocks: &FieldBlocks) -> String {
     let FieldBlocks { pairs, tiles } = blocks;
-    let (rule, points) = (points.word().to_uppercase(), points.count());
+    let (table, points) = (points.table_of(name), points.count());
     format!(
         "/// Blocks that the tangent's kernel writes, by pairs of fields.\n\
-         static {name}_{rule}_{word}: ::rncf::emitted::Blocks<{points}, {}, {}> =\n\
-         {name}_{rule}.blocks(&{pairs:?}, &{tiles:?});\n",
+         static {table}_{word}: ::rncf::emitted::Blocks<{points}, {}, {}> =\n\
+         {table}.blocks(&{pairs:?}, &{tiles:?});\n",
         size * size,
         pairs.len(),
     )

@@ -280,8 +280,8 @@ impl Signature<'_> {
         Kernel {
             name: format!("{name}_{}_{word}", points.word()),
             doc: vec![format!(
-                "Writes {what} {} at a point of weight one on the unit element, for the terms that are integrated with \
-                 {points} points; fields are derivatives on the unit element.",
+                "Writes {what} {} at a point of weight one on the unit element, for the terms that are integrated at \
+                 {points}; fields are derivatives on the unit element.",
                 names.join(", ")
             )],
             arguments,
@@ -348,9 +348,9 @@ impl Signature<'_> {
             format!("let vectors = {upper}_VECTORS.relative(row.length, q);"),
             format!(
                 "for (point, reference) in reference.chunks_exact_mut({}).enumerate() {{ \
-                 reference.copy_from_slice({upper}_{}.fields(point, &vectors).as_flattened()); }}",
+                 reference.copy_from_slice({}.fields(point, &vectors).as_flattened()); }}",
                 rule.references,
-                rule.points.word().to_uppercase()
+                rule.points.table_of(&upper)
             ),
         ];
         Some((count, kernel))
@@ -394,10 +394,7 @@ impl Signature<'_> {
         }
         let mut passed = 0;
         for rule in &fields.rules {
-            let (at, count) = (
-                format!("{upper}_{}", rule.points.word().to_uppercase()),
-                rule.references,
-            );
+            let (at, count) = (rule.points.table_of(&upper), rule.references);
             let kernel = |word: &str| format!("{name}_{}_{word}", rule.points.word());
             let reference = if self.variant.has_references() {
                 format!("::rncf::emitted::array(&reference[{passed} + {count} * point..][..{count}]), ")

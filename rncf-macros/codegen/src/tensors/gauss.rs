@@ -40,7 +40,12 @@ impl Sampling {
         Rule { points, weights }
     }
 
-    /// Part of names in generated code.
+    /// The name of its table for an element, in generated code.
+    pub fn table_of(self, element: &str) -> String {
+        format!("{element}_{}", self.word()).to_uppercase()
+    }
+
+    /// Part of names of functions in generated code.
     pub fn word(self) -> String {
         match self {
             Self::Gauss(count) => format!("points{count}"),

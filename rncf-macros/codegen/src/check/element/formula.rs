@@ -4,7 +4,7 @@ use super::{Draft, say};
 use crate::check::Check;
 use crate::check::expr::Scope;
 use crate::check::quantity::Typed;
-use crate::elements::{Coefficient, Definition, Interpolant, Nature, OfStrains, When, WrittenTerm, word};
+use crate::elements::{Coefficient, Definition, Interpolant, Nature, When, WrittenTerm, word};
 use crate::model::{Binary, ElementQuantity, Expr as Value, Function, fold};
 use crate::parse::tree::{self, Call, ElementKind, ElementStatement, Expr, ExprKind, Name};
 use crate::suggest;
@@ -143,7 +143,7 @@ impl<'a> Check<'a> {
         if is_strain && draft.is_timed(&value) {
             self.errors.at(area, say::timed_strain(text));
         }
-        if is_strain && draft.written.of_strains(&value) == OfStrains::Other {
+        if is_strain && !draft.written.is_linear_in_strains(&value) {
             self.errors.at(area, say::STRAIN_OF_STRAINS);
             draft.is_formula_lost = true;
         }

@@ -531,7 +531,6 @@ impl<'a> Check<'a> {
         is_it.then_some("damping")
     }
 
-    /// A number of Gauss points.
     /// Where a part of the energy is integrated.
     fn sampling(&mut self, value: &Expr, vectors: &[(&Name, NodalVector)]) -> Option<Sampling> {
         if matches!(&value.kind, ExprKind::Name(name) if name.text == NODES) {
@@ -542,6 +541,7 @@ impl<'a> Check<'a> {
         self.point_count(value).map(Sampling::Gauss)
     }
 
+    /// A number of Gauss points.
     fn point_count(&mut self, value: &Expr) -> Option<usize> {
         let found = match &value.kind {
             ExprKind::Number { text, unit: None } => text.parse::<usize>().ok(),

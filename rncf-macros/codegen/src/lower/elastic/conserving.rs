@@ -196,10 +196,7 @@ fn calls(
     });
     let mut passed = 0;
     for rule in rules {
-        let (at, count) = (
-            format!("{upper}_{}", rule.points.word().to_uppercase()),
-            rule.references,
-        );
+        let (at, count) = (rule.points.table_of(&upper), rule.references);
         let reference = if variant.has_references() {
             format!("::rncf::emitted::array(&reference[{passed} + {count} * point..][..{count}]), ")
         } else {

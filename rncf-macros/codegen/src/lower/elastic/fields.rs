@@ -71,7 +71,7 @@ pub struct FieldBlocks {
 /// The terms of an energy that are integrated by one rule.
 #[derive(Clone, Debug)]
 pub struct FieldRule {
-    /// Number of Gauss points.
+    /// Its points.
     pub points: Sampling,
     /// Fields that the terms depend on, as indices into the element's fields.
     pub fields: Vec<usize>,

@@ -172,7 +172,7 @@ struct Builder<'a> {
     references: Vec<Id>,
     /// Constant tensors that the kernel reads.
     arrays: Vec<Array>,
-    /// Number of points of the rule whose terms are integrated.
+    /// The rule whose terms are integrated.
     rule: Sampling,
     /// Measures at the points before.
     passed: usize,
