@@ -77,6 +77,7 @@ pub const NOTHING_OBSERVED: &str =
 pub const PRODUCT_OF_VECTORS: &str = "both are vectors: write `dot(a, b)` or `cross(a, b)`";
 pub const DIVISION_BY_VECTOR: &str = "nothing can be divided by a vector: take its `norm(..)`";
 pub const THREE_COMPONENTS: &str = "a vector has three components `[x, y, z]`";
+pub const PART_OF_LENGTH: &str = "this place is not on the body: parts of its length go from 0 to 1";
 pub const RIGID_PLACE: &str =
     "a place on a frame or rigid body is expected here: `arm`, `arm.at([1, 0, 0] m)` or `arm.center`";
 pub const PLANAR_AND_SPATIAL: &str = "one of the two moves in a plane and the other one in space or another plane: give both the same `plane`, or make both spatial";

@@ -280,7 +280,9 @@ impl<'a> Check<'a> {
                 }
                 [argument] if argument.name.as_ref().is_some_and(|name| name.text == "eta") => {
                     let part = self.quantity(&argument.value, Scope::Parameter, PART)?;
-                    self.on_axis(&argument.value, fold::constant(&part), Some(1.0));
+                    if fold::constant(&part).is_some_and(|part| !(0.0..=1.0).contains(&part)) {
+                        self.errors.at(argument.value.area, say::PART_OF_LENGTH);
+                    }
                     Location::Part(Box::new(part))
                 }
                 _ => {

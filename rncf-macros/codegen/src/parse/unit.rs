@@ -83,14 +83,17 @@ fn factors(cursor: &mut Cursor, sign: i32, unit: &mut UnitText) -> Parsed<()> {
     }
 }
 
-/// Whether a number, or a value that is called, multiplies what the unit belongs to: `[0, 1, 0] N * f(t)`.
+/// Whether a number, a value that is called, or a member multiplies or divides what the unit belongs to: `[0, 1, 0] N * f(t)`.
 fn is_value_behind(cursor: &mut Cursor) -> bool {
     let mark = cursor.mark();
-    let is_call = |cursor: &Cursor| cursor.word().is_some() && cursor.is_second_group(Delimiter::Parenthesis);
-    let is_number = |cursor: &Cursor| matches!(cursor.peek(), Some(TokenTree::Literal(_)));
-    let is_factor = cursor.eat_punct('*') && (is_call(cursor) || is_number(cursor));
+    let is_value = |cursor: &Cursor| match cursor.peek() {
+        Some(TokenTree::Literal(_)) => true,
+        Some(TokenTree::Ident(_)) => cursor.is_second_group(Delimiter::Parenthesis) || cursor.is_second_punct('.'),
+        _ => false,
+    };
+    let is_behind = (cursor.eat_punct('*') || cursor.eat_punct('/')) && is_value(cursor);
     cursor.reset(mark);
-    is_factor
+    is_behind
 }
 
 fn factor(cursor: &mut Cursor, sign: i32, unit: &mut UnitText) -> Parsed<()> {

@@ -20,6 +20,8 @@ const LOOKED_AT: f64 = 1e-3;
 const INTEGRATED: f64 = 0.02;
 /// Strain below which all is round-off.
 const NOISE: f64 = 1e-9;
+/// Points at which curvatures of sections are integrated: Gauss's two.
+const FELT: [f64; 2] = [0.5 - 0.288_675_134_594_812_9, 0.5 + 0.288_675_134_594_812_9];
 /// How far a mode goes: parts of the longest body, and of the thinnest section's radius of gyration.
 const SMALL: f64 = 1e-4;
 const THIN: f64 = 0.03;
@@ -93,6 +95,16 @@ impl Strained<'_> {
                 }
                 found.push((triad, [balanced, self.strained(&triad, &present, &forces)]));
             }
+            if self.kind == Kind::Section {
+                let locals = [&undeformed, &q, &v].map(|local| &local[..size]);
+                self.feel(
+                    element,
+                    locals,
+                    places,
+                    &flexibilities,
+                    found.iter_mut().map(|(_, [_, strained])| strained),
+                );
+            }
             for (place, (triad, [mut balanced, strained])) in found.drain(..).enumerate() {
                 balanced[6..]
                     .iter_mut()
@@ -108,6 +120,45 @@ impl Strained<'_> {
                 });
             }
         }
+    }
+
+    /// Where strains of the axis couple with curvatures, they follow them at the points of integration of these alone; between them the
+    /// parts of their energies mean nothing to the element. Moments at places are so those of the line through both points, and forces
+    /// what strains held fixed make of that.
+    fn feel<'a>(
+        &self,
+        element: usize,
+        locals: [&[f64]; 3],
+        places: &[(f64, f64)],
+        flexibilities: &[Flexibility],
+        strained: impl Iterator<Item = &'a mut [f64; 9]>,
+    ) {
+        let couplings: Vec<_> = flexibilities.iter().map(Flexibility::coupling).collect();
+        if couplings.iter().all(Option::is_none) {
+            return;
+        }
+        let felt = FELT.map(|xi| self.moment_of_strains(element, xi, locals));
+        for (place, (strained, &(xi, _))) in strained.zip(places).enumerate() {
+            let Some(coupling) = couplings.get(place).unwrap_or(&couplings[0]) else {
+                continue;
+            };
+            let moment = Vector::new(strained[3], strained[4], strained[5]);
+            let felt = felt[0] + (xi - FELT[0]) / (FELT[1] - FELT[0]) * (felt[1] - felt[0]);
+            let force = coupling * (felt - moment);
+            for axis in 0..3 {
+                strained[axis] += force[axis];
+                strained[3 + axis] = felt[axis];
+            }
+        }
+    }
+
+    fn moment_of_strains(&self, element: usize, xi: f64, locals: [&[f64]; 3]) -> Vector {
+        let weights = self.weights(element, xi);
+        let [free, present, rates] = locals.map(|local| self.fields_at(&weights, local));
+        let x = self.scene.bodies[self.body].spec.arclength(element, xi);
+        let forces = self.forces(x, [&free, &present, &rates]);
+        let strained = self.strained(&self.triad(&present), &present, &forces);
+        Vector::new(strained[3], strained[4], strained[5])
     }
 
     fn measure(&self, reader: &mut Reader<'_>) -> MeshError {

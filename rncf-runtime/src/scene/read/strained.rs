@@ -4,7 +4,7 @@ use super::section::{section_axes, unit};
 use crate::emitted::Interpolant;
 use crate::linalg::Cholesky;
 use crate::scene::MeshScene;
-use crate::space::Vector;
+use crate::space::{Matrix, Vector};
 
 /// A centre line has slope and curvature; a section its own axes and their derivatives as well.
 const LINE: [(Interpolant, usize); 2] = [(Interpolant::Position, 1), (Interpolant::Position, 2)];
@@ -14,6 +14,8 @@ const MOST_FIELDS: usize = 9;
 const DISTURBED: f64 = 1e-6;
 /// `l^2 int w''^2 / int w'^2` of `w = x^2 (l - x)^2`.
 const BUBBLE: f64 = 42.0;
+/// Part of what strain and curvature have on their own from which on they couple: above the noise of differences.
+const COUPLED: f64 = 1e-4;
 /// A stiffness below this part of what the same strain on a circle of the body's length would meet is none.
 const NONE: f64 = 1e-12;
 
@@ -45,6 +47,17 @@ impl Flexibility {
         scaled[5] *= less[1].sqrt();
         let row = |row: &Components| -> f64 { row.iter().zip(&scaled).map(|(f, c)| f * c).sum() };
         self.values.iter().zip(&scaled).map(|(values, c)| c * row(values)).sum()
+    }
+
+    /// Forces that a unit moment brings along at strains of the axis that are held, 1/m, rows first; `None` where strains and
+    /// curvatures do not couple.
+    pub fn coupling(&self) -> Option<Matrix> {
+        let block = |column: usize| Matrix::from_fn(|i, j| self.values[i][column + j]);
+        let (axis, both) = (block(0), block(3));
+        let coupling = -(axis.try_inverse()? * both);
+        let part = |i: usize, j: usize| coupling[(i, j)] * (self.values[i][i] / self.values[3 + j][3 + j]).sqrt();
+        let is_there = (0..9).any(|at| part(at / 3, at % 3).abs() > COUPLED);
+        is_there.then_some(coupling)
     }
 
     /// By what the energy of a moment between the nodes of an element is less where an axial force (N) holds it: an element
