@@ -46,6 +46,7 @@ impl Coefficients {
             gamma: self.gamma,
             beta: self.beta,
             mass: (1.0 - self.alpha_m) / (1.0 - self.alpha_f),
+            remembers: self.alpha_m != 0.0,
         }
     }
 }
@@ -59,4 +60,6 @@ pub(super) struct Factors {
     pub(super) beta: f64,
     /// d(true acceleration) = mass * d(algorithmic acceleration); the factor of M in the matrix.
     pub(super) mass: f64,
+    /// Whether the algorithmic acceleration depends on that of the step before.
+    pub(super) remembers: bool,
 }
