@@ -4124,12 +4124,12 @@ pub mod iea15mw_blade_equations {
                     frame: 0,
                     axes: &[0, 1, 2],
                     line: ::rncf::emitted::Line::Curve(
-                        TABLE_POINTS.curve([0, 1, 2], &[0, 1, 2]),
+                        TABLE_POINTS.curve([0, 1, 2], [None, None], &[0, 1, 2]),
                     ),
                     count: TABLE_SECTIONS
                         .stations(
                             ::rncf::emitted::Line::Curve(
-                                    TABLE_POINTS.curve([0, 1, 2], &[0, 1, 2]),
+                                    TABLE_POINTS.curve([0, 1, 2], [None, None], &[0, 1, 2]),
                                 )
                                 .length(),
                             (model.each as f64) as usize,
@@ -4138,7 +4138,7 @@ pub mod iea15mw_blade_equations {
                     stations: TABLE_SECTIONS
                         .stations(
                             ::rncf::emitted::Line::Curve(
-                                    TABLE_POINTS.curve([0, 1, 2], &[0, 1, 2]),
+                                    TABLE_POINTS.curve([0, 1, 2], [None, None], &[0, 1, 2]),
                                 )
                                 .length(),
                             (model.each as f64) as usize,
@@ -4213,7 +4213,7 @@ pub mod iea15mw_blade_equations {
                         let (model, length) = (
                             model.clone(),
                             ::rncf::emitted::Line::Curve(
-                                    TABLE_POINTS.curve([0, 1, 2], &[0, 1, 2]),
+                                    TABLE_POINTS.curve([0, 1, 2], [None, None], &[0, 1, 2]),
                                 )
                                 .length(),
                         );

@@ -288,3 +288,37 @@ fn a_cable_on_a_curved_axis_is_softer_by_its_polynomial() {
         }
     }
 }
+
+rncf::model! {
+    /// Quarters of a circle through five points, one of which says where its ends lead.
+    pub model Quarters {
+        param pull = 1 mN;
+        table points {
+            x = [0, 0.382683432365090, 0.707106781186548, 0.923879532511287, 1] m;
+            y = [0, 0.076120467488713, 0.292893218813452, 0.617316567634910, 1] m;
+            z = [0, 0, 0, 0, 0] m;
+        }
+        section wall {
+            EA = 1 MN; GAy = 1 MN; GAz = 1 MN; GJ = 90 N*m^2; EIy = 100 N*m^2; EIz = 100 N*m^2;
+            mass = 2 kg/m; inertia_y = 0.1 kg*m; inertia_z = 0.1 kg*m;
+        }
+        body led { spatial; curve through points from direction x to direction y; section_y [0, 0, 1]; mesh 16 * beam(wall); }
+        body natural { spatial; curve through points; section_y [0, 0, 1]; mesh 16 * beam(wall); }
+        joint foot = clamp(led.start, inertial);
+        joint other_foot = clamp(natural.start, inertial);
+        load along = force(led.end, [pull, 0 N, 0 N]);
+        load same = force(natural.end, [pull, 0 N, 0 N]);
+        output led_tip = led.end.position;
+        output natural_tip = natural.end.position;
+    }
+}
+
+/// Castigliano: `pi/4 F R (R^2/EI + 1/EA + 1/GA)` along the force.
+#[test]
+fn an_axis_through_few_points_follows_the_directions_of_its_ends() {
+    let row = at_rest(&Quarters::default(), 1.0);
+    let exact = 0.25e-3 * std::f64::consts::PI * (1.0 / 100.0 + 2.0 / 1e6);
+    let [led, natural] = [0, 3].map(|at| (row[at] - 1.0) / exact - 1.0);
+    println!("{led:.2e} {natural:.2e}");
+    assert!(led.abs() < 5e-4 && natural.abs() > 5e-3);
+}

@@ -381,6 +381,8 @@ pub enum Line {
         table: TableId,
         /// Its columns with the coordinates, m, frame axes.
         columns: [usize; 3],
+        /// Unit vectors along its ends where they are given, frame axes.
+        directions: [Option<[f64; 3]>; 2],
     },
     /// A smooth curve along a function.
     Path {

@@ -1,9 +1,9 @@
-//! Natural cubic splines through points in space.
+//! Cubic splines through points in space.
 
 use crate::space::Vector;
 
-/// A natural cubic spline through points, with the sum of the chords as parameter; its second derivative vanishes at both
-/// ends.
+/// A cubic spline through points, with the sum of the chords as parameter. At an end with a direction its slope is that unit
+/// vector; at one without, its second derivative vanishes.
 pub(super) struct Spline {
     /// Parameters of the points, m.
     knots: Vec<f64>,
@@ -13,12 +13,12 @@ pub(super) struct Spline {
 }
 
 impl Spline {
-    /// Through points (m).
+    /// Through points (m), with unit vectors along the ends that have a direction.
     ///
     /// # Errors
     ///
     /// Fewer than two points, two neighbours at one place, or no finite ones: a sentence without its subject.
-    pub(super) fn through(points: &[[f64; 3]]) -> Result<Self, String> {
+    pub(super) fn through(points: &[[f64; 3]], directions: [Option<Vector>; 2]) -> Result<Self, String> {
         if points.len() < 2 {
             return Err("needs at least two points".to_string());
         }
@@ -35,8 +35,19 @@ impl Spline {
             }
             knots.push(knots[at] + chord);
         }
+        let last = points.len() - 1;
+        for (direction, [at, next]) in directions.iter().zip([[0, 1], [last - 1, last]]) {
+            let chord = points[next] - points[at];
+            if direction.is_some_and(|direction| direction.dot(&chord) <= 0.0) {
+                return Err(format!(
+                    "leads away from its point {} at point {}, in the direction that is given there",
+                    if at == 0 { 2 } else { last },
+                    if at == 0 { 1 } else { last + 1 }
+                ));
+            }
+        }
         Ok(Self {
-            bends: bends(&knots, &points),
+            bends: bends(&knots, &points, directions),
             points,
             knots,
         })
@@ -73,20 +84,30 @@ impl Spline {
     }
 }
 
-/// Second derivatives of the natural spline: Thomas's elimination of a tridiagonal system.
-fn bends(knots: &[f64], points: &[Vector]) -> Vec<Vector> {
+/// Second derivatives of the spline: Thomas's elimination of a tridiagonal system.
+fn bends(knots: &[f64], points: &[Vector], [first, last]: [Option<Vector>; 2]) -> Vec<Vector> {
     let count = points.len();
     let mut bends = vec![Vector::zeros(); count];
     let mut factors = vec![0.0; count];
     let chord = |at: usize| 1.0 / (knots[at + 1] - knots[at]) * (points[at + 1] - points[at]);
-    for at in 1..count.saturating_sub(1) {
+    let end = count - 1;
+    if let Some(slope) = first {
+        factors[0] = 0.5;
+        bends[0] = 3.0 / (knots[1] - knots[0]) * (chord(0) - slope);
+    }
+    for at in 1..end {
         let (before, after) = (knots[at] - knots[at - 1], knots[at + 1] - knots[at]);
         let pivot = 2.0 * (before + after) - before * factors[at - 1];
         factors[at] = after / pivot;
         let right = 6.0 * (chord(at) - chord(at - 1));
         bends[at] = 1.0 / pivot * (right - before * bends[at - 1]);
     }
-    for at in (1..count.saturating_sub(1)).rev() {
+    if let Some(slope) = last {
+        let before = knots[end] - knots[end - 1];
+        let pivot = before * (2.0 - factors[end - 1]);
+        bends[end] = 1.0 / pivot * (6.0 * (slope - chord(end - 1)) - before * bends[end - 1]);
+    }
+    for at in (0..end).rev() {
         let next = bends[at + 1];
         bends[at] -= factors[at] * next;
     }

@@ -186,9 +186,9 @@ impl Table {
         self.name.rsplit("` for `").next().unwrap_or(self.name)
     }
 
-    /// The curve through the points of three columns, m, of a body with these axes: one that moves in a plane has two, and its curve
-    /// lies in it. [`Curve::mistake`] tells what is wrong with a row.
-    pub fn curve(&self, columns: [usize; 3], axes: &[usize]) -> Curve {
+    /// The curve through the points of three columns, m, with unit vectors along its ends where these have a direction, of a body with
+    /// these axes: one that moves in a plane has two, and its curve lies in it. [`Curve::mistake`] tells what is wrong with a row.
+    pub fn curve(&self, columns: [usize; 3], directions: [Option<[f64; 3]>; 2], axes: &[usize]) -> Curve {
         const NAMES: [char; 3] = ['x', 'y', 'z'];
         let coordinates = columns.map(|column| self.columns[column]);
         for across in (0..NAMES.len()).filter(|axis| !axes.contains(axis)) {
@@ -205,7 +205,7 @@ impl Table {
         }
         let [x, y, z] = coordinates;
         let points: Vec<[f64; 3]> = (0..x.len()).map(|row| [x[row], y[row], z[row]]).collect();
-        Curve::through(&points).told(|mistake| format!("{mistake}, in table `{}`", self.name))
+        Curve::through(&points, directions).told(|mistake| format!("{mistake}, in table `{}`", self.name))
     }
 
     /// The first step of the table at which a function of the fraction of an axis (m) jumps by more than `least`: the arclength there,

@@ -105,9 +105,13 @@ fn length(model: &Model, line: &Line) -> Option<f64> {
         }
         Line::Arc { radius, angle, .. } => (fold::constant(radius)? * fold::constant(angle)?).abs(),
         // A run may name other points.
-        Line::Curve { table, columns } => {
+        Line::Curve {
+            table,
+            columns,
+            directions,
+        } => {
             let table = Some(&model.tables[table.0]).filter(|table| !table.is_param)?;
-            Curve::through(&table.points(*columns)).length()
+            Curve::through(&table.points(*columns), *directions).length()
         }
         Line::Path { position, range } => {
             let [from, to] = range.each_ref().map(fold::constant);

@@ -30,9 +30,9 @@ impl<'a> Curve<'a> {
         }
     }
 
-    /// The natural cubic spline through points, no two neighbours at one place.
-    pub fn through(points: &[Vector]) -> Self {
-        let spline = Spline::through(points);
+    /// The cubic spline through points, no two neighbours at one place, with these directions at its ends or none.
+    pub fn through(points: &[Vector], directions: [Option<Vector>; 2]) -> Self {
+        let spline = Spline::through(points, directions);
         let starts = spline.knots.windows(2).flat_map(|knots| {
             let (start, width) = (knots[0], (knots[1] - knots[0]) / PARTS as f64);
             (0..PARTS).map(move |part| start + part as f64 * width)
@@ -73,7 +73,7 @@ impl<'a> Curve<'a> {
     }
 }
 
-/// A natural cubic spline with the sum of the chords as parameter.
+/// A cubic spline with the sum of the chords as parameter; natural at ends without a direction.
 struct Spline {
     knots: Vec<f64>,
     points: Vec<Vector>,
@@ -82,7 +82,7 @@ struct Spline {
 }
 
 impl Spline {
-    fn through(points: &[Vector]) -> Self {
+    fn through(points: &[Vector], [first, last]: [Option<Vector>; 2]) -> Self {
         let mut knots = vec![0.0];
         for pair in points.windows(2) {
             knots.push(knots[knots.len() - 1] + norm(subtract(pair[1], pair[0])));
@@ -90,6 +90,11 @@ impl Spline {
         let count = points.len();
         let chord = |at: usize| scale(1.0 / (knots[at + 1] - knots[at]), subtract(points[at + 1], points[at]));
         let (mut bends, mut factors) = (vec![[0.0; 3]; count], vec![0.0; count]);
+        if let Some(slope) = first {
+            let after = knots[1] - knots[0];
+            factors[0] = 0.5;
+            bends[0] = scale(3.0 / after, subtract(chord(0), slope));
+        }
         for at in 1..count - 1 {
             let (before, after) = (knots[at] - knots[at - 1], knots[at + 1] - knots[at]);
             let pivot = 2.0 * (before + after) - before * factors[at - 1];
@@ -97,7 +102,13 @@ impl Spline {
             let right = scale(6.0, subtract(chord(at), chord(at - 1)));
             bends[at] = scale(1.0 / pivot, subtract(right, scale(before, bends[at - 1])));
         }
-        for at in (1..count - 1).rev() {
+        if let Some(slope) = last {
+            let (end, before) = (count - 1, knots[count - 1] - knots[count - 2]);
+            let pivot = before * (2.0 - factors[end - 1]);
+            let right = scale(6.0, subtract(slope, chord(end - 1)));
+            bends[end] = scale(1.0 / pivot, subtract(right, scale(before, bends[end - 1])));
+        }
+        for at in (0..count - 1).rev() {
             bends[at] = subtract(bends[at], scale(factors[at], bends[at + 1]));
         }
         Self {

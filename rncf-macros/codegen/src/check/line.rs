@@ -88,7 +88,7 @@ impl<'a> Check<'a> {
         match statement {
             Statement::Line { area, from, to, .. } => self.straight(*area, from, to, known),
             Statement::Arc { .. } => self.arc(statement, known),
-            Statement::Curve { table, .. } => self.curve(table, known),
+            Statement::Curve { table, directions, .. } => self.curve(table, directions, known),
             Statement::Path {
                 position,
                 parameter,
@@ -143,8 +143,18 @@ impl<'a> Check<'a> {
         })
     }
 
-    /// `curve through table;`
-    fn curve(&mut self, name: &Name, known: &Known) -> Option<Line> {
+    /// `curve through table from direction [..] to direction [..];`
+    fn curve(&mut self, name: &Name, declared: &'a [(bool, Expr)], known: &Known) -> Option<Line> {
+        let mut directions = [None; 2];
+        for (at_end, expr) in declared {
+            let direction = self.axis(expr)?;
+            if let Some(normal) = known.space.and_then(normal).filter(|&normal| direction[normal] != 0.0) {
+                let message = say::out_of_plane("the direction", plane(normal), AXES[normal]);
+                self.errors.at(expr.area, message);
+                return None;
+            }
+            directions[usize::from(*at_end)] = Some(direction);
+        }
         let id = self.table(name)?;
         let table = &self.model.tables[id.0];
         let coordinate = |word: &str| {
@@ -167,7 +177,28 @@ impl<'a> Check<'a> {
             self.errors.at(name.span, message);
             return None;
         }
-        Some(Line::Curve { table: id, columns })
+        let points = table.points(columns);
+        for (at_end, expr) in declared {
+            let [from, to] = if *at_end {
+                [points.len() - 2, points.len() - 1]
+            } else {
+                [0, 1]
+            };
+            let direction = directions[usize::from(*at_end)].unwrap_or_default();
+            let along: f64 = (0..3)
+                .map(|axis| direction[axis] * (points[to][axis] - points[from][axis]))
+                .sum();
+            // Of a file that a run names, too, as it is now: it stands for the others.
+            if along <= 0.0 {
+                self.errors.at(expr.area, say::CURVE_BACKWARDS);
+                return None;
+            }
+        }
+        Some(Line::Curve {
+            table: id,
+            columns,
+            directions,
+        })
     }
 
     /// `curve [..] for s from a to b;`
@@ -373,11 +404,14 @@ impl<'a> Check<'a> {
             })),
             Line::Arc { direction, .. } => Some(direction.clone()),
             Line::Imported(_) => Some([1.0, 0.0, 0.0].map(Value::Number)),
-            Line::Curve { table, columns } => {
+            Line::Curve {
+                table,
+                columns,
+                directions,
+            } => {
                 let points = self.model.tables[table.0].points(*columns);
-                Some(std::array::from_fn(|axis| {
-                    Value::Number(points[1][axis] - points[0][axis])
-                }))
+                let chord = std::array::from_fn(|axis| points[1][axis] - points[0][axis]);
+                Some(directions[0].unwrap_or(chord).map(Value::Number))
             }
             // Its sections are checked where they are, when the model is built.
             Line::Path { .. } => None,

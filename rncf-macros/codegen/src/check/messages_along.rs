@@ -9,6 +9,8 @@ pub const LOOKUP: &str = "a column is looked up at one place: `polar.lift(alpha)
 pub const STEP_AT_END: &str = "the first two or last two rows are at one place: a step stands between other rows";
 pub const DAMPING_ALONG: &str = "`damping` is the same along the whole body: leave out `x` and columns of tables";
 pub const LOAD_ALONG_CORNERS: &str = "a load along a body with corners is the same along each of its straight pieces: leave out `x` and columns of tables";
+pub const CURVE_BACKWARDS: &str =
+    "an axis goes from its first point to its last one, and this direction leads the other way";
 pub const CURVE_TABLE: &str = "a curve goes through points: its table needs the columns `x`, `y` and `z` in m";
 pub const CURVE_RANGE: &str = "this curve has no length: its parameter starts and ends at one value";
 pub const CURVE_WITHOUT_TIME: &str = "the axis of a body is the same at all times: leave out motions";

@@ -75,7 +75,10 @@ fn of_statement<'a>(statement: &'a Statement, found: &mut Vec<&'a str>) {
         | Statement::Interface { .. }
         | Statement::InterfaceModes { .. } => {}
         Statement::Piece { points, .. } => points.iter().for_each(|expr| names(expr, found)),
-        Statement::Curve { table, .. } => found.push(&table.text),
+        Statement::Curve { table, directions, .. } => {
+            found.push(&table.text);
+            directions.iter().for_each(|(_, expr)| names(expr, found));
+        }
         Statement::Path { position, range, .. } => {
             std::iter::once(position)
                 .chain(range.iter())

@@ -302,7 +302,14 @@ impl<'m> Start<'m> {
     /// The curve that a line is; of a straight line and an arc closed forms are known.
     fn curve(&self, line: &Line) -> Option<Curve<'_>> {
         match line {
-            Line::Curve { table, columns } => Some(Curve::through(&self.model.tables[table.0].points(*columns))),
+            Line::Curve {
+                table,
+                columns,
+                directions,
+            } => Some(Curve::through(
+                &self.model.tables[table.0].points(*columns),
+                *directions,
+            )),
             Line::Path { position, range } => {
                 let range = range.each_ref().map(|end| self.value(end));
                 Some(Curve::along(range, path_of(self.model, position, self.index)))

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use super::number::number;
 use super::parts::Parts;
 use crate::model::{Body, Expr, Fidelity, Imported, Line};
 
@@ -32,10 +33,19 @@ impl Parts<'_> {
                 )
             }
             Line::Imported(imported) => self.imported(body, imported),
-            Line::Curve { table, columns } => {
+            Line::Curve {
+                table,
+                columns,
+                directions,
+            } => {
+                let directions = directions.map(|direction| match direction {
+                    Some(direction) => format!("Some([{}])", direction.map(number).join(", ")),
+                    None => "None".to_string(),
+                });
                 format!(
-                    "::rncf::emitted::Line::Curve({}.curve({columns:?}, &{:?}))",
+                    "::rncf::emitted::Line::Curve({}.curve({columns:?}, [{}], &{:?}))",
                     self.model.tables[table.0].reference(),
+                    directions.join(", "),
                     body.space.axes()
                 )
             }

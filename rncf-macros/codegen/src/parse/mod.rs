@@ -40,7 +40,7 @@
 //!             | "spatial" ";"
 //!             | "line" "from" vector "to" vector ";"
 //!             | "arc" "from" vector "direction" vector [ "normal" vector ] "radius" expr "angle" expr ";"
-//!             | "curve" ( "through" TABLE | vector "for" NAME "from" expr "to" expr ) ";"
+//!             | "curve" ( "through" TABLE [ "from" "direction" vector ] [ "to" "direction" vector ] | vector "for" NAME "from" expr "to" expr ) ";"
 //!             | "section_y" vector ";" | "twist" right ";"
 //!             | ("mean_axes" | "chord") ";"
 //!             | ( "modal" | "small" ) "(" expr ")" ";" | "rigid" ";" | "point" ";"

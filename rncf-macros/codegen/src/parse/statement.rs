@@ -115,10 +115,21 @@ fn statement(cursor: &mut Cursor) -> Parsed<Statement> {
                 angle: Box::new(expr::expression(cursor)?),
             }
         }
-        "curve" if cursor.eat_word("through") => Statement::Curve {
-            area,
-            table: expr::reference(cursor, "the name of a table with columns x, y, z")?,
-        },
+        "curve" if cursor.eat_word("through") => {
+            let table = expr::reference(cursor, "the name of a table with columns x, y, z")?;
+            let mut directions = Vec::new();
+            for (at_end, word) in [(false, "from"), (true, "to")] {
+                if cursor.eat_word(word) {
+                    cursor.expect_word("direction")?;
+                    directions.push((at_end, expr::expression(cursor)?));
+                }
+            }
+            Statement::Curve {
+                area,
+                table,
+                directions,
+            }
+        }
         "curve" => {
             let position = expr::expression(cursor)?;
             cursor.expect_word("for")?;

@@ -43,9 +43,17 @@ impl<'t> Unfold<'t, '_> {
                 angle: boxed(angle),
                 from: self.expr(at, from),
             },
-            Statement::Curve { area, table } => Statement::Curve {
+            Statement::Curve {
+                area,
+                table,
+                directions,
+            } => Statement::Curve {
                 area: *area,
                 table: self.name(at, table),
+                directions: directions
+                    .iter()
+                    .map(|(end, expr)| (*end, self.expr(at, expr)))
+                    .collect(),
             },
             Statement::Path {
                 area,

@@ -46,12 +46,14 @@ pub enum Statement {
         /// Subtended angle.
         angle: Box<Expr>,
     },
-    /// `curve through table;`
+    /// `curve through table from direction [..] to direction [..];`
     Curve {
         /// The word `curve`.
         area: Area,
         /// The table with the points.
         table: Name,
+        /// Directions at its ends, as far as they are given; whether at the last one.
+        directions: Vec<(bool, Expr)>,
     },
     /// `curve [..] for s from a to b;`
     Path {
