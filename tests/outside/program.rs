@@ -238,3 +238,27 @@ fn the_model_is_explained() {
     assert_eq!(value("eliminated conditions"), "3");
     assert!(text.contains("CABLE_PLANAR_EXACT_DAMPED_MASS_MATRIX"), "{text}");
 }
+
+/// The fifth frequency of three elements is more than 1 % too high: the model card says so.
+#[test]
+fn first_frequencies_of_a_coarse_mesh_are_told_to_be_that() {
+    let out = scratch().join("outside-card");
+    let words = [
+        "gain=0 rad/s^2",
+        "amplitude=0 deg",
+        "elements=3",
+        "--t-end",
+        "0.1 s",
+        "--every",
+        "0.1 s",
+    ];
+    finish(run(&program(), &out, &words));
+    let page = fs::read_to_string(out.join("report.html")).expect("the run wrote its report");
+    let row = page
+        .split("<th>First frequencies</th>")
+        .nth(1)
+        .and_then(|rest| rest.split("</tr>").next());
+    let row = row.expect("the card has first frequencies");
+    println!("{row}");
+    assert!(row.contains("The mesh is too coarse for these modes"), "{row}");
+}

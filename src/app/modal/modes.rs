@@ -30,6 +30,9 @@ const SAME: f64 = 1e-9;
 pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Modes, RunError> {
     let clock = Clock::start();
     let model = way::at_the_end(model, settings);
+    let mut found = about(model.as_ref(), settings)?;
+    let seconds = clock.seconds();
+    let told = found.told(model.as_ref(), settings);
     let About {
         mut scene,
         at,
@@ -37,7 +40,7 @@ pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Mod
         shapes,
         modes,
         newton_iterations,
-    } = about(model.as_ref(), settings)?;
+    } = found;
     let (scene, t) = (scene.as_mut(), at.t);
     let compositions = shapes
         .iter()
@@ -45,13 +48,6 @@ pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Mod
         .collect();
     let mut warnings = cautions::cautioned(model.as_ref(), scene.warnings(&state));
     warnings.extend(crate::equilibrium::untied(scene, &at, &state));
-    let seconds = clock.seconds();
-    let there = finer_modes::is_asked(settings.judged, scene.unknowns())
-        .then(|| of_finer(&FinerModel::of(model.as_ref()), settings, &scene.bodies()));
-    let found = there.flatten().and_then(|there| finer::of_modes(scene, &modes, &there));
-    let told = Told::of(found, scene, (&at, &state), |scene| {
-        modes::mesh_errors(scene, &at, &state, &shapes)
-    });
     warnings.extend(told.equilibrium);
     warnings.extend(fewer(scene, &modes, settings.count));
     warnings.extend(told.modes);
@@ -87,15 +83,28 @@ fn fewer(scene: &dyn Scene, modes: &[SeenMode], asked: usize) -> Option<String> 
     })
 }
 
-/// Time (s), spin (rad/s) and modes of [`modes`] alone, without how far the meshes are off and what else is told beside them.
-pub(in crate::app) fn first(
-    model: &dyn AnyModel,
-    settings: &EquilibriumSettings,
-) -> Result<(f64, f64, Vec<SeenMode>), RunError> {
+/// What [`modes`] finds of the lowest modes.
+pub(in crate::app) struct First {
+    /// Time, s.
+    pub t: f64,
+    /// Spin, rad/s.
+    pub spin: f64,
+    pub modes: Vec<SeenMode>,
+    /// That meshes are too coarse for them.
+    pub coarse: Option<String>,
+}
+
+/// The modes of [`modes`] alone, with how far the meshes are off.
+pub(in crate::app) fn first(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<First, RunError> {
     let model = way::at_the_end(model, settings);
-    let mut about = about(model.as_ref(), settings)?;
-    let spin = way::spin(about.scene.as_mut(), &about.at);
-    Ok((about.at.t, spin, about.modes))
+    let mut found = about(model.as_ref(), settings)?;
+    let coarse = found.told(model.as_ref(), settings).modes;
+    Ok(First {
+        t: found.at.t,
+        spin: way::spin(found.scene.as_mut(), &found.at),
+        modes: found.modes,
+        coarse,
+    })
 }
 
 /// The same modes of a finer model, where its bodies are others.
@@ -116,6 +125,21 @@ struct About {
     shapes: Vec<Mode>,
     modes: Vec<SeenMode>,
     newton_iterations: u64,
+}
+
+impl About {
+    /// How far the meshes are off.
+    fn told(&mut self, model: &dyn AnyModel, settings: &EquilibriumSettings) -> Told {
+        let (scene, at, state) = (self.scene.as_mut(), &self.at, &self.state);
+        let there = finer_modes::is_asked(settings.judged, scene.unknowns())
+            .then(|| of_finer(&FinerModel::of(model), settings, &scene.bodies()));
+        let found = there
+            .flatten()
+            .and_then(|there| finer::of_modes(scene, &self.modes, &there));
+        Told::of(found, scene, (at, state), |scene| {
+            modes::mesh_errors(scene, at, state, &self.shapes)
+        })
+    }
 }
 
 /// The modes of a model about its relative equilibrium.

@@ -71,6 +71,7 @@ fn frequencies(model: &dyn AnyModel, result: &RunResult) -> Result<Value, String
     let settings = EquilibriumSettings {
         at: Some(t_end),
         count: COUNT,
+        judged: result.settings.judged,
         ..EquilibriumSettings::default()
     };
     about(model, &settings)
@@ -108,20 +109,27 @@ fn affordable(unknowns: usize) -> Result<(), String> {
 }
 
 fn about(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Value, String> {
-    let (at, spin, modes) = first(model, settings).map_err(|error| error.to_string())?;
-    let own: Vec<f64> = modes.iter().map(|mode| mode.im).collect();
+    let found = first(model, settings).map_err(|error| error.to_string())?;
+    let own: Vec<f64> = found.modes.iter().map(|mode| mode.im).collect();
     if own.is_empty() {
         return Err("no motion is free".into());
     }
-    Ok(json!({
-        "at": at, "spin": spin, "im [rad/s]": own, "is_unstable": growth(&modes).is_some(),
-    }))
+    let mut entry = json!({
+        "at": found.t, "spin": found.spin, "im [rad/s]": own, "is_unstable": growth(&found.modes).is_some(),
+    });
+    if let Some(coarse) = found.coarse {
+        entry["coarse"] = coarse.into();
+    }
+    Ok(entry)
 }
 
-/// The card; empty where the summary tells no unknowns.
+/// The card; where the summary tells no unknowns, what was chosen alone.
 pub(in crate::app) fn part(summary: &Summary, model: &dyn AnyModel) -> String {
     let Some(unknowns) = summary.get("unknowns").and_then(Value::as_u64) else {
-        return String::new();
+        return match chosen(model) {
+            chosen if chosen.is_empty() => chosen,
+            chosen => format!("<section class=\"card\">\n{chosen}</section>\n"),
+        };
     };
     let constraints = summary.get("constraints").and_then(Value::as_u64).unwrap_or(0);
     let mut text = String::from("<section class=\"card\">\n<h2>Model card</h2>\n<table>\n");
@@ -162,15 +170,21 @@ pub(in crate::app) fn part(summary: &Summary, model: &dyn AnyModel) -> String {
     }
     text += "</table>\n";
     text += &mass_table::table(summary);
-    let notes = model.notes();
-    if !notes.is_empty() {
-        text += "<details><summary>What was chosen and left out, and why</summary>\n<ul>\n";
-        for note in notes {
-            let _ = writeln!(text, "<li>{}</li>", escape(note));
-        }
-        text += "</ul></details>\n";
-    }
+    text += &chosen(model);
     text + "</section>\n"
+}
+
+/// What the macro chose and left out; empty where it did not.
+fn chosen(model: &dyn AnyModel) -> String {
+    let notes = model.notes();
+    if notes.is_empty() {
+        return String::new();
+    }
+    let mut text = String::from("<details><summary>What was chosen and left out, and why</summary>\n<ul>\n");
+    for note in notes {
+        let _ = writeln!(text, "<li>{}</li>", escape(note));
+    }
+    text + "</ul></details>\n"
 }
 
 /// `beam: 6 elements, all nodal vectors`
@@ -218,8 +232,11 @@ fn told(found: &Value) -> String {
     } else {
         ""
     };
+    let coarse = found["coarse"].as_str().map_or(String::new(), |coarse| {
+        format!("<p class=\"caution\">{}</p>", escape(coarse))
+    });
     format!(
-        "{} rad/s ({} Hz)<br><span class=\"doc\">{about}{unstable}</span>",
+        "{} rad/s ({} Hz)<br><span class=\"doc\">{about}{unstable}</span>{coarse}",
         joined(1.0),
         joined(1.0 / TAU)
     )

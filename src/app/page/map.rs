@@ -45,7 +45,8 @@ pub struct Axis {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cells {
     /// Numbers: orange for positive, blue for negative ones, white for zero; grey where a number is not finite. Colours
-    /// deepen with the square root of the magnitude, so that small values differ from zero.
+    /// deepen with the square root of the magnitude, so that small values differ from zero. Numbers of one sign that differ by
+    /// less than their magnitude deepen evenly from the one that is nearest to zero.
     Signed(Vec<f64>),
     /// Positive numbers by their decade, from white to blue; grey where a number is not positive and finite.
     Decades(Vec<f64>),
@@ -116,6 +117,14 @@ fn shade(RGBColor(red, green, blue): RGBColor, depth: f64) -> RGBColor {
 type Field = (RGBColor, String);
 
 impl Cells {
+    /// The value of a cell.
+    fn told(&self, cell: usize) -> String {
+        match self {
+            Cells::Signed(values) | Cells::Decades(values) => digits(values[cell], 6),
+            Cells::Classes(classes, names) => names[classes[cell]].clone(),
+        }
+    }
+
     fn count(&self) -> usize {
         match self {
             Cells::Signed(values) | Cells::Decades(values) => values.len(),
@@ -128,7 +137,25 @@ impl Cells {
         match self {
             Cells::Signed(values) => {
                 let finite = values.iter().filter(|value| value.is_finite());
-                let largest = finite.fold(0.0, |most: f64, value| most.max(value.abs()));
+                let [low, high] = finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &value| {
+                    [low.min(value), high.max(value)]
+                });
+                if low < high && low * high > 0.0 && high - low < 0.5 * (low.abs() + high.abs()) {
+                    let (near, far) = if low > 0.0 { (low, high) } else { (high, low) };
+                    let color = |value: f64| match value {
+                        value if !value.is_finite() => NOTHING,
+                        value => shade(
+                            COLORS[usize::from(value > 0.0)],
+                            0.1 + 0.9 * (value - near) / (far - near),
+                        ),
+                    };
+                    let fields = (0..FIELDS).map(|field| near + field as f64 / (FIELDS - 1) as f64 * (far - near));
+                    return Ok((
+                        values.iter().map(|&value| color(value)).collect(),
+                        fields.map(|value| (color(value), digits(value, 4))).collect(),
+                    ));
+                }
+                let largest = if low <= high { low.abs().max(high.abs()) } else { 0.0 };
                 let color = |value: f64| match value {
                     value if !value.is_finite() => NOTHING,
                     value if largest == 0.0 => shade(COLORS[0], value),
@@ -285,9 +312,30 @@ impl Map {
             let text = Text::new(name.clone(), (place, end), centred);
             chart.draw_series([text]).map_err(|error| told(&error))?;
         }
+        // Under the cursor a browser shows the title of what lies there.
+        let mut titles = String::new();
+        for cell in 0..colors.len() {
+            let (i, j) = (cell % columns, cell / columns);
+            let plane = chart.plotting_area();
+            let [(left, bottom), (right, top)] =
+                [(across[i], up[j]), (across[i + 1], up[j + 1])].map(|corner| plane.map_coordinate(&corner));
+            let value = |axis: &Axis, at: usize| format!("{} = {}", axis.name, digits(axis.values[at], 6));
+            let _ = writeln!(
+                titles,
+                "<rect x=\"{left}\" y=\"{top}\" width=\"{}\" height=\"{}\" fill=\"none\" pointer-events=\"all\"><title>{}: {}; {}, {}</title></rect>",
+                right - left,
+                bottom - top,
+                escape(&self.heading),
+                escape(&self.cells.told(cell)),
+                escape(&value(&self.x, i)),
+                escape(&value(&self.y, j)),
+            );
+        }
         area.present().map_err(|error| told(&error))?;
         drop(chart);
         drop(area);
+        let end = svg.rfind("</svg>").unwrap_or(svg.len());
+        svg.insert_str(end, &titles);
         Ok(svg)
     }
 }
@@ -326,6 +374,14 @@ mod tests {
     fn every_cell_has_the_colour_of_its_value() {
         let cells = Cells::Signed(vec![-4.0, -1.0, 0.0, 1.0, 4.0, f64::NAN]);
         let (colors, legend) = cells.colors().unwrap();
+        let svg = Map::to_svg("rates", &[map(cells.clone())]).unwrap();
+        let title = "<title>rate &lt;1/s&gt;: -4; h [s] = 0, h [s] = 0.0001</title>";
+        assert!(
+            svg.contains(title) && svg.matches("pointer-events").count() == 6,
+            "{svg}"
+        );
+        let (near, fields) = Cells::Signed(vec![2.0, 2.1, 2.2]).colors().unwrap();
+        assert!(near[2] == COLORS[1] && near[0] != near[1] && fields[0].1 == "2" && fields[8].1 == "2.2");
         assert_eq!(colors[0], COLORS[0]);
         assert_eq!(colors[4], COLORS[1]);
         assert_eq!((colors[2], colors[5]), (RGBColor(255, 255, 255), NOTHING));

@@ -39,7 +39,7 @@ pub(in crate::app) fn page(model: &dyn AnyModel, what: &str, summary: &Summary, 
     page += results;
     page += &section_table::table(summary);
     page += "<h2>Parameters</h2>\n";
-    parameters(&mut page, model);
+    parameters(&mut page, model, summary);
     page += "<div class=\"tables\">\n";
     for (head, keys) in [("Method", SETTINGS), ("Statistics", STATISTICS)] {
         let _ = write!(page, "<section><h2>{head}</h2>\n{}</section>\n", values(summary, keys));
@@ -237,15 +237,21 @@ fn step_chart(page: &mut String, steps: &[StepTaken]) -> Result<(), String> {
     figure(page, "Step size<span>of the accepted steps</span>", &chart, "")
 }
 
-fn parameters(page: &mut String, model: &dyn AnyModel) {
+fn parameters(page: &mut String, model: &dyn AnyModel, summary: &Summary) {
+    let given = summary.get("parameters_in_units");
     page.push_str("<div class=\"scroll\"><table>\n");
     page.push_str("<tr><th>Name</th><th>Value</th><th>Default</th><th></th></tr>\n");
-    for (index, param) in model.params().iter().enumerate() {
+    for param in model.params() {
+        let value = match given.map(|given| &given[param.name]) {
+            Some(Value::String(value)) => value.clone(),
+            Some(Value::Array(values)) => values.iter().map(Value::to_string).collect::<Vec<_>>().join(", "),
+            _ => String::new(),
+        };
         let _ = writeln!(
             page,
             "<tr><td>{}</td><td>{}</td><td>{}</td><td class=\"doc\">{}</td></tr>",
             escape(param.name),
-            escape(&in_unit(param, model.get(index))),
+            escape(&value),
             escape(&in_unit(param, param.default)),
             escape(param.doc.trim()),
         );
@@ -268,13 +274,11 @@ fn values(summary: &Summary, keys: &[&str]) -> String {
     text + "</table>\n"
 }
 
-/// What the command told of these results; what it says of the model stands in the card.
+/// What the command told of these results; what was chosen of the model stands below.
 fn notes<'s>(model: &dyn AnyModel, summary: &'s Summary) -> Vec<&'s str> {
     let notes = summary.get("notes").and_then(Value::as_array);
     let texts = notes.into_iter().flatten().filter_map(Value::as_str);
-    texts
-        .filter(|note| !summary.contains_key("unknowns") || !model.notes().contains(note))
-        .collect()
+    texts.filter(|note| !model.notes().contains(note)).collect()
 }
 
 /// A key as words: `cpu_seconds` is the processor time.

@@ -18,7 +18,7 @@ mod tests;
 
 use std::path::{Path, PathBuf};
 
-use serde_json::json;
+use serde_json::{Value, json};
 
 pub(in crate::app) use self::optimise::optimise;
 use self::point::Work;
@@ -34,7 +34,7 @@ use crate::app::machine::clock::Clock;
 use crate::app::machine::files;
 use crate::app::page::summary::{self, checksums};
 use crate::app::results::failure::{FAILURE, Failure, INTERRUPTION, MISTAKE};
-use crate::app::writing::entries::put;
+use crate::app::writing::entries::{Summary, put};
 use crate::app::writing::numbers::{digits, in_unit, short};
 use crate::hash::hash;
 use crate::{AnyModel, ParamKind};
@@ -245,7 +245,7 @@ pub(in crate::app) fn task(arguments: &Arguments, interrupted: impl Fn() -> bool
             format!("point {index} was interrupted; nothing is written of it"),
         ));
     };
-    let failed = record.get("reason").and_then(serde_json::Value::as_str);
+    let failed = record.get("reason").and_then(Value::as_str);
     let failed = failed.map_or(String::new(), |reason| format!(", which failed: {reason}"));
     Ok(format!("point {index} of {count}{failed}\n  {}", path.display()))
 }
@@ -276,11 +276,7 @@ fn finish(arguments: &Arguments, plan: &Plan, clock: Clock) -> Result<String, Fa
     put(&mut summary, "plan", json!(plan.name));
     put(&mut summary, "of", json!(settings.of.name()));
     put(&mut summary, "design", json!(design_words(plan.design, settings.seed)));
-    put(
-        &mut summary,
-        "varied",
-        json!(varied_words(model, &plan.varied).join("; ")),
-    );
+    put_varied(&mut summary, model, &plan.varied);
     put(&mut summary, "points", json!(count));
     put(&mut summary, "points_failed", json!(failed));
     put(&mut summary, "points_missing", json!(table.missing));
@@ -366,6 +362,23 @@ fn design_words(design: Design, seed: u64) -> String {
         Design::Latin(count) => format!("Latin hypercube of {count} points, seed {seed}"),
         Design::Random(count) => format!("{count} random points, seed {seed}"),
     }
+}
+
+/// Adds what is varied, in place of single values of these parameters.
+fn put_varied(summary: &mut Summary, model: &dyn AnyModel, varied: &[Varied]) {
+    let words = varied_words(model, varied);
+    if let Some(Value::Object(values)) = summary.get_mut("parameters") {
+        varied.iter().for_each(|one| {
+            values.shift_remove(model.params()[one.param].name);
+        });
+    }
+    if let Some(Value::Object(values)) = summary.get_mut("parameters_in_units") {
+        for (one, words) in varied.iter().zip(&words) {
+            let range = words.split_once(" = ").map_or(words.as_str(), |(_, range)| range);
+            values.insert(model.params()[one.param].name.into(), json!(range));
+        }
+    }
+    put(summary, "varied", json!(words.join("; ")));
 }
 
 /// The varied parameters as they are typed, in their units.

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 use super::simplex::descend;
 use super::table::{Row, Table};
-use super::{Design, MOST_LINES, PLAN, Plan, do_points, failure, mistake, picture, point, varied_words, warnings};
+use super::{Design, MOST_LINES, PLAN, Plan, do_points, failure, mistake, picture, point, put_varied, warnings};
 use crate::AnyModel;
 use crate::app::commands::progress::Bar;
 use crate::app::commands::written::write;
@@ -202,11 +202,7 @@ fn finish(
     put(&mut summary, "plan", json!(plan.name));
     put(&mut summary, "of", json!(settings.of.name()));
     put(&mut summary, "sought", json!(goal.words()));
-    put(
-        &mut summary,
-        "varied",
-        json!(varied_words(model, &plan.varied).join("; ")),
-    );
+    put_varied(&mut summary, model, &plan.varied);
     put(&mut summary, "points", json!(count));
     put(&mut summary, "points_failed", json!(table.failed().count()));
     if settings.of == Command::Run {
@@ -230,21 +226,30 @@ fn finish(
     }
     put(&mut summary, "notes", summary::notes(model, &warnings));
 
-    let mut page = descent(goal, &heights);
-    if let Ok(page) = &mut page {
-        *page += &picture::clouds_of(model, plan, &table).map_err(failure)?;
-    }
-    let csv = (TABLE, with_heights(&table.to_csv(model, plan), &heights));
-    let files = write(arguments, "optimise", csv, &summary, page)? + &files;
-    let mut head = format!("{}: {}", model.name(), goal.words());
-    if let Some(best) = best {
+    let found = best.map(|best| {
         let values = plan.varied.iter().zip(&best.params);
         let values = values.map(|(one, value)| {
             let param = &model.params()[one.param];
             format!("{}={}", param.name, quoted(&rounded(param, *value)))
         });
         let values: Vec<_> = values.collect();
-        head += &format!(": {} at {}", goal.found(&table, best), values.join(" "));
+        format!("{} at {}", goal.found(&table, best), values.join(" "))
+    });
+    let mut page = descent(goal, &heights);
+    if let Ok(page) = &mut page {
+        if let Some(found) = &found {
+            page.insert_str(
+                0,
+                &format!("<p><b>{}: {}</b></p>\n", escape(&goal.words()), escape(found)),
+            );
+        }
+        *page += &picture::clouds_of(model, plan, &table).map_err(failure)?;
+    }
+    let csv = (TABLE, with_heights(&table.to_csv(model, plan), &heights));
+    let files = write(arguments, "optimise", csv, &summary, page)? + &files;
+    let mut head = format!("{}: {}", model.name(), goal.words());
+    if let Some(found) = found {
+        head += &format!(": {found}");
     }
     head += &format!("; {count} points, {} s", digits(clock.seconds().wall, 3));
     for warning in warnings.iter().take(2 * MOST_LINES) {

@@ -103,6 +103,15 @@ fn points_that_are_there_are_kept_and_tasks_make_the_same_table() {
         words.map(str::to_owned).chain(["--out".into(), out.clone()]).collect()
     };
     done(&with("sweep", &[]));
+    // What is varied has no single value, and what the macro chose is no note on the results.
+    let page = fs::read_to_string(path.join("report.html")).unwrap();
+    for told in [
+        "<td>1..3 rad/s in 3</td>",
+        "<td>90, 110 N/m</td>",
+        "<b>Complete</b></p>",
+    ] {
+        assert!(page.contains(told), "{told}: {page}");
+    }
     let whole = table(&path);
     assert_eq!(whole[0][1..3], ["omega [rad/s]", "stiffness [N/m]"].map(String::from));
     // One file is lost, another is cut off in the middle, a third is kept though its content is changed.
@@ -286,6 +295,13 @@ fn what_is_fitted_is_the_closed_form_and_a_search_goes_on_where_it_was() {
         fs::read_to_string(&marked).unwrap().ends_with("\n\n\n"),
         "the point was kept"
     );
+    let page = fs::read_to_string(path.join("report.html")).unwrap();
+    let best = page.split("<p><b>").find(|text| text.contains("= 3 m")).expect(&page);
+    assert!(
+        best.contains("tip.x last` = 3.0000") && best.contains(" at omega='"),
+        "{best}"
+    );
+    assert!(page.contains("<td>1..6 rad/s</td>") && page.contains("<td>-50..200 N/m</td>"));
     let summary: serde_json::Value =
         serde_json::from_str(&fs::read_to_string(path.join("summary.json")).unwrap()).unwrap();
     let found = ["omega", "stiffness"].map(|name| summary["best_values"][name].as_f64().unwrap());
