@@ -6,6 +6,8 @@ use std::fs;
 use std::path::Path;
 
 use proc_macro2::{TokenStream, TokenTree};
+use rncf_codegen::elements::Library;
+use rncf_codegen::expand;
 
 use crate::documents::{Page, pages};
 use crate::language::{example_model, messages};
@@ -60,16 +62,10 @@ const NOT_SHOWN: &[(&str, &str)] = &[
         "its words are put together of several texts, and its entry is not told from others",
     ),
     ("check/energy_of_own_element", "its example would fill a page"),
-    ("check/distant_axis", "it is a warning, and entries are errors"),
-    ("check/loose_tie", "it is a warning, and entries are errors"),
     (
         "check/no_component",
         "a vector lacks the component across its plane alone, which is told to be zero",
     ),
-    ("check/unused", "it is a warning, and entries are errors"),
-    ("check/unseen", "it is a warning, and entries are errors"),
-    ("check/undamped", "it is a warning, and entries are errors"),
-    ("check/unread_property", "it is a warning, and entries are errors"),
 ];
 
 /// A wrong example, its message, and the cured example.
@@ -87,6 +83,21 @@ fn entries(page: &Page) -> Vec<Entry> {
         let (wrong, message) = block
             .split_once("\n//~ ")
             .unwrap_or_else(|| panic!("{}: no message in\n{block}", page.path));
+        Entry {
+            wrong: wrong.to_owned(),
+            message: message.trim_end().to_owned(),
+            cured,
+        }
+    };
+    wrong.into_iter().zip(cured).map(entry).collect()
+}
+
+/// The whole models of a page with their warnings, and the models that have none, in their order.
+fn warned(page: &Page) -> Vec<Entry> {
+    let (wrong, cured) = (blocks(&page.text, "warned"), blocks(&page.text, "calm"));
+    assert_eq!(wrong.len(), cured.len(), "{}: every warning is cured", page.path);
+    let entry = |(block, cured): (String, String)| {
+        let (wrong, message) = block.split_once("\n//~ ").expect("a warning has its words");
         Entry {
             wrong: wrong.to_owned(),
             message: message.trim_end().to_owned(),
@@ -240,6 +251,22 @@ fn every_entry_is_told_and_cured() {
     assert!(!seen.is_empty(), "the pages have entries");
 }
 
+#[test]
+fn every_warning_is_told_and_cured() {
+    let told = |text: &str| -> Vec<String> {
+        let tokens: TokenStream = text.parse().unwrap_or_else(|error| panic!("{error} in\n{text}"));
+        assert!(messages(tokens.clone()).is_empty(), "{text}: {:?}", messages(tokens));
+        let warnings = expand::warnings(tokens, &Library::standard());
+        warnings.into_iter().map(|warning| warning.message).collect()
+    };
+    let all: Vec<Entry> = pages("docs/errors").iter().flat_map(warned).collect();
+    assert!(!all.is_empty());
+    for entry in all {
+        assert_eq!(told(&entry.wrong), [entry.message], "{}", entry.wrong);
+        assert!(told(&entry.cured).is_empty(), "{}", entry.cured);
+    }
+}
+
 /// Every entry says in a sentence what the message comes from, before it shows it.
 #[test]
 fn every_entry_tells_its_cause() {
@@ -274,7 +301,8 @@ fn every_message_has_an_entry() {
     let table: Vec<_> = tables.iter().map(|(name, text)| (name.as_str(), parts(text))).collect();
     let literal = |parts: &[String]| parts.iter().map(String::len).sum::<usize>();
     let mut shown = HashSet::new();
-    for entry in pages("docs/errors").iter().flat_map(entries) {
+    let pages = pages("docs/errors");
+    for entry in pages.iter().flat_map(|page| [entries(page), warned(page)]).flatten() {
         // Of all texts that fit, the one with the most words of its own is meant.
         let fits = table.iter().filter(|(_, parts)| is_made_of(&entry.message, parts));
         shown.extend(fits.max_by_key(|(_, parts)| literal(parts)).map(|(name, _)| *name));
