@@ -4,7 +4,7 @@ use super::body::Known;
 use super::expr::Scope;
 use super::plane::{AXES, is_zero, normal, plane};
 use super::quantity::{Typed, Vector, Wanted};
-use super::start::{cross, norm};
+use super::start::{cross, dot, norm, subtract};
 use super::{Check, fold, say};
 use crate::elements::Element;
 use crate::errors::Area;
@@ -144,16 +144,17 @@ impl<'a> Check<'a> {
     }
 
     /// `curve through table from direction [..] to direction [..];`
-    fn curve(&mut self, name: &Name, declared: &'a [(bool, Expr)], known: &Known) -> Option<Line> {
+    fn curve(&mut self, name: &Name, declared: &'a [Option<Expr>; 2], known: &Known) -> Option<Line> {
         let mut directions = [None; 2];
-        for (at_end, expr) in declared {
-            let direction = self.axis(expr)?;
-            if let Some(normal) = known.space.and_then(normal).filter(|&normal| direction[normal] != 0.0) {
+        for (direction, expr) in directions.iter_mut().zip(declared) {
+            let Some(expr) = expr else { continue };
+            let found = self.axis(expr)?;
+            if let Some(normal) = known.space.and_then(normal).filter(|&normal| found[normal] != 0.0) {
                 let message = say::out_of_plane("the direction", plane(normal), AXES[normal]);
                 self.errors.at(expr.area, message);
                 return None;
             }
-            directions[usize::from(*at_end)] = Some(direction);
+            *direction = Some(found);
         }
         let id = self.table(name)?;
         let table = &self.model.tables[id.0];
@@ -178,18 +179,13 @@ impl<'a> Check<'a> {
             return None;
         }
         let points = table.points(columns);
-        for (at_end, expr) in declared {
-            let [from, to] = if *at_end {
-                [points.len() - 2, points.len() - 1]
-            } else {
-                [0, 1]
+        let chords = [0, points.len() - 2].map(|at| subtract(points[at + 1], points[at]));
+        for ((direction, expr), chord) in directions.iter().zip(declared).zip(chords) {
+            let (Some(direction), Some(expr)) = (direction, expr) else {
+                continue;
             };
-            let direction = directions[usize::from(*at_end)].unwrap_or_default();
-            let along: f64 = (0..3)
-                .map(|axis| direction[axis] * (points[to][axis] - points[from][axis]))
-                .sum();
             // Of a file that a run names, too, as it is now: it stands for the others.
-            if along <= 0.0 {
+            if dot(*direction, chord) <= 0.0 {
                 self.errors.at(expr.area, say::CURVE_BACKWARDS);
                 return None;
             }

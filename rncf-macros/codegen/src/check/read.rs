@@ -77,7 +77,7 @@ fn of_statement<'a>(statement: &'a Statement, found: &mut Vec<&'a str>) {
         Statement::Piece { points, .. } => points.iter().for_each(|expr| names(expr, found)),
         Statement::Curve { table, directions, .. } => {
             found.push(&table.text);
-            directions.iter().for_each(|(_, expr)| names(expr, found));
+            directions.iter().flatten().for_each(|expr| names(expr, found));
         }
         Statement::Path { position, range, .. } => {
             std::iter::once(position)

@@ -117,11 +117,11 @@ fn statement(cursor: &mut Cursor) -> Parsed<Statement> {
         }
         "curve" if cursor.eat_word("through") => {
             let table = expr::reference(cursor, "the name of a table with columns x, y, z")?;
-            let mut directions = Vec::new();
-            for (at_end, word) in [(false, "from"), (true, "to")] {
+            let mut directions = Box::new([None, None]);
+            for (direction, word) in directions.iter_mut().zip(["from", "to"]) {
                 if cursor.eat_word(word) {
                     cursor.expect_word("direction")?;
-                    directions.push((at_end, expr::expression(cursor)?));
+                    *direction = Some(expr::expression(cursor)?);
                 }
             }
             Statement::Curve {

@@ -50,10 +50,7 @@ impl<'t> Unfold<'t, '_> {
             } => Statement::Curve {
                 area: *area,
                 table: self.name(at, table),
-                directions: directions
-                    .iter()
-                    .map(|(end, expr)| (*end, self.expr(at, expr)))
-                    .collect(),
+                directions: Box::new(directions.each_ref().map(|expr| Some(self.expr(at, expr.as_ref()?)))),
             },
             Statement::Path {
                 area,

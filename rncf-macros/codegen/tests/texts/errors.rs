@@ -77,27 +77,21 @@ struct Entry {
 
 /// The entries of a page, in their order.
 fn entries(page: &Page) -> Vec<Entry> {
-    let (wrong, cured) = (blocks(&page.text, "error"), blocks(&page.text, "cured"));
-    assert_eq!(wrong.len(), cured.len(), "{}: every error is cured", page.path);
-    let entry = |(block, cured): (String, String)| {
-        let (wrong, message) = block
-            .split_once("\n//~ ")
-            .unwrap_or_else(|| panic!("{}: no message in\n{block}", page.path));
-        Entry {
-            wrong: wrong.to_owned(),
-            message: message.trim_end().to_owned(),
-            cured,
-        }
-    };
-    wrong.into_iter().zip(cured).map(entry).collect()
+    tagged(page, ["error", "cured"])
 }
 
 /// The whole models of a page with their warnings, and the models that have none, in their order.
 fn warned(page: &Page) -> Vec<Entry> {
-    let (wrong, cured) = (blocks(&page.text, "warned"), blocks(&page.text, "calm"));
-    assert_eq!(wrong.len(), cured.len(), "{}: every warning is cured", page.path);
+    tagged(page, ["warned", "calm"])
+}
+
+fn tagged(page: &Page, tags: [&str; 2]) -> Vec<Entry> {
+    let [wrong, cured] = tags.map(|tag| blocks(&page.text, tag));
+    assert_eq!(wrong.len(), cured.len(), "{}: every `{}` is cured", page.path, tags[0]);
     let entry = |(block, cured): (String, String)| {
-        let (wrong, message) = block.split_once("\n//~ ").expect("a warning has its words");
+        let (wrong, message) = block
+            .split_once("\n//~ ")
+            .unwrap_or_else(|| panic!("{}: no message in\n{block}", page.path));
         Entry {
             wrong: wrong.to_owned(),
             message: message.trim_end().to_owned(),

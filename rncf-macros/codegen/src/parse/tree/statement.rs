@@ -52,8 +52,8 @@ pub enum Statement {
         area: Area,
         /// The table with the points.
         table: Name,
-        /// Directions at its ends, as far as they are given; whether at the last one.
-        directions: Vec<(bool, Expr)>,
+        /// Directions at its start and end, as far as they are given.
+        directions: Box<[Option<Expr>; 2]>,
     },
     /// `curve [..] for s from a to b;`
     Path {
