@@ -67,6 +67,34 @@ addEventListener("load", () => setTimeout(() => {
 }, 300));
 </script>"""
 
+# Charts of many kinds: what the cursor is told over the first one, and what a click on its first name hides.
+CHARTS = """<script>
+addEventListener("load", () => setTimeout(() => {
+  const box = document.querySelector(".live");
+  const svg = box.querySelector("svg");
+  svg.setPointerCapture = () => {};
+  const frame = svg.getBoundingClientRect();
+  const at = (kind, x, y) => svg.dispatchEvent(new PointerEvent(kind,
+    { clientX: frame.left + x * frame.width, clientY: frame.top + y * frame.height, pointerId: 1, bubbles: true }));
+  const shapes = () => svg.querySelectorAll("g[clip-path] > *").length;
+  const names = [...document.querySelector("figure:has(.live)").querySelectorAll(".names button")];
+  const found = { charts: document.querySelectorAll(".live").length, names: names.map((name) => name.innerText), told: [] };
+  for (let i = 1; i < 40; i++) for (let j = 1; j < 40; j++) {
+    at("pointermove", i / 40, j / 40);
+    const told = box.querySelector(".told");
+    const text = told.innerText.replaceAll("\\n", "; ");
+    if (!told.hidden && !found.told.includes(text)) found.told.push(text);
+  }
+  const before = shapes();
+  if (names.length) names[0].click();
+  found.hidden = before - shapes();
+  at("pointerdown", 0.3, 0.5); at("pointermove", 0.7, 0.5); at("pointerup", 0.7, 0.5);
+  found.zoomed = !box.querySelector(".again").hidden;
+  found.drawings = [...document.querySelectorAll("figure > svg")].filter((one) => one.style.display !== "none").length;
+  document.title = "TOLD " + JSON.stringify({ found, wrong });
+}, 300));
+</script>"""
+
 CARD = """<script>
 addEventListener("load", () => setTimeout(() => {
   const found = {};
@@ -203,6 +231,41 @@ def card_fits(report, summary):
     assert len(frequencies) == 5 and all(abs(a - b) < 1e-4 * b for a, b in zip(frequencies, wanted)), card
 
 
+def charts_answer(opens, program, folder):
+    """Charts of modes over the spin, of speed against accuracy, of points and of maps: each tells, hides and zooms."""
+    sweep = ["sweep", "omega_s=1..5 rad/s in 4", "--t-end", "2 s"]
+    lines = {
+        "campbell": ["campbell", "--modes", "3"],
+        "chart": ["chart", "--rtols", "1e-3,1e-4,1e-5", "--integrators", "radau", "--t-end", "2 s"],
+        "map": [*sweep, "elements=2,4,6"],
+        "points": ["sweep", "omega_s=1..5 rad/s", "T_s=10..20 s", "--samples", "8", "--t-end", "2 s"],
+    }
+    pages = {}
+    for name, line in lines.items():
+        subprocess.run([program, *line, "--quiet", "--out", str(folder / name)], check=True)
+        pages[name] = folder / name / "report.html"
+    found = {name: opens(page, CHARTS) for name, page in pages.items()}
+    print("charts:", {name: {**one, "told": one["told"][:1]} for name, one in found.items()})
+    for name, one in found.items():
+        assert one["told"] and one["zoomed"] and not one["drawings"], (name, one)
+    campbell, chart, cells, points = (found[name] for name in lines)
+    assert campbell["names"] == ["mode 1", "mode 2", "mode 3"] and campbell["hidden"] >= 1, campbell
+    assert campbell["told"][0].startswith("spin = 0 rad/s; mode 1 2.9") and campbell["told"][0].count(";") == 3, campbell
+    assert chart["names"] == ["rncf, radau", "ancf, radau"] and chart["charts"] == 3, chart
+    # Three points and the line that joins them.
+    assert chart["hidden"] == 4 and any(re.match(r"rncf, radau, rtol 1e-\d; processor time = \S+ s; error ", text) for text in chart["told"]), chart
+    with open(folder / "map" / "sweep.csv", encoding="utf-8") as table:
+        rows = list(csv.DictReader(table))
+    # Every cell tells its parameters and its value.
+    told = {tuple(float(number) for number in re.findall(r"(?:= |last )([-\d.e]+)", text)) for text in cells["told"]}
+    wanted = {(float(row["omega_s [rad/s]"]), float(row["elements [1]"]), float(row["u last [m]"])) for row in rows}
+    alike = lambda a, b: all(abs(x - y) <= 1e-5 * abs(y) for x, y in zip(a, b))
+    assert len(told) == len(wanted) == 12 and all(any(alike(a, b) for a in told) for b in wanted), (told, wanted)
+    assert points["names"] == ["max", "min", "last"] and points["hidden"] == 8, points
+    assert any("; last " in text for text in points["told"]), points
+    return pages
+
+
 def pictured(browser, page, folder, pictures):
     for name, width, scheme in [("light", 1000, 1), ("dark", 1000, 0), ("narrow", 420, 1)]:
         line = [browser, *FLAGS, f"--user-data-dir={folder / 'profile'}", f"--window-size={width},1400"]
@@ -247,6 +310,7 @@ def main(program, pictures=None):
         print("beside:", both)
         assert both["hidden"] == "1" and "this run" in both["told"] and "the other" in both["told"], both
         differences_fit(both["beside"], run / "history.csv", beside / "history.csv")
+        charts = charts_answer(lambda page, script: opened(browser, page, script, folder), program, folder)
         modes = folder / "modes"
         subprocess.run([program, "modes", "--modes", "4", "--frequency", "Hz", "--quiet", "--out", str(modes)], check=True)
         moving = opened(browser, modes / "report.html", SCENE, folder)
@@ -267,9 +331,10 @@ def main(program, pictures=None):
         if pictures:
             pictures = pathlib.Path(pictures).resolve()
             pictures.mkdir(parents=True, exist_ok=True)
-            for name, page in [("report", run), ("animation", run), ("modes", modes)]:
+            reports = {"report": run / "report.html", "animation": run / "animation.html", "modes": modes / "report.html"}
+            for name, page in {**reports, **charts}.items():
                 copy = folder / f"{name}.html"
-                shutil.copy(page / ("animation.html" if name == "animation" else "report.html"), copy)
+                shutil.copy(page, copy)
                 pictured(browser, copy, folder, pictures)
     print("ok")
 

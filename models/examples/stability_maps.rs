@@ -217,9 +217,9 @@ fn softening() -> Result<String, Box<dyn std::error::Error>> {
                 .into_iter()
                 .enumerate()
                 .map(|(color, points)| Line::new(points, color))
+                .chain([Line::dots(TABLE, 0)])
                 .collect(),
             marks: vec![(3.516, "3.516".into())],
-            dots: TABLE.map(|point| (point, 0)).to_vec(),
             ..Chart::default()
         },
     );

@@ -196,7 +196,7 @@ fn errors<M: Model>(figure: &mut Figure, heading: &str, name: &str, model: &M, c
                     continue; // beside the axis of the others
                 }
                 if proportional {
-                    chart.dots.push((point, color));
+                    chart.lines.push(Line::dots([point], color));
                 } else {
                     points.push(point);
                 }

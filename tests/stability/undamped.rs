@@ -184,7 +184,6 @@ fn draw() {
             .map(|(points, color)| Line::new(points, color))
             .collect(),
         marks: Vec::new(),
-        dots: Vec::new(),
         is_tall,
     };
     let mut figure = Figure::default();

@@ -21,12 +21,10 @@ pub struct Chart {
     pub y: String,
     /// Whether the vertical axis is logarithmic; all values are then positive.
     pub logarithmic: bool,
-    /// The lines, later ones above earlier ones.
+    /// The lines, later ones above earlier ones. In the page lines of one name are hidden together.
     pub lines: Vec<Line>,
     /// Vertical lines at values of x, with what they are.
     pub marks: Vec<(f64, String)>,
-    /// Single points on lines, with the index of their colour.
-    pub dots: Vec<((f64, f64), usize)>,
     /// Whether it is taller than others, for many lines.
     pub is_tall: bool,
 }
@@ -41,8 +39,19 @@ pub struct Line {
     pub name: String,
     /// What is written at its end of a dashed, grey line, which does not count in the vertical range.
     pub guide: Option<String>,
-    /// Whether it is dashed, so that what lies below it shows.
-    pub is_dashed: bool,
+    /// How it is drawn.
+    pub stroke: Stroke,
+}
+
+/// How a line is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stroke {
+    /// A continuous line.
+    Solid,
+    /// What lies below it shows.
+    Dashed,
+    /// Its points alone, in any order.
+    Dots,
 }
 
 impl Line {
@@ -53,15 +62,23 @@ impl Line {
             color,
             name: String::new(),
             guide: None,
-            is_dashed: false,
+            stroke: Stroke::Solid,
         }
     }
 
     /// The same with dashes.
     pub fn dashed(self) -> Self {
         Self {
-            is_dashed: true,
+            stroke: Stroke::Dashed,
             ..self
+        }
+    }
+
+    /// Single points in one of the colours.
+    pub fn dots(points: impl IntoIterator<Item = (f64, f64)>, color: usize) -> Self {
+        Self {
+            stroke: Stroke::Dots,
+            ..Self::new(points, color)
         }
     }
 
@@ -78,6 +95,14 @@ impl Line {
         Self {
             guide: Some(label.into()),
             ..Self::new(points, 0)
+        }
+    }
+
+    /// Its points, of a line no more than are told apart in as many parts of the axis.
+    fn seen(&self, buckets: usize) -> Vec<(f64, f64)> {
+        match self.stroke {
+            Stroke::Dots => self.points.clone(),
+            Stroke::Solid | Stroke::Dashed => thinned(&self.points, buckets),
         }
     }
 }
@@ -104,6 +129,11 @@ pub(in crate::app) const TEXT: u32 = 64;
 const STROKE: u32 = 7;
 // More points than this are not told apart in the drawing.
 const BUCKETS: usize = 1500;
+
+/// `#1F5FA8`.
+pub(in crate::app) fn hex(RGBColor(red, green, blue): RGBColor) -> String {
+    format!("#{red:02X}{green:02X}{blue:02X}")
+}
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Interval = std::ops::Range<f64>;
@@ -136,23 +166,23 @@ impl Chart {
             Err(_) => json!(value),
         };
         let line = |line: &Line| {
-            let points = thinned(&line.points, BUCKETS / 4);
+            let points = line.seen(BUCKETS / 4);
             json!({
                 "name": line.name,
                 "color": line.color,
                 "guide": line.guide,
-                "dashed": line.is_dashed,
+                "dashed": line.stroke == Stroke::Dashed,
+                "dots": (line.stroke == Stroke::Dots).then_some("circle"),
+                "joined": line.stroke != Stroke::Dots,
                 "p": points.iter().flat_map(|&(x, y)| [number(x), number(y)]).collect::<Value>(),
             })
         };
-        let dot = |&((x, y), color): &((f64, f64), usize)| json!([number(x), number(y), color]);
         json!({
             "x": self.x,
             "y": self.y,
             "log": self.logarithmic,
             "tall": self.is_tall,
             "lines": self.lines.iter().map(line).collect::<Value>(),
-            "dots": self.dots.iter().map(dot).collect::<Value>(),
             "marks": self.marks.iter().map(|(place, text)| json!([number(*place), text])).collect::<Value>(),
         })
     }
@@ -193,17 +223,21 @@ impl Chart {
             chart.draw_series([text]).map_err(|error| told(&error))?;
         }
         for line in &self.lines {
-            let points = thinned(&line.points, BUCKETS);
+            let points = line.seen(BUCKETS);
             let Some(label) = &line.guide else {
                 let color = LINES[line.color % LINES.len()];
                 let style = color.stroke_width(STROKE);
-                if line.is_dashed {
-                    let series = DashedLineSeries::new(points, 28, 24, style);
-                    chart.draw_series(series).map_err(|error| told(&error))?;
-                } else {
-                    let series = LineSeries::new(points, style);
-                    chart.draw_series(series).map_err(|error| told(&error))?;
-                }
+                let drawn = match line.stroke {
+                    Stroke::Solid => chart.draw_series(LineSeries::new(points, style)).map(drop),
+                    Stroke::Dashed => chart
+                        .draw_series(DashedLineSeries::new(points, 28, 24, style))
+                        .map(drop),
+                    Stroke::Dots => {
+                        let dots = points.into_iter().map(|place| Circle::new(place, 18, color.filled()));
+                        chart.draw_series(dots).map(drop)
+                    }
+                };
+                drawn.map_err(|error| told(&error))?;
                 continue;
             };
             let points = below(&points, y.end);
@@ -218,10 +252,6 @@ impl Chart {
             };
             let text = Text::new(format!(" {label}"), end, style.pos(position));
             chart.draw_series([text]).map_err(|error| told(&error))?;
-        }
-        for &(place, color) in &self.dots {
-            let dot = Circle::new(place, 18, LINES[color % LINES.len()].filled());
-            chart.draw_series([dot]).map_err(|error| told(&error))?;
         }
         area.present().map_err(|error| told(&error))
     }
@@ -258,8 +288,7 @@ impl Chart {
 
     fn range(&self, of: impl Fn(&(f64, f64)) -> f64) -> (f64, f64) {
         let fitted = self.lines.iter().filter(|line| line.guide.is_none());
-        let dots = self.dots.iter().map(|(place, _)| place);
-        let values = fitted.flat_map(|line| &line.points).chain(dots).map(of);
+        let values = fitted.flat_map(|line| &line.points).map(of);
         values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
             (low.min(value), high.max(value))
         })
@@ -350,15 +379,19 @@ fn thinned(points: &[(f64, f64)], buckets: usize) -> Vec<(f64, f64)> {
 /// # Errors
 /// A chart that cannot be drawn.
 pub(in crate::app) fn figure(page: &mut String, caption: &str, chart: &Chart, below: &str) -> Result<(), String> {
-    let svg = chart.to_svg()?;
+    live(page, caption, &chart.to_svg()?, &chart.to_json(), below);
+    Ok(())
+}
+
+/// A drawing with its caption and the data from which the page's script draws it again.
+pub(in crate::app) fn live(page: &mut String, caption: &str, svg: &str, data: &Value, below: &str) {
     // Nothing in the data ends the element that holds it.
-    let data = chart.to_json().to_string().replace('<', "\\u003c");
+    let data = data.to_string().replace('<', "\\u003c");
     let _ = write!(
         page,
         "<figure>\n<figcaption>{caption}</figcaption>\n{svg}\n\
          <script type=\"application/json\" class=\"data\">{data}</script>\n{below}</figure>\n"
     );
-    Ok(())
 }
 
 #[cfg(test)]
@@ -418,9 +451,9 @@ mod tests {
             lines: vec![
                 Line::new([(0.0, 1.0), (1.0, 2.0)], 1),
                 Line::guide([(0.0, 0.0), (1.0, 50.0)], "1x"),
+                Line::dots([(1.0, 2.0)], 1),
             ],
             marks: vec![(0.5, "critical".into())],
-            dots: vec![((1.0, 2.0), 1)],
             is_tall: true,
         };
         let svg = chart.to_svg().unwrap();

@@ -338,8 +338,13 @@ pub(in crate::app) fn campbell_part(result: &Campbell, frequency: Frequency) -> 
 /// Frequencies over the first column, coloured by whirl, with the multiples of the spin.
 fn diagram(result: &Campbell, frequency: Frequency, seen: impl Fn(SeenMode, f64) -> Vec<f64>, axis: &str) -> Chart {
     let mut lines: Vec<Line> = Vec::new();
-    for track in &result.tracks {
-        lines.extend(coloured(result, frequency, &seen, track, axis.contains("inertial")));
+    for (index, track) in result.tracks.iter().enumerate() {
+        let pieces = coloured(result, frequency, &seen, track, axis.contains("inertial"));
+        lines.extend(
+            pieces
+                .into_iter()
+                .map(|piece| piece.named(format!("mode {}", index + 1))),
+        );
     }
     let highest = lines
         .iter()
@@ -364,7 +369,6 @@ fn diagram(result: &Campbell, frequency: Frequency, seen: impl Fn(SeenMode, f64)
         logarithmic: false,
         lines,
         marks: marks(&result.critical),
-        dots: Vec::new(),
         is_tall: true,
     }
 }

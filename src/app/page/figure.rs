@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::charts::{Chart, HEIGHT, INK, LINES, TALL, TEXT, WIDTH};
+use super::charts::{Chart, HEIGHT, INK, LINES, TALL, TEXT, WIDTH, hex};
 use crate::app::writing::html::escape;
 
 /// Height of the line of a heading.
@@ -65,21 +65,17 @@ impl Panel {
             format!(
                 "<text x=\"{x}\" y=\"{}\" text-anchor=\"{anchor}\" font-family=\"sans-serif\" font-size=\"{TEXT}\" fill=\"{}\">{inside}</text>\n",
                 top + HEAD - 24,
-                color(INK),
+                hex(INK),
             )
         };
         *body += &text(320, "start", &escape(&self.heading));
         let names: Vec<String> = (self.names.iter().zip(LINES))
-            .map(|(name, line)| format!("<tspan fill=\"{}\">\u{2014} {}</tspan>", color(line), escape(name)))
+            .map(|(name, line)| format!("<tspan fill=\"{}\">\u{2014} {}</tspan>", hex(line), escape(name)))
             .collect();
         if !names.is_empty() {
             *body += &text(WIDTH - 120, "end", &names.join("<tspan> \u{2003}</tspan>"));
         }
     }
-}
-
-fn color(plotters::style::RGBColor(red, green, blue): plotters::style::RGBColor) -> String {
-    format!("#{red:02X}{green:02X}{blue:02X}")
 }
 
 #[cfg(test)]
@@ -98,7 +94,6 @@ mod tests {
                 Line::new([(0.0, 1.0), (1.0, 1.0)], 1),
             ],
             marks: Vec::new(),
-            dots: Vec::new(),
             is_tall,
         };
         let mut figure = Figure::default();

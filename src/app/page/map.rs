@@ -4,8 +4,9 @@ use std::fmt::Write;
 
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
+use serde_json::{Value, json};
 
-use super::charts::{INK, TALL, TEXT, WIDTH};
+use super::charts::{INK, TALL, TEXT, WIDTH, hex, live};
 use crate::app::writing::html::escape;
 use crate::app::writing::numbers::digits;
 
@@ -125,13 +126,6 @@ impl Cells {
         }
     }
 
-    fn count(&self) -> usize {
-        match self {
-            Cells::Signed(values) | Cells::Decades(values) => values.len(),
-            Cells::Classes(classes, _) => classes.len(),
-        }
-    }
-
     /// Colours of all cells, and of the fields of the legend with their texts.
     fn colors(&self) -> Result<(Vec<RGBColor>, Vec<Field>), String> {
         match self {
@@ -156,13 +150,17 @@ impl Cells {
                     ));
                 }
                 let largest = if low <= high { low.abs().max(high.abs()) } else { 0.0 };
+                let sides = [
+                    if low < 0.0 { -1.0 } else { 0.0 },
+                    if high > 0.0 || low >= 0.0 { 1.0 } else { 0.0 },
+                ];
                 let color = |value: f64| match value {
                     value if !value.is_finite() => NOTHING,
                     value if largest == 0.0 => shade(COLORS[0], value),
                     value => shade(COLORS[usize::from(value > 0.0)], (value.abs() / largest).sqrt()),
                 };
-                let half = (FIELDS / 2) as f64;
-                let steps = (0..FIELDS).map(|field| (field as f64 - half) / half);
+                let share = |field: usize| field as f64 / (FIELDS - 1) as f64;
+                let steps = (0..FIELDS).map(|field| sides[0] + share(field) * (sides[1] - sides[0]));
                 let fields = steps.map(|step| largest * step * step.abs());
                 Ok((
                     values.iter().map(|&value| color(value)).collect(),
@@ -230,12 +228,53 @@ impl Map {
         ))
     }
 
+    /// The map as a figure of a page, with the data from which its script draws it again.
+    ///
+    /// # Errors
+    /// As those of [`Map::to_svg`].
+    pub(in crate::app) fn part(&self) -> Result<String, String> {
+        let told = |error: String| format!("map `{}`: {error}", self.heading);
+        let (colors, legend) = self.cells.colors().map_err(told)?;
+        let svg = self.cells_to_svg(&colors).map_err(told)?;
+        let edges = |axis: &Axis| -> Result<Vec<f64>, String> {
+            let edges = axis.edges().map_err(told)?.into_iter();
+            let value = |edge: f64| if axis.logarithmic { 10f64.powf(edge) } else { edge };
+            Ok(edges.map(value).collect())
+        };
+        let data = json!({
+            "x": self.x.name,
+            "y": self.y.name,
+            "logx": self.x.logarithmic,
+            "log": self.y.logarithmic,
+            "tall": true,
+            "lines": [],
+            "marks": self.marks,
+            "cells": {
+                "what": self.heading,
+                "x": edges(&self.x)?,
+                "y": edges(&self.y)?,
+                "at": [self.x.values, self.y.values],
+                "colors": colors.iter().map(|color| hex(*color)).collect::<Value>(),
+                "told": (0..colors.len()).map(|cell| self.cells.told(cell)).collect::<Value>(),
+            },
+        });
+        let mut below = String::from("<p class=\"extremes\">");
+        for (color, text) in &legend {
+            let _ = write!(
+                below,
+                "<span class=\"shade\"><i style=\"background: {}\"></i>{}</span> ",
+                hex(*color),
+                escape(text)
+            );
+        }
+        let mut page = String::new();
+        live(&mut page, &escape(&self.heading), &svg, &data, &(below + "</p>\n"));
+        Ok(page)
+    }
+
     /// Adds heading, legend and cells below `top`.
     fn draw(&self, body: &mut String, top: u32) -> Result<(), String> {
         let (colors, legend) = self.cells.colors()?;
-        if self.cells.count() != self.x.values.len() * self.y.values.len() {
-            return Err("the cells are not one for each pair of values".into());
-        }
         let drawing = self.cells_to_svg(&colors)?;
         let text = |x: u32, y: u32, inside: &str| {
             format!(
@@ -245,11 +284,12 @@ impl Map {
         };
         *body += &text(320, top + 90, &self.heading);
         let mut left = 320;
-        for (RGBColor(red, green, blue), name) in &legend {
+        for (color, name) in &legend {
             let y = top + 126;
             let _ = writeln!(
                 body,
-                "<rect x=\"{left}\" y=\"{y}\" width=\"{FIELD}\" height=\"{FIELD}\" fill=\"#{red:02X}{green:02X}{blue:02X}\" stroke=\"#333333\" stroke-width=\"3\"/>"
+                "<rect x=\"{left}\" y=\"{y}\" width=\"{FIELD}\" height=\"{FIELD}\" fill=\"{}\" stroke=\"#333333\" stroke-width=\"3\"/>",
+                hex(*color)
             );
             *body += &text(left + FIELD + 20, y + 54, name);
             left += FIELD + 80 + 36 * name.chars().count() as u32;
@@ -268,6 +308,9 @@ impl Map {
 
     /// The cells with their axes.
     fn cells_to_svg(&self, colors: &[RGBColor]) -> Result<String, String> {
+        if colors.len() != self.x.values.len() * self.y.values.len() {
+            return Err("the cells are not one for each pair of values".into());
+        }
         let (across, up) = (self.x.edges()?, self.y.edges()?);
         let mut svg = String::new();
         let area = SVGBackend::with_string(&mut svg, (WIDTH, TALL)).into_drawing_area();
@@ -400,6 +443,32 @@ mod tests {
             "{svg}"
         );
         assert!(svg.contains("h [s]") && svg.contains(&format!("translate(0 {})", 2 * HEAD + TALL)));
+    }
+
+    #[test]
+    fn values_of_one_sign_use_the_whole_scale_and_pages_hold_the_cells() {
+        let white = RGBColor(255, 255, 255);
+        for (values, ends, texts) in [
+            (vec![1.0, 16.0], [white, COLORS[1]], ["0", "16"]),
+            (vec![-16.0, 0.0], [COLORS[0], white], ["-16", "0"]),
+        ] {
+            let (_, legend) = Cells::Signed(values).colors().unwrap();
+            assert_eq!([legend[0].0, legend[FIELDS - 1].0], ends);
+            assert_eq!([legend[0].1.as_str(), legend[FIELDS - 1].1.as_str()], texts);
+        }
+        let page = map(Cells::Signed(vec![-4.0, -1.0, 0.0, 1.0, 4.0, f64::NAN])).part();
+        let page = page.unwrap();
+        for part in [
+            "<figcaption>rate &lt;1/s&gt;</figcaption>",
+            "\"at\":[[0.0,1.0,3.0],[0.0001,0.01]]",
+            "\"log\":true",
+            "\"told\":[\"-4\",\"-1\",\"0\",\"1\",\"4\",",
+            "background: #1F5FA8",
+        ] {
+            assert!(page.contains(part), "{part}\n{page}");
+        }
+        let short = map(Cells::Signed(vec![1.0])).part().unwrap_err();
+        assert!(short.contains("rate <1/s>"));
     }
 
     #[test]

@@ -153,14 +153,16 @@ fn results(
     let mut column = 0;
     for (index, output) in model.outputs().iter().enumerate() {
         let count = output.width();
-        let line = |index: usize| {
-            let points = history.keys.iter().copied().zip(history.column(index));
+        let named = |index: usize| {
             let name = output.components.get(index - column).copied().unwrap_or_default();
-            let name = match beside {
+            match beside {
                 Some(_) => format!("{name} this run").trim_start().to_owned(),
                 None => name.to_owned(),
-            };
-            Line::new(points, index - column).named(name)
+            }
+        };
+        let line = |index: usize| {
+            let points = history.keys.iter().copied().zip(history.column(index));
+            Line::new(points, index - column).named(named(index))
         };
         let other = |index: usize| {
             let name = output.components.get(index - column).copied().unwrap_or_default();
@@ -174,20 +176,21 @@ fn results(
         };
         // Over time the table below the chart is enough.
         let of_equilibria = history.key.name != "t";
-        let dots = (column..column + count).filter_map(|index| {
+        let peak = |index: usize| {
             let (low, high) = history.extremes(index)?;
             let largest = if low.value.abs() > high.value.abs() { low } else { high };
-            (of_equilibria && low.value != high.value).then_some(((largest.at, largest.value), index - column))
-        });
+            let dot = Line::dots([(largest.at, largest.value)], index - column).named(named(index));
+            (of_equilibria && low.value != high.value).then_some(dot)
+        };
         let chart = Chart {
             x: history.key.head(),
             y: format!("{} [{}]", output.name, output.unit),
             lines: (column..column + count)
                 .map(line)
                 .chain((column..column + count).filter_map(other))
+                .chain((column..column + count).filter_map(peak))
                 .collect(),
             marks: marks(critical),
-            dots: dots.collect(),
             ..Chart::default()
         };
         let caption = format!("{}<span>{}</span>", escape(output.name), escape(output.doc.trim()));

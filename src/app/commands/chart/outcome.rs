@@ -5,7 +5,7 @@ use std::fmt::Write;
 use serde_json::{Value, json};
 
 use super::judged::{Judged, time};
-use super::picture::{time_chart, work_chart};
+use super::picture;
 use super::select::front;
 use super::table::{Outcome, Point};
 use crate::app::line::chart::method_name;
@@ -98,16 +98,7 @@ pub(super) fn part(judged: &Judged<'_>) -> String {
         let _ = writeln!(part, "<li>{}</li>", escape(&line));
     }
     part += "</ul>\n";
-    for (caption, chart) in [
-        ("Error over processor time", time_chart(judged)),
-        ("Error over work", work_chart(judged)),
-    ] {
-        let _ = write!(
-            part,
-            "<figure>\n<figcaption>{caption}</figcaption>\n{}</figure>\n",
-            chart.to_svg(false)
-        );
-    }
+    part += &picture::part(judged);
     part += "<h2>Processor time to an error</h2>\n";
     part += "<p>On the front of each kind, between two settings where it lies there.</p>\n<div class=\"scroll\"><table>\n<tr><th></th>";
     for wanted in judged.wanted {

@@ -6,6 +6,7 @@ use super::select::front;
 use super::table::Point;
 use crate::Formulation;
 use crate::app::line::chart::method_name;
+use crate::app::page::charts::live;
 
 /// Faintest shade of a mesh.
 const FAINT: f64 = 0.35;
@@ -19,28 +20,57 @@ type Cost = fn(&Point) -> Option<f64>;
 
 /// Error over processor time.
 pub(super) fn time_chart(judged: &Judged<'_>) -> Scatter {
-    let peers = |index: usize| Some((judged.peers[index].cpu, judged.peers[index].error));
-    scatter(judged, vec![panel(judged, Axis::Time, |point| point.cpu, &peers)])
+    scatter(judged, vec![over_time(judged)])
 }
 
-/// Error over steps, and over factorizations, which other codes do not tell.
+/// Error over steps, and over factorizations.
 pub(super) fn work_chart(judged: &Judged<'_>) -> Scatter {
-    let steps = |index: usize| Some((judged.peers[index].steps as f64, judged.peers[index].error));
-    let panels = vec![
-        panel(
-            judged,
-            Axis::Count("steps"),
-            |point| Some(point.counts.steps as f64),
-            &steps,
-        ),
-        panel(
-            judged,
-            Axis::Count("factorizations"),
-            |point| Some(point.counts.factorizations as f64),
-            &|_| None,
-        ),
-    ];
-    scatter(judged, panels)
+    scatter(judged, vec![over_steps(judged), over_factorizations(judged)])
+}
+
+/// The three charts one after the other, as figures of a page.
+pub(super) fn part(judged: &Judged<'_>) -> String {
+    let mut page = String::new();
+    for (caption, panel) in [
+        ("Error over processor time", over_time(judged)),
+        ("Error over steps", over_steps(judged)),
+        ("Error over factorizations", over_factorizations(judged)),
+    ] {
+        let data = panel.to_json();
+        live(
+            &mut page,
+            caption,
+            &scatter(judged, vec![panel]).to_svg(false),
+            &data,
+            "",
+        );
+    }
+    page
+}
+
+fn over_time(judged: &Judged<'_>) -> Panel {
+    let peers = |index: usize| Some((judged.peers[index].cpu, judged.peers[index].error));
+    panel(judged, Axis::Time, |point| point.cpu, &peers)
+}
+
+fn over_steps(judged: &Judged<'_>) -> Panel {
+    let peers = |index: usize| Some((judged.peers[index].steps as f64, judged.peers[index].error));
+    panel(
+        judged,
+        Axis::Count("steps"),
+        |point| Some(point.counts.steps as f64),
+        &peers,
+    )
+}
+
+/// Other codes do not tell theirs.
+fn over_factorizations(judged: &Judged<'_>) -> Panel {
+    panel(
+        judged,
+        Axis::Count("factorizations"),
+        |point| Some(point.counts.factorizations as f64),
+        &|_| None,
+    )
 }
 
 fn scatter(judged: &Judged<'_>, panels: Vec<Panel>) -> Scatter {

@@ -3,7 +3,9 @@
 
 use std::fmt::Write;
 
-use crate::app::page::charts::{GRID, INK, LINES};
+use serde_json::{Value, json};
+
+use crate::app::page::charts::{GRID, INK, LINES, hex};
 use crate::app::writing::html::escape;
 use crate::app::writing::numbers::digits;
 
@@ -72,6 +74,16 @@ pub(super) struct Dot {
     pub name: String,
 }
 
+impl Dot {
+    /// What it is, and whether it competes.
+    fn told(&self) -> String {
+        match self.is_hollow {
+            true => format!("{}, below the uncertainty of the reference", self.name),
+            false => self.name.clone(),
+        }
+    }
+}
+
 /// A line of the legend.
 pub(super) enum Entry {
     Heading(&'static str),
@@ -92,6 +104,7 @@ const PLOT: f64 = 420.0;
 const FOOT: f64 = 62.0;
 const LINE: f64 = 22.0;
 const FRONT: &str = "#BBBBBB";
+const FLOOR: &str = "3 x uncertainty of the reference";
 /// Larger errors say only that a run has nothing to do with the reference; they are not drawn.
 pub(super) const LARGEST: f64 = 10.0;
 
@@ -125,7 +138,7 @@ impl Scatter {
                         svg,
                         "<text x=\"{x:.1}\" y=\"{:.1}\" font-weight=\"bold\" fill=\"{}\">{}</text>",
                         y + 5.0,
-                        color(INK),
+                        hex(INK),
                         escape(name)
                     );
                 }
@@ -156,6 +169,52 @@ impl Scatter {
 }
 
 impl Panel {
+    /// The same as data, for the script of the page.
+    pub fn to_json(&self) -> Value {
+        let line = |series: &Series| {
+            let dots: Vec<&Dot> = series.dots.iter().filter(|dot| is_drawn(dot)).collect();
+            json!({
+                "name": series.name,
+                "color": series.look.color,
+                "shade": series.look.shade,
+                "dashed": series.look.marker != Marker::Circle,
+                "dots": series.look.marker.name(),
+                "joined": true,
+                "p": dots.iter().flat_map(|dot| [dot.x, dot.y]).collect::<Value>(),
+                "hollow": dots.iter().map(|dot| dot.is_hollow).collect::<Value>(),
+                "told": dots.iter().map(|dot| dot.told()).collect::<Value>(),
+            })
+        };
+        let guide = |points: Vec<(f64, f64)>, name: &str| {
+            let points = points.into_iter().flat_map(|(x, y)| [x, y]);
+            json!({ "name": "", "guide": name, "p": points.collect::<Value>() })
+        };
+        // Guides leave the chart at its edges: the script cuts them there.
+        let far = 1e9;
+        let mut lines: Vec<Value> = self.series.iter().map(line).collect();
+        if let (Some(&first), Some(&last)) = (self.front.first(), self.front.last()) {
+            let stairs = self.front.windows(2).flat_map(|pair| [pair[0], (pair[1].0, pair[0].1)]);
+            let ends = [last, (far, last.1)];
+            lines.push(guide(
+                [(first.0, far)].into_iter().chain(stairs).chain(ends).collect(),
+                "Pareto front",
+            ));
+        }
+        if let Some(floor) = self.floor {
+            lines.push(guide(vec![(1.0 / far, floor), (far, floor)], FLOOR));
+        }
+        json!({
+            "x": self.x.head(),
+            "y": format!("{} [1]", self.y),
+            "of": "error",
+            "logx": true,
+            "log": true,
+            "tall": true,
+            "lines": lines,
+            "marks": [],
+        })
+    }
+
     fn draw(&self, svg: &mut String, top: f64) {
         let seen: Vec<&Dot> = self
             .series
@@ -171,13 +230,8 @@ impl Panel {
         let at = |(cost, error): (f64, f64)| (x.at(cost), y.at(error));
         if let Some(floor) = floor {
             let height = y.at(floor);
-            polyline(svg, &[(LEFT, height), (RIGHT, height)], &color(INK), 1.0, "2 4", 1.0);
-            text(
-                svg,
-                (LEFT + 6.0, height + 16.0),
-                "start",
-                "3 x uncertainty of the reference",
-            );
+            polyline(svg, &[(LEFT, height), (RIGHT, height)], &hex(INK), 1.0, "2 4", 1.0);
+            text(svg, (LEFT + 6.0, height + 16.0), "start", FLOOR);
         }
         if let (Some(&first), Some(&last)) = (self.front.first(), self.front.last()) {
             let mut stairs = vec![(x.at(first.0), top)];
@@ -206,7 +260,7 @@ impl Panel {
     }
 
     fn draw_axes(&self, svg: &mut String, (x, y): (&Scale, &Scale), top: f64) {
-        let (bottom, grid) = (top + PLOT, color(GRID));
+        let (bottom, grid) = (top + PLOT, hex(GRID));
         for (value, is_named) in x.ticks() {
             let place = x.at(value);
             polyline(
@@ -236,13 +290,13 @@ impl Panel {
             }
         }
         let frame = [(LEFT, top), (LEFT, bottom), (RIGHT, bottom)];
-        polyline(svg, &frame, &color(INK), 1.0, "", 1.0);
+        polyline(svg, &frame, &hex(INK), 1.0, "", 1.0);
         text(svg, (0.5 * (LEFT + RIGHT), bottom + 44.0), "middle", self.x.name());
         let middle = top + 0.5 * PLOT;
         let _ = writeln!(
             svg,
             "<text transform=\"translate(18 {middle:.1}) rotate(-90)\" text-anchor=\"middle\" fill=\"{}\">{}</text>",
-            color(INK),
+            hex(INK),
             escape(&self.y)
         );
     }
@@ -258,6 +312,14 @@ impl Axis {
         match self {
             Axis::Time => "processor time",
             Axis::Count(name) => name,
+        }
+    }
+
+    /// Name and unit.
+    fn head(self) -> String {
+        match self {
+            Axis::Time => "processor time [s]".into(),
+            Axis::Count(name) => format!("{name} [1]"),
         }
     }
 
@@ -328,6 +390,17 @@ impl Scale {
     }
 }
 
+impl Marker {
+    fn name(self) -> &'static str {
+        match self {
+            Marker::Circle => "circle",
+            Marker::Triangle => "triangle",
+            Marker::Diamond => "diamond",
+            Marker::Square => "square",
+        }
+    }
+}
+
 impl Look {
     fn line(self, svg: &mut String, points: &[(f64, f64)]) {
         let dashes = match self.marker {
@@ -338,7 +411,7 @@ impl Look {
         polyline(
             svg,
             points,
-            &color(LINES[self.color % LINES.len()]),
+            &hex(LINES[self.color % LINES.len()]),
             1.8,
             dashes,
             self.shade,
@@ -346,7 +419,7 @@ impl Look {
     }
 
     fn mark(self, svg: &mut String, (x, y): (f64, f64), is_hollow: bool, name: &str) {
-        let color = color(LINES[self.color % LINES.len()]);
+        let color = hex(LINES[self.color % LINES.len()]);
         let fill = if is_hollow { "none" } else { color.as_str() };
         let style = format!(
             "fill=\"{fill}\" stroke=\"{color}\" stroke-width=\"1.5\" opacity=\"{}\"",
@@ -383,7 +456,7 @@ impl Look {
 }
 
 fn ring(svg: &mut String, (x, y): (f64, f64)) {
-    let ink = color(INK);
+    let ink = hex(INK);
     let _ = writeln!(
         svg,
         "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"8\" fill=\"none\" stroke=\"{ink}\" stroke-width=\"1.2\"/>"
@@ -394,7 +467,7 @@ fn text(svg: &mut String, (x, y): (f64, f64), anchor: &str, inside: &str) {
     let _ = writeln!(
         svg,
         "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\" fill=\"{}\">{}</text>",
-        color(INK),
+        hex(INK),
         escape(inside)
     );
 }
@@ -411,10 +484,6 @@ fn polyline(svg: &mut String, points: &[(f64, f64)], color: &str, width: f64, da
         "<polyline points=\"{}\" fill=\"none\" stroke=\"{color}\" stroke-width=\"{width}\" stroke-linejoin=\"round\"{dashes} opacity=\"{opacity}\"/>",
         places.join(" ")
     );
-}
-
-fn color(plotters::style::RGBColor(red, green, blue): plotters::style::RGBColor) -> String {
-    format!("#{red:02X}{green:02X}{blue:02X}")
 }
 
 #[cfg(test)]

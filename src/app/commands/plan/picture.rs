@@ -91,23 +91,24 @@ fn over(model: &dyn AnyModel, plan: &Plan, table: &Table, group: &[usize], place
         ..Chart::default()
     };
     let mut names = Vec::new();
+    let is_curve = plan.varied.len() == 1 && plan.design == Design::Grid;
     for (color, &index) in group.iter().enumerate() {
         let points = table
             .column(index)
             .map(|(row, value)| (shown(model, plan, row.params[place], place), value));
         let mut points: Vec<(f64, f64)> = points.collect();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
-        if plan.varied.len() == 1 && plan.design == Design::Grid {
-            chart
-                .lines
-                .push(Line::new(points, color).named(table.heads[index].what));
-        } else {
-            chart.dots.extend(points.into_iter().map(|point| (point, color)));
-        }
+        let line = match is_curve {
+            true => Line::new(points, color),
+            false => Line::dots(points, color),
+        };
+        chart.lines.push(line.named(table.heads[index].what));
         names.push(format!("<i class=\"key k{color}\"></i>{}", table.heads[index].what));
     }
+    // Last values are seen before the extremes, which often are the same.
+    chart.lines.reverse();
     let caption = format!(
-        "{}<span>{}</span>",
+        "{}<span class=\"keys\">{}</span>",
         escape(&table.heads[group[0]].name),
         names.join(" &nbsp; ")
     );
@@ -165,8 +166,7 @@ fn maps(model: &dyn AnyModel, plan: &Plan, table: &Table, page: &mut String) -> 
             cells: Cells::Signed(cells),
             marks: Vec::new(),
         };
-        let svg = Map::to_svg(&head.text(), &[map])?;
-        let _ = write!(page, "<figure class=\"map\">\n{svg}</figure>\n");
+        *page += &map.part()?;
     }
     Ok(())
 }

@@ -89,7 +89,7 @@ fn a_grid_is_swept_and_every_row_is_the_run_with_its_values() {
         assert_eq!(rows[6][place].parse::<f64>().unwrap(), expected, "{}", rows[0][place]);
     }
     let page = fs::read_to_string(path.join("report.html")).unwrap();
-    assert_eq!(page.matches("<figure class=\"map\">").count(), 6);
+    assert_eq!(page.matches("\"cells\":").count(), 6);
     fs::remove_dir_all(&path).unwrap();
 }
 
