@@ -42,12 +42,17 @@ impl Line {
             Some(stem) => stem.to_string_lossy().into_owned(),
             None => "model".into(),
         };
+        Self::new(&program, words, default)
+    }
+
+    /// Words that a program has from elsewhere, without its name; its files go to the folder `out/` of the name.
+    pub fn new(program: &str, words: impl IntoIterator<Item = impl Into<OsString>>, default: Command) -> Self {
         Self {
-            words: words.collect(),
+            program: program.into(),
+            words: words.into_iter().map(Into::into).collect(),
             default,
             more: String::new(),
-            out: PathBuf::from("out").join(&program),
-            program,
+            out: PathBuf::from("out").join(program),
         }
     }
 
@@ -92,6 +97,22 @@ impl Line {
 /// Exit codes: 0 complete; 1 a step failed or a file cannot be written; 2 a mistake on the command
 /// line or in a parameter; 130 Ctrl-C. Files are complete up to the last good time or value in all cases
 /// in which the work has begun.
+///
+/// ```no_run
+/// rncf::model! {
+///     /// A ball that falls.
+///     pub model Fall {
+///         rigid ball { mass = 1 kg; }
+///         load weight = gravity([0, 0, -10] m/s^2);
+///         output z = ball.z;
+///         run { t_end = 1 s; every = 0.1 s; }
+///     }
+/// }
+///
+/// fn main() -> std::process::ExitCode {
+///     rncf::app::main::<Fall>()
+/// }
+/// ```
 pub fn main<M: Model>() -> ExitCode {
     main_as::<M>(Command::Run)
 }
@@ -126,6 +147,28 @@ pub fn main_among(flag: &str, default: Command, models: &[(&str, Entry)]) -> Exi
 }
 
 /// As [`main`] with the words of a line.
+///
+/// ```
+/// # use std::process::ExitCode;
+/// use rncf::app::{Command, Line, enter};
+///
+/// rncf::model! {
+///     pub model Fall {
+///         rigid ball { mass = 1 kg; }
+///         load weight = gravity([0, 0, -10] m/s^2);
+///         output z = ball.z;
+///         run { t_end = 1 s; every = 0.1 s; }
+///     }
+/// }
+///
+/// let out = std::env::temp_dir().join(format!("fall-{}", std::process::id()));
+/// let words = ["--t-end", "0.5 s", "--quiet", "--out", out.to_str().unwrap()];
+/// assert_eq!(enter::<Fall>(Line::new("fall", words, Command::Run)), ExitCode::SUCCESS);
+/// let table = std::fs::read_to_string(out.join("history.csv"))?;
+/// assert!(table.lines().last().unwrap().starts_with("0.5,-1.25"));
+/// std::fs::remove_dir_all(out)?;
+/// # std::io::Result::Ok(())
+/// ```
 pub fn enter<M: Model>(line: Line) -> ExitCode {
     entered(&M::default(), line)
 }

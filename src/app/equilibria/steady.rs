@@ -28,6 +28,29 @@ const MOST: usize = 3;
 
 /// Follows the relative equilibria of a model (THEORY 8.1): from rest to its spin, or along a parameter.
 ///
+/// A ball of 1 kg slides on a rail of a turning hub, and a coil of 100 N/m and 1 m holds it:
+///
+/// ```
+/// rncf::model! {
+///     pub model Governor {
+///         param speed = 5 rad/s;
+///         frame hub = rotating(axis = z, angle = speed * t);
+///         rigid ball in hub { mass = 1 kg; inertia = [1, 1, 1] g*m^2; origin = [1, 0, 0] m; }
+///         joint rail = prismatic(ball, hub, axis = x);
+///         spring coil = linear(ball, hub, stiffness = 100 N/m, length = 1 m);
+///         output r = ball.in(hub).x;
+///         run { t_end = 1 s; every = 0.1 s; }
+///     }
+/// }
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// use rncf::app::{EquilibriumSettings, steady};
+/// let found = steady(&Governor::default(), &EquilibriumSettings::default())?;
+/// assert!((found.history.values.last().unwrap() - 100.0 / (100.0 - 5.0 * 5.0)).abs() < 1e-9);
+/// # Ok(())
+/// # }
+/// ```
+///
 /// # Errors
 /// A model that cannot be built; [`RunError::Equilibrium`] where none exists, with the frame or load that
 /// stands against it; [`RunError::Equilibria`] with the rows found where the way ends early.
@@ -95,6 +118,39 @@ fn grows(station: &mut Station, settings: &EquilibriumSettings) -> Option<String
 
 /// As [`steady`] or [`static_equilibria`]; `watch` is called after every step, and ends the way by
 /// [`ControlFlow::Break`].
+///
+/// A mass of 1 kg on a coil of 100 N/m is pulled away; the way ends behind the third of ten steps:
+///
+/// ```
+/// use std::ops::ControlFlow;
+///
+/// use rncf::app::{EquilibriumSettings, Range, RunError, equilibria};
+/// use rncf::equilibrium::Kind;
+///
+/// rncf::model! {
+///     pub model Pulled {
+///         param pull = 5 N;
+///         rigid mass { mass = 1 kg; inertia = [1, 1, 1] g*m^2; origin = [1, 0, 0] m; }
+///         joint rail = prismatic(mass, inertial, axis = x);
+///         spring coil = linear(mass, inertial, stiffness = 100 N/m, length = 1 m);
+///         load away = force(mass, [pull, 0 N, 0 N]);
+///         output x = mass.x;
+///         run { t_end = 1 s; every = 0.1 s; }
+///     }
+/// }
+///
+/// let range = Range { param: 0, from: 0.0, to: 10.0 };
+/// let settings = EquilibriumSettings { range: Some(range), steps: 10, ..EquilibriumSettings::default() };
+/// let mut values = Vec::new();
+/// let ended = equilibria(&Pulled::default(), Kind::Static, &settings, |progress| {
+///     values.push(progress.key);
+///     if values.len() == 3 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+/// });
+/// let Err(RunError::Equilibria(found)) = ended else { panic!("the way has ended early") };
+/// let reached = found.history.keys.last().unwrap();
+/// assert_eq!((values.len(), *reached), (3, *values.last().unwrap()));
+/// assert!((found.history.values.last().unwrap() - (1.0 + reached / 100.0)).abs() < 1e-9);
+/// ```
 ///
 /// # Errors
 /// As [`steady`].

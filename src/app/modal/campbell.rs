@@ -29,6 +29,32 @@ const MOST: usize = 8;
 
 /// The modes of a model over a parameter, or over the spin from rest to that of the time of the settings.
 ///
+/// A ball of 1 kg slides on a rail of a turning hub, and a coil of 100 N/m and 1 m holds it:
+///
+/// ```
+/// rncf::model! {
+///     pub model Governor {
+///         param speed = 5 rad/s;
+///         frame hub = rotating(axis = z, angle = speed * t);
+///         rigid ball in hub { mass = 1 kg; inertia = [1, 1, 1] g*m^2; origin = [1, 0, 0] m; }
+///         joint rail = prismatic(ball, hub, axis = x);
+///         spring coil = linear(ball, hub, stiffness = 100 N/m, length = 1 m);
+///         output r = ball.in(hub).x;
+///         run { t_end = 1 s; every = 0.1 s; }
+///     }
+/// }
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// use rncf::app::{EquilibriumSettings, Range, campbell};
+/// let range = Range { param: 0, from: 0.0, to: 8.0 };
+/// let found = campbell(&Governor::default(), &EquilibriumSettings { range: Some(range), ..Default::default() })?;
+/// // The frequency falls from 10 rad/s to that of the coil less what drives outwards.
+/// let seen: Vec<f64> = found.tracks[0].iter().flatten().map(|mode| mode.im).collect();
+/// assert!((seen[0] - 10.0).abs() < 1e-6 && (seen.last().unwrap() - f64::sqrt(100.0 - 8.0 * 8.0)).abs() < 1e-6);
+/// # Ok(())
+/// # }
+/// ```
+///
 /// # Errors
 /// A model that cannot be built; [`RunError::Equilibrium`] where no equilibrium or no modes exist at the
 /// start; [`RunError::Campbell`] with the modes found where the way ends early.

@@ -11,6 +11,19 @@ const HEAD: u32 = 130;
 const SCALE: u32 = 4;
 
 /// Charts one below the other.
+///
+/// ```
+/// use rncf::app::Figure;
+/// use rncf::app::charts::{Chart, Line};
+///
+/// let wave = Line::new((0..100).map(|k| 0.1 * f64::from(k)).map(|t| (t, t.sin())), 0);
+/// let measured = Line::dots([(1.57, 1.0), (4.71, -1.0)], 1);
+/// let chart = Chart { x: "t [s]".into(), y: "z [m]".into(), lines: vec![wave, measured], ..Chart::default() };
+/// let mut figure = Figure::default();
+/// figure.add("A wave", &["computed", "measured"], chart);
+/// assert!(figure.to_svg("A wave and two measurements")?.starts_with("<svg"));
+/// # Ok::<(), String>(())
+/// ```
 #[derive(Default)]
 pub struct Figure {
     panels: Vec<Panel>,

@@ -34,6 +34,32 @@ pub fn run(model: &dyn AnyModel, settings: &RunSettings) -> Result<RunResult, Ru
 
 /// As [`run`]; `watch` is called after every step, and ends the run by [`ControlFlow::Break`].
 ///
+/// A ball falls until it is 1 m below its start:
+///
+/// ```
+/// use std::ops::ControlFlow;
+///
+/// use rncf::app::{RunError, RunSettings, run_watched};
+///
+/// rncf::model! {
+///     pub model Fall {
+///         rigid ball { mass = 1 kg; }
+///         load weight = gravity([0, 0, -10] m/s^2);
+///         output z = ball.z;
+///         run { t_end = 1 s; every = 0.01 s; }
+///     }
+/// }
+///
+/// let mut reached = 0.0;
+/// let ended = run_watched(&Fall::default(), &RunSettings::default(), |progress| {
+///     reached = progress.t;
+///     if 5.0 * reached * reached > 1.0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+/// });
+/// let Err(RunError::Incomplete(found)) = ended else { panic!("the run has ended early") };
+/// let (t, z) = (found.history.keys.last().unwrap(), found.history.values.last().unwrap());
+/// assert!(*t <= reached && (z + 5.0 * t * t).abs() < 1e-9);
+/// ```
+///
 /// # Errors
 /// As [`run`].
 pub fn run_watched(

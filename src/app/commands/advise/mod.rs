@@ -90,6 +90,36 @@ pub struct Advised {
 
 /// Searches the simplest description of a model's bodies, and mesh, that gives its outputs to a wanted accuracy.
 ///
+/// A stiff rod is turned by a hub; for the way of its end a rod that does not bend, nor resists a tilt, is enough:
+///
+/// ```
+/// use rncf::app::{RunSettings, Wanted, advise};
+///
+/// rncf::model! {
+///     pub model Rod {
+///         param elements: count = 4;
+///         material steel { density = 7850 kg/m^3; young = 210 GPa; }
+///         section round { area = 4 cm^2; second_moment = 1.3 cm^4; }
+///         frame hub = rotating(axis = z, angle = 1 [rad/s^2] * t^2);
+///         body rod in hub {
+///             planar xy;
+///             line from [0, 0, 0] m to [0.5, 0, 0] m;
+///             mesh elements * cable(round, steel);
+///         }
+///         joint root = clamp(rod.start, hub);
+///         output way = rod.end.in(inertial).y;
+///         run { t_end = 1 s; every = 0.1 s; }
+///     }
+/// }
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let found = advise(&Rod::default(), &RunSettings::default(), &Wanted { accuracy: 1e-2, ..Wanted::default() })?;
+/// let simplest = &found.rungs[found.named.unwrap()];
+/// assert!(simplest.name.starts_with("point") && simplest.error.unwrap() < 1e-2);
+/// # Ok(())
+/// # }
+/// ```
+///
 /// # Errors
 /// Settings or parameters that make no sense, nothing to choose from, or a model that does not run as declared.
 pub fn advise(model: &dyn AnyModel, settings: &RunSettings, wanted: &Wanted) -> Result<Advised, String> {
