@@ -29,6 +29,10 @@ use crate::equilibrium::Kind;
 /// Does what the arguments say and writes; the text for standard output.
 pub(in crate::app) fn execute(arguments: &Arguments, interrupted: impl Fn() -> bool) -> Result<String, Failure> {
     let failed = |text| Failure::new(FAILURE, text);
+    // A mistake leaves no folder behind.
+    if arguments.resume && !arguments.out.exists() {
+        checkpoint::complete(arguments)?;
+    }
     if arguments.command != Command::Explain {
         files::create_folder(&arguments.out).map_err(failed)?;
     }

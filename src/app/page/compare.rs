@@ -65,7 +65,10 @@ impl Other {
                 "--compare: {shown} is what this run writes; give the folder of another run, or `--out`"
             ));
         }
-        let (heads, _) = Rows::open(&path).map_err(|text| format!("--compare: {text}"))?;
+        let opened = Rows::open(&path);
+        let (heads, _) = opened.map_err(|text| {
+            format!("--compare: {text}; give the folder of another run of this model, or its history.csv")
+        })?;
         let other = Self {
             path: path.clone(),
             heads,

@@ -12,6 +12,7 @@ use crate::app::results::failure::MISTAKE;
 use crate::app::testing::{Rotor, temporary_folder};
 
 const PAGE: &str = "docs/errors/command_line.md";
+const SCENARIOS: &str = "docs/errors/scenario_files.md";
 
 /// The fenced blocks of a tag.
 fn blocks(text: &str, tag: &str) -> Vec<String> {
@@ -52,23 +53,43 @@ fn told(line: &str, out: &Path) -> Option<String> {
     Some(failure.message)
 }
 
-#[test]
-fn every_line_gets_its_message_and_its_cure_runs() {
-    let text = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(PAGE)).unwrap();
-    let (wrong, cured) = (blocks(&text, "line"), blocks(&text, "cured-line"));
+/// What differs from the page: the wrong ones get their message, the cured ones none.
+fn differences(page: &str, tag: &str, told: impl Fn(&str) -> Option<String>) -> Vec<String> {
+    let text = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(page)).unwrap();
+    let (wrong, cured) = (blocks(&text, tag), blocks(&text, &format!("cured-{tag}")));
     assert!(wrong.len() == cured.len() && wrong.len() > 10);
-    let out = temporary_folder("page");
     let mut differences = Vec::new();
     for (wrong, cured) in wrong.iter().zip(&cured) {
-        let (line, message) = wrong.split_once("\n//~ ").expect("a line and its message");
-        let found = told(line, &out);
+        let (words, message) = wrong.split_once("\n//~ ").expect("words and their message");
+        let found = told(words);
         if found.as_deref() != Some(message) {
-            differences.push(format!("{line}\n//~ {}", found.unwrap_or_default()));
+            differences.push(format!("{words}\n//~ {}", found.unwrap_or_default()));
         }
-        if let Some(found) = told(cured, &out) {
+        if let Some(found) = told(cured) {
             differences.push(format!("cured: {cured}\n{found}"));
         }
     }
+    differences
+}
+
+#[test]
+fn every_line_gets_its_message_and_its_cure_runs() {
+    let out = temporary_folder("page");
+    let found = differences(PAGE, "line", |line| told(line, &out));
     let _ = fs::remove_dir_all(&out);
-    assert!(differences.is_empty(), "{}", differences.join("\n"));
+    assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
+#[test]
+fn every_scenario_gets_its_message_and_its_cure_runs() {
+    let out = temporary_folder("page-scenarios");
+    fs::create_dir_all(&out).unwrap();
+    let file = out.join("run.toml");
+    let found = differences(SCENARIOS, "scenario", |text| {
+        fs::write(&file, text).unwrap();
+        let line = format!("--scenario {} --quiet", file.display());
+        told(&line, &out).map(|text| text.replace(&format!("{}/", out.display()), ""))
+    });
+    let _ = fs::remove_dir_all(&out);
+    assert!(found.is_empty(), "{}", found.join("\n"));
 }
