@@ -45,6 +45,7 @@ mod slider_crank;
 mod spin_up;
 mod steady;
 mod step_control;
+mod stopped;
 mod stops;
 mod ties;
 mod tilted_sail;

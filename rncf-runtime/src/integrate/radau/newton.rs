@@ -35,6 +35,10 @@ const FEW: u32 = 1;
 const ROUND_OFF: f64 = 4.0 * f64::EPSILON;
 /// Increments near it that do not fall are noise whatever lasts.
 const CERTAIN: f64 = 32.0;
+/// Increments that are noise may exceed those that rounding makes by.
+const MARGIN: f64 = 30.0;
+/// Ratio of successive increments above which they do not fall.
+const FALLING: f64 = 0.5;
 /// Noise that the residual may add to that.
 const AMPLIFIED: f64 = 1e3;
 
@@ -173,6 +177,7 @@ impl<const S: usize> Newton<S> {
         let growth = (stages.h / self.seen_at).clamp(1.0, 1e3);
         let mut amplification = self.amplification.max(LEAST).powf(0.8) * growth.powi(2);
         let (mut last, mut last_ratio, mut contraction) = (0.0, 0.0, 0.0);
+        let mut rounding = None;
         // Set when the positions are converged.
         let mut converged = None;
         self.acceleration.restart();
@@ -204,7 +209,17 @@ impl<const S: usize> Newton<S> {
             self.lasting.note(|i| combined(row, &changes, i) * rate);
             self.apply(stages, iteration > 1 && last_ratio > ACCELERATED);
             let stagnates = contraction > STAGNANT;
-            let at_noise = size <= floor || stagnates && self.is_noise(system, start, size, AMPLIFIED * floor);
+            let mut is_noise = |newton: &mut Self, system: &mut dyn System, stages: &mut Stages<S>, least: f64| {
+                newton.is_of_constraints(system, start, size)
+                    || size <= least && {
+                        // Slow contraction looks like noise: what rounding makes of the equations is measured, once in a step.
+                        let rounding = rounding.get_or_insert_with(|| {
+                            newton.rounding(system, coefficients, matrices, start, stages, statistics)
+                        });
+                        newton.is_within(rounding)
+                    }
+            };
+            let at_noise = size <= floor || stagnates && is_noise(self, system, stages, AMPLIFIED * floor);
             if converged.is_none() && (at_noise || contraction < DIVERGING && amplification * size <= self.tolerance) {
                 self.seen_at = stages.h;
                 self.amplification = if contraction < DIVERGING { amplification } else { 1.0 };
@@ -218,10 +233,12 @@ impl<const S: usize> Newton<S> {
                 // What does not fall any more is noise near round-off alone: elsewhere the iteration contracts slowly.
                 let (is_stagnant, is_last) = (self.lasting.is_stagnant(), iteration == most);
                 let is_accepted = self.lasting.is_settled()
-                    || at_noise && (is_stagnant || is_last || self.is_noise(system, start, size, CERTAIN * floor))
+                    || at_noise
+                        && (is_stagnant || is_last || last_ratio > FALLING && size <= CERTAIN * floor)
+                        && is_noise(self, system, stages, AMPLIFIED * floor)
                     || is_stagnant
                         && is_fresh
-                        && (self.patient && is_last || self.is_noise(system, start, size, AMPLIFIED * floor));
+                        && (self.patient && is_last || is_noise(self, system, stages, AMPLIFIED * floor));
                 if is_accepted {
                     self.lasting.accept();
                     self.complete(system, coefficients, matrices, start, stages)?;
@@ -377,11 +394,80 @@ impl<const S: usize> Newton<S> {
         }
     }
 
-    /// Whether increments of this size are at most `least`, or round-off of constraints is all that is left of them; where the
-    /// step is fixed nobody asks for a tolerance.
-    fn is_noise(&self, system: &mut dyn System, start: &State, size: f64, least: f64) -> bool {
+    /// Whether round-off of constraints is all that is left of increments of this size; where the step is fixed nobody asks for
+    /// a tolerance.
+    fn is_of_constraints(&self, system: &mut dyn System, start: &State, size: f64) -> bool {
         let bearable = if self.patient { f64::INFINITY } else { BEARABLE };
-        size <= least || noise::is_all_that_is_left(system, start, &self.inverse_weights, size, bearable)
+        noise::is_all_that_is_left(system, start, &self.inverse_weights, size, bearable)
+    }
+
+    /// What rounding makes of the increments of each unknown: those that follow from places and increments that are rounded
+    /// otherwise, up and down in turns.
+    fn rounding(
+        &mut self,
+        system: &mut dyn System,
+        coefficients: &Coefficients<S>,
+        matrices: &mut Matrices<S>,
+        start: &State,
+        stages: &mut Stages<S>,
+        statistics: &mut Statistics,
+    ) -> Vec<f64> {
+        let last = self.sides();
+        self.differentiate(system, coefficients, matrices, start, stages);
+        self.residual(system, coefficients, matrices, start, stages, statistics);
+        let here = self.sides();
+        let ulp = |index: usize, value: f64| [1.0, -1.0][index % 2] * f64::EPSILON * value.abs();
+        let mut rounded = start.clone();
+        for (index, x) in rounded.x.iter_mut().enumerate() {
+            *x += ulp(index, x.abs() + 1.0 / self.inverse_sizes[index]);
+        }
+        let given = stages.w.clone();
+        for (w, z) in stages.w.iter_mut().zip(&stages.z) {
+            for (index, (w, z)) in w.iter_mut().zip(z).enumerate() {
+                *w += ulp(index, *z);
+            }
+        }
+        stages.differentiate(coefficients, start);
+        self.residual(system, coefficients, matrices, &rounded, stages, statistics);
+        stages.w = given;
+        for (sides, here) in self.all_sides().zip(here) {
+            sides.iter_mut().zip(here).for_each(|(side, here)| *side -= here);
+        }
+        let sides = [&mut self.dynamics, &mut self.constraints, &mut self.rates];
+        matrices.solve_stages(coefficients, stages.h, sides, statistics);
+        let changes = slices(&self.dynamics, start.x.len());
+        let largest = |index: usize| {
+            let changes = (0..S).map(|s| changes[s][index].abs() + f64::EPSILON * stages.z[s][index].abs());
+            changes.fold(0.0, f64::max)
+        };
+        let rounding = (0..start.x.len()).map(largest).collect();
+        for (sides, last) in self.all_sides().zip(last) {
+            *sides = last;
+        }
+        rounding
+    }
+
+    /// Whether no increment exceeds what rounding makes by much.
+    fn is_within(&self, rounding: &[f64]) -> bool {
+        let is_within = |changes: &Vec<f64>| {
+            let mut pairs = changes.iter().zip(rounding);
+            pairs.all(|(change, rounding)| change.abs() <= MARGIN * rounding)
+        };
+        self.dynamics.iter().all(is_within)
+    }
+
+    fn all_sides(&mut self) -> impl Iterator<Item = &mut Vec<f64>> {
+        let Self {
+            dynamics,
+            constraints,
+            rates,
+            ..
+        } = self;
+        dynamics.iter_mut().chain(constraints).chain(rates)
+    }
+
+    fn sides(&mut self) -> Vec<Vec<f64>> {
+        self.all_sides().map(|sides| sides.clone()).collect()
     }
 
     fn slow(&self, ratio: f64) -> Failure {
