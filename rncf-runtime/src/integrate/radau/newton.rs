@@ -210,7 +210,9 @@ impl<const S: usize> Newton<S> {
             self.apply(stages, iteration > 1 && last_ratio > ACCELERATED);
             let stagnates = contraction > STAGNANT;
             let mut is_noise = |newton: &mut Self, system: &mut dyn System, stages: &mut Stages<S>, least: f64| {
-                newton.is_of_constraints(system, start, size)
+                // A fixed step is iterated down to round-off, and has no shorter one to go back to.
+                newton.patient && size <= least
+                    || newton.is_of_constraints(system, start, size)
                     || size <= least && {
                         // Slow contraction looks like noise: what rounding makes of the equations is measured, once in a step.
                         let rounding = rounding.get_or_insert_with(|| {
@@ -234,7 +236,10 @@ impl<const S: usize> Newton<S> {
                 let (is_stagnant, is_last) = (self.lasting.is_stagnant(), iteration == most);
                 let is_accepted = self.lasting.is_settled()
                     || at_noise
-                        && (is_stagnant || is_last || last_ratio > FALLING && size <= CERTAIN * floor)
+                        && (is_stagnant
+                            || is_last
+                            || (self.patient || last_ratio > FALLING) && size <= CERTAIN * floor
+                            || self.is_of_constraints(system, start, size))
                         && is_noise(self, system, stages, AMPLIFIED * floor)
                     || is_stagnant
                         && is_fresh
@@ -416,15 +421,15 @@ impl<const S: usize> Newton<S> {
         self.differentiate(system, coefficients, matrices, start, stages);
         self.residual(system, coefficients, matrices, start, stages, statistics);
         let here = self.sides();
-        let ulp = |index: usize, value: f64| [1.0, -1.0][index % 2] * f64::EPSILON * value.abs();
+        let ulp = |turn: usize, value: f64| [1.0, -1.0][turn % 2] * f64::EPSILON * value.abs();
         let mut rounded = start.clone();
         for (index, x) in rounded.x.iter_mut().enumerate() {
             *x += ulp(index, x.abs() + 1.0 / self.inverse_sizes[index]);
         }
         let given = stages.w.clone();
-        for (w, z) in stages.w.iter_mut().zip(&stages.z) {
+        for (stage, (w, z)) in stages.w.iter_mut().zip(&stages.z).enumerate() {
             for (index, (w, z)) in w.iter_mut().zip(z).enumerate() {
-                *w += ulp(index, *z);
+                *w += ulp(index + stage, *z);
             }
         }
         stages.differentiate(coefficients, start);
