@@ -88,7 +88,9 @@ addEventListener("load", () => setTimeout(() => {
   const before = shapes();
   if (names.length) names[0].click();
   found.hidden = before - shapes();
-  at("pointerdown", 0.3, 0.5); at("pointermove", 0.7, 0.5); at("pointerup", 0.7, 0.5);
+  at("pointerdown", 0.3, 0.5); at("pointermove", 0.7, 0.5);
+  found.chosen = getComputedStyle(svg.querySelector(".chosen")).opacity;
+  at("pointerup", 0.7, 0.5);
   found.zoomed = !box.querySelector(".again").hidden;
   found.drawings = [...document.querySelectorAll("figure > svg")].filter((one) => one.style.display !== "none").length;
   document.title = "TOLD " + JSON.stringify({ found, wrong });
@@ -248,6 +250,8 @@ def charts_answer(opens, program, folder):
     print("charts:", {name: {**one, "told": one["told"][:1]} for name, one in found.items()})
     for name, one in found.items():
         assert one["told"] and one["zoomed"] and not one["drawings"], (name, one)
+        # What is dragged over still shows.
+        assert one["chosen"] == "0.2", (name, one["chosen"])
     campbell, chart, cells, points = (found[name] for name in lines)
     assert campbell["names"] == ["mode 1", "mode 2", "mode 3"] and campbell["hidden"] >= 1, campbell
     assert campbell["told"][0].startswith("spin = 0 rad/s; mode 1 2.9") and campbell["told"][0].count(";") == 3, campbell

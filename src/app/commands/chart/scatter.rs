@@ -317,10 +317,8 @@ impl Axis {
 
     /// Name and unit.
     fn head(self) -> String {
-        match self {
-            Axis::Time => "processor time [s]".into(),
-            Axis::Count(name) => format!("{name} [1]"),
-        }
+        let unit = if self == Axis::Time { "s" } else { "1" };
+        format!("{} [{unit}]", self.name())
     }
 
     fn tick(self, value: f64) -> String {
