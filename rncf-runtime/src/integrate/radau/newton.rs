@@ -209,11 +209,12 @@ impl<const S: usize> Newton<S> {
             self.lasting.note(|i| combined(row, &changes, i) * rate);
             self.apply(stages, iteration > 1 && last_ratio > ACCELERATED);
             let stagnates = contraction > STAGNANT;
-            let mut is_noise = |newton: &mut Self, system: &mut dyn System, stages: &mut Stages<S>, least: f64| {
+            let mut is_noise = |newton: &mut Self, system: &mut dyn System, stages: &mut Stages<S>| {
+                let is_small = size <= AMPLIFIED * floor;
                 // A fixed step is iterated down to round-off, and has no shorter one to go back to.
-                newton.patient && size <= least
+                newton.patient && is_small
                     || newton.is_of_constraints(system, start, size)
-                    || size <= least && {
+                    || is_small && {
                         // Slow contraction looks like noise: what rounding makes of the equations is measured, once in a step.
                         let rounding = rounding.get_or_insert_with(|| {
                             newton.rounding(system, coefficients, matrices, start, stages, statistics)
@@ -221,7 +222,7 @@ impl<const S: usize> Newton<S> {
                         newton.is_within(rounding)
                     }
             };
-            let at_noise = size <= floor || stagnates && is_noise(self, system, stages, AMPLIFIED * floor);
+            let at_noise = size <= floor || stagnates && is_noise(self, system, stages);
             if converged.is_none() && (at_noise || contraction < DIVERGING && amplification * size <= self.tolerance) {
                 self.seen_at = stages.h;
                 self.amplification = if contraction < DIVERGING { amplification } else { 1.0 };
@@ -234,16 +235,13 @@ impl<const S: usize> Newton<S> {
             if let Some(converged) = converged {
                 // What does not fall any more is noise near round-off alone: elsewhere the iteration contracts slowly.
                 let (is_stagnant, is_last) = (self.lasting.is_stagnant(), iteration == most);
+                let is_low = (self.patient || last_ratio > FALLING) && size <= CERTAIN * floor;
                 let is_accepted = self.lasting.is_settled()
-                    || at_noise
-                        && (is_stagnant
-                            || is_last
-                            || (self.patient || last_ratio > FALLING) && size <= CERTAIN * floor
-                            || self.is_of_constraints(system, start, size))
-                        && is_noise(self, system, stages, AMPLIFIED * floor)
-                    || is_stagnant
-                        && is_fresh
-                        && (self.patient && is_last || is_noise(self, system, stages, AMPLIFIED * floor));
+                    || is_stagnant && is_fresh && self.patient && is_last
+                    || (is_stagnant && is_fresh
+                        || at_noise
+                            && (is_stagnant || is_last || is_low || self.is_of_constraints(system, start, size)))
+                        && is_noise(self, system, stages);
                 if is_accepted {
                     self.lasting.accept();
                     self.complete(system, coefficients, matrices, start, stages)?;
@@ -461,6 +459,7 @@ impl<const S: usize> Newton<S> {
         self.dynamics.iter().all(is_within)
     }
 
+    /// What stands for right sides, and for increments once they are solved for: of all stages, one kind after the other.
     fn all_sides(&mut self) -> impl Iterator<Item = &mut Vec<f64>> {
         let Self {
             dynamics,
