@@ -356,3 +356,94 @@ fn a_parabola_in_long_steps_is_no_vibration() {
     assert!(found.warnings.is_empty(), "{:?}", found.warnings);
     assert!(found.off_by.iter().all(|(_, part)| *part < 1e-6), "{:?}", found.off_by);
 }
+
+rncf::model! {
+    /// A body that turns about its middle axis, and over and over.
+    pub model Over {
+        rigid top { mass = 1 kg; inertia = [1, 2, 3] kg*m^2; velocity = [1, 0, 0] m/s; angular_velocity = [1e-3, 6, 1e-3] rad/s; }
+        output spin = top.angular_velocity;
+        output energy = total.kinetic_energy;
+        run { t_end = 20 s; every = 0.05 s; }
+    }
+}
+
+/// Largest distance from Euler's equations, as part of the range of 12 rad/s.
+fn off_from_euler(found: &rncf::app::RunResult) -> f64 {
+    let rate = |w: [f64; 3]| [-w[1] * w[2], w[2] * w[0], -w[0] * w[1] / 3.0];
+    let along = |w: [f64; 3], by: f64, k: [f64; 3]| std::array::from_fn(|i| w[i] + by * k[i]);
+    let (mut w, steps) = ([1e-3, 6.0, 1e-3], 400);
+    let step = 0.05 / f64::from(steps);
+    let mut off = 0.0f64;
+    for row in 0..found.history.keys.len() {
+        for (axis, right) in w.iter().enumerate() {
+            let own = found.history.column(axis).nth(row).unwrap();
+            off = off.max((own - right).abs() / 12.0);
+        }
+        for _ in 0..steps {
+            let a = rate(w);
+            let b = rate(along(w, 0.5 * step, a));
+            let c = rate(along(w, 0.5 * step, b));
+            let d = rate(along(w, step, c));
+            w = std::array::from_fn(|i| w[i] + step / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]));
+        }
+    }
+    off
+}
+
+/// Small tolerances hold, and what is told of them is at least the error; what is kept is no other motion.
+#[test]
+fn small_tolerances_are_told_as_they_are() {
+    for (rtol, least) in [(1e-11, 1e-5), (1e-12, 1e-6)] {
+        let found = run(&Over {}, &judged(rtol, Judging::Affordable)).unwrap();
+        let error = off_from_euler(&found);
+        let told = found.off_by.iter().find(|off| off.0 == 0).map_or(0.0, |off| off.1);
+        println!(
+            "{rtol}: off by {error:.1e}, told {told:.1e}, {:?} {:?}",
+            found.warnings, found.agreement
+        );
+        assert!(error < least, "{rtol}: off by {error:.1e}");
+        assert!(
+            error < told && told < 1e-3,
+            "{rtol}: off by {error:.1e}, told {told:.1e}"
+        );
+        assert!(found.warnings.is_empty(), "{rtol}: {:?}", found.warnings);
+    }
+}
+
+rncf::model! {
+    /// Two rods that swing about as they please. Energy begins at zero, and stays there.
+    pub model TwoRods {
+        rigid upper { plane xy; mass = 1 kg; inertia = 0.1 kg*m^2; origin = [0.5, 0, 0] m; }
+        rigid lower { plane xy; mass = 1 kg; inertia = 0.1 kg*m^2; origin = [1.5, 0, 0] m; }
+        joint shoulder = revolute(inertial.at([0, 0, 0] m), upper.at([-0.5, 0, 0] m));
+        joint elbow = revolute(upper.at([0.5, 0, 0] m), lower.at([-0.5, 0, 0] m));
+        load weight = gravity([0, -9.81, 0] m/s^2);
+        output energy = total.kinetic_energy + total.gravity_energy;
+        run { t_end = 5 s; every = 10 ms; }
+    }
+}
+
+/// An error of the energy within the tolerance is in the line of agreement, in its unit, and no warning at any tolerance.
+#[test]
+fn energy_that_is_kept_to_the_tolerance_is_not_warned_of() {
+    for rtol in [1e-7, 1e-9, 1e-12] {
+        let found = run(&TwoRods {}, &judged(rtol, Judging::Affordable)).unwrap();
+        let error = found.history.column(0).map(f64::abs).fold(0.0, f64::max);
+        println!(
+            "{rtol}: off by {error:.1e} J, {:?} {:?}",
+            found.warnings, found.agreement
+        );
+        assert!(error < 100.0 * rtol * 10.0, "{rtol}: off by {error:.1e} J");
+        assert!(found.warnings.is_empty(), "{rtol}: {:?}", found.warnings);
+        let line = found.agreement.unwrap();
+        let told = line
+            .split("`energy` by ")
+            .nth(1)
+            .and_then(|rest| rest.split(' ').next()?.parse::<f64>().ok());
+        let told = told.unwrap_or_else(|| panic!("{rtol}: {line}"));
+        assert!(
+            (0.3..3.0).contains(&(told / error)),
+            "{rtol}: off by {error:.1e}, told {told:.1e}"
+        );
+    }
+}
