@@ -135,6 +135,12 @@ mod tests {
             unknown("joint", "hinge", ["clamp", "pin", "revolute"]),
             "unknown joint `hinge`: did you mean `revolute` or `pin`?"
         );
+        for (inside, item) in [("revolute", "joint"), ("mesh", "body"), ("distributed", "load")] {
+            assert_eq!(
+                unknown("item", inside, ["body", "joint", "load", "motion"]),
+                format!("unknown item `{inside}`: did you mean `{item}`?")
+            );
+        }
         assert_eq!(nearest("xz", &["xy", "yz", "zx"]), Some("zx"));
     }
 }

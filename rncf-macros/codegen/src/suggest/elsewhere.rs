@@ -14,6 +14,12 @@ const WORDS: &[(&str, &[&str])] = &[
     ("support", &["joint"]), ("boundary", &["joint"]), ("connect", &["joint"]), ("connector", &["joint"]),
     ("rigid_body", &["rigid"]), ("flexible", &["body"]), ("profile", &["section"]), ("repeat", &["for"]),
     ("mass", &["fixture", "rigid"]), ("point_mass", &["fixture", "rigid"]), ("parts", &["part"]), ("module", &["component"]),
+    // What stands inside of an item: `gravity([0, -9.81, 0] m/s^2)` without `load weight =`.
+    ("revolute", &["joint"]), ("pin", &["joint"]), ("clamp", &["joint"]), ("weld", &["joint"]), ("spherical", &["joint"]), ("universal", &["joint"]),
+    ("prismatic", &["joint"]), ("cylindrical", &["joint"]), ("distance", &["joint"]), ("hold", &["joint"]), ("drive", &["joint"]),
+    ("circle", &["section"]), ("rectangle", &["section"]), ("tube", &["section"]), ("distributed", &["load"]), ("bushing", &["spring"]),
+    ("torsional", &["spring"]), ("linear", &["spring"]), ("hinged", &["frame"]), ("moving", &["frame"]), ("rotating", &["frame"]), ("free", &["frame"]),
+    ("planar", &["body"]), ("spatial", &["body"]), ("line", &["body"]), ("mesh", &["body"]), ("chord", &["body"]), ("mean_axes", &["body"]),
     // Joints.
     ("hinge", &["revolute", "pin", "hinged"]), ("pivot", &["revolute", "pin", "hinged"]),
     ("rotational", &["revolute", "torsional"]), ("rotary", &["revolute"]), ("pinned", &["pin"]),
