@@ -6,7 +6,7 @@
 Each fault is a text that stands exactly once in a file, and what replaces it: a wrong sign, a lost row, a lost message. The
 committed state is copied to a folder outside (default: a temporary one; a folder that is given keeps what was built), the
 fault is written into the copy, and the tests that should see it are run, the cheapest first. A fault is caught where a test
-fails, or where the models of the repository do not compile any more. Python and git are needed. Takes about an hour on four cores; the
+fails, or where the models of the repository do not compile any more. Python and git are needed. Takes about half an hour on four cores; the
 log of one call is in docs/building.md.
 """
 

@@ -957,6 +957,7 @@ pub mod andrews_squeezer_equations {
     }
     impl ::rncf::emitted::WithoutBodies for Equations {}
     impl ::rncf::emitted::WithoutConservingForces for Equations {}
+    impl ::rncf::emitted::WithoutTimedEnergies for Equations {}
     impl ::rncf::emitted::WithoutJointConditions for Equations {}
     impl ::rncf::emitted::WithoutLoads for Equations {}
     impl ::rncf::emitted::WithoutSlopeMoments for Equations {}

@@ -3183,6 +3183,7 @@ pub mod bend45_equations {
             );
         }
     }
+    impl ::rncf::emitted::WithoutTimedEnergies for Equations {}
     impl ::rncf::emitted::JointConditions for Equations {
         fn joints(&self) -> ::std::vec::Vec<::rncf::emitted::JointSpec> {
             let model = &self.model;

@@ -109,7 +109,7 @@ impl ::rncf::Model for Esail {
     output tension_aux_min = min(a in 0..tethers, aux[a].at(pi*(hub_radius + length)/tethers).axial_force);
     /// The same: the greatest of all.
     output tension_aux_max = max(a in 0..tethers, aux[a].at(pi*(hub_radius + length)/tethers).axial_force);
-    /// Torques that keep the axis of the spin pointing at the Sun, Eq. (26).
+    /// Torques that keep the axis of the spin pointing at the Sun, THEORY (26).
     output torque_x = sun_x.multiplier;
     output torque_y = sun_y.multiplier;
 
@@ -493,7 +493,7 @@ impl ::rncf::Model for Esail {
                 unit: "N m",
                 time_exponent: -2.0,
                 components: &[],
-                doc: "Torques that keep the axis of the spin pointing at the Sun, Eq. (26).",
+                doc: "Torques that keep the axis of the spin pointing at the Sun, THEORY (26).",
             },
             ::rncf::Output {
                 name: "torque_y",
@@ -4014,6 +4014,7 @@ pub mod esail_equations {
         }
     }
     impl ::rncf::emitted::WithoutConservingForces for Equations {}
+    impl ::rncf::emitted::WithoutTimedEnergies for Equations {}
     impl ::rncf::emitted::JointConditions for Equations {
         fn joints(&self) -> ::std::vec::Vec<::rncf::emitted::JointSpec> {
             let model = &self.model;

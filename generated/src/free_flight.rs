@@ -2403,6 +2403,7 @@ pub mod free_flight_equations {
             );
         }
     }
+    impl ::rncf::emitted::WithoutTimedEnergies for Equations {}
     impl ::rncf::emitted::WithoutJointConditions for Equations {}
     impl ::rncf::emitted::WithoutLoads for Equations {}
     impl ::rncf::emitted::WithoutSlopeMoments for Equations {}

@@ -412,6 +412,7 @@ pub mod heavy_top_equations {
     }
     impl ::rncf::emitted::WithoutBodies for Equations {}
     impl ::rncf::emitted::WithoutConservingForces for Equations {}
+    impl ::rncf::emitted::WithoutTimedEnergies for Equations {}
     impl ::rncf::emitted::WithoutJointConditions for Equations {}
     impl ::rncf::emitted::Loads for Equations {
         fn loads(&self) -> ::std::vec::Vec<::rncf::emitted::LoadSpec> {

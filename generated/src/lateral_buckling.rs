@@ -2981,6 +2981,7 @@ pub mod lateral_buckling_equations {
             );
         }
     }
+    impl ::rncf::emitted::WithoutTimedEnergies for Equations {}
     impl ::rncf::emitted::JointConditions for Equations {
         fn joints(&self) -> ::std::vec::Vec<::rncf::emitted::JointSpec> {
             let model = &self.model;

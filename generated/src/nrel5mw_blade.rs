@@ -7267,6 +7267,7 @@ pub mod nrel5mw_blade_equations {
         }
     }
     impl ::rncf::emitted::WithoutConservingForces for Equations {}
+    impl ::rncf::emitted::WithoutTimedEnergies for Equations {}
     impl ::rncf::emitted::JointConditions for Equations {
         fn joints(&self) -> ::std::vec::Vec<::rncf::emitted::JointSpec> {
             let model = &self.model;

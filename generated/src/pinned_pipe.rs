@@ -1578,6 +1578,7 @@ pub mod pinned_pipe_equations {
         }
     }
     impl ::rncf::emitted::WithoutConservingForces for Equations {}
+    impl ::rncf::emitted::WithoutTimedEnergies for Equations {}
     impl ::rncf::emitted::WithoutJointConditions for Equations {}
     impl ::rncf::emitted::WithoutLoads for Equations {}
     impl ::rncf::emitted::WithoutSlopeMoments for Equations {}

@@ -2982,6 +2982,7 @@ pub mod princeton_beam_equations {
             );
         }
     }
+    impl ::rncf::emitted::WithoutTimedEnergies for Equations {}
     impl ::rncf::emitted::JointConditions for Equations {
         fn joints(&self) -> ::std::vec::Vec<::rncf::emitted::JointSpec> {
             let model = &self.model;

@@ -1397,6 +1397,7 @@ pub mod roll_up_equations {
         }
     }
     impl ::rncf::emitted::WithoutConservingForces for Equations {}
+    impl ::rncf::emitted::WithoutTimedEnergies for Equations {}
     impl ::rncf::emitted::JointConditions for Equations {
         fn joints(&self) -> ::std::vec::Vec<::rncf::emitted::JointSpec> {
             let model = &self.model;

@@ -39,7 +39,7 @@ impl ::rncf::Model for SliderCrank {
     material _soft { density = 7870 kg/m^3; young = 0.2 GPa; poisson = 0.29; damping = damping; }
     section round { area = pi * radius^2; second_moment = pi * radius^4 / 4; }
 
-    /// Angle of the crank, Eqs. (23), (24).
+    /// Angle of the crank, THEORY (22).
     motion theta(t) =
         if t <= T_s { (omega_s/T_s) * (t^2/2 + (T_s/(2*pi))^2 * (cos(2*pi*t/T_s) - 1)) }
         else { omega_s * (t - T_s/2) };
@@ -3079,6 +3079,7 @@ pub mod slider_crank_equations {
         }
     }
     impl ::rncf::emitted::WithoutConservingForces for Equations {}
+    impl ::rncf::emitted::WithoutTimedEnergies for Equations {}
     impl ::rncf::emitted::JointConditions for Equations {
         fn joints(&self) -> ::std::vec::Vec<::rncf::emitted::JointSpec> {
             let model = &self.model;

@@ -1971,6 +1971,7 @@ pub mod spin_up_spatial_equations {
         }
     }
     impl ::rncf::emitted::WithoutConservingForces for Equations {}
+    impl ::rncf::emitted::WithoutTimedEnergies for Equations {}
     impl ::rncf::emitted::JointConditions for Equations {
         fn joints(&self) -> ::std::vec::Vec<::rncf::emitted::JointSpec> {
             let model = &self.model;

@@ -89,7 +89,7 @@ rncf::model! {
         output tension_aux_min = min(a in 0..tethers, aux[a].at(pi*(hub_radius + length)/tethers).axial_force);
         /// The same: the greatest of all.
         output tension_aux_max = max(a in 0..tethers, aux[a].at(pi*(hub_radius + length)/tethers).axial_force);
-        /// Torques that keep the axis of the spin pointing at the Sun, Eq. (26).
+        /// Torques that keep the axis of the spin pointing at the Sun, THEORY (26).
         output torque_x = sun_x.multiplier;
         output torque_y = sun_y.multiplier;
 

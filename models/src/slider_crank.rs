@@ -23,7 +23,7 @@ rncf::model! {
         material _soft { density = 7870 kg/m^3; young = 0.2 GPa; poisson = 0.29; damping = damping; }
         section round { area = pi * radius^2; second_moment = pi * radius^4 / 4; }
 
-        /// Angle of the crank, Eqs. (23), (24).
+        /// Angle of the crank, THEORY (22).
         motion theta(t) =
             if t <= T_s { (omega_s/T_s) * (t^2/2 + (T_s/(2*pi))^2 * (cos(2*pi*t/T_s) - 1)) }
             else { omega_s * (t - T_s/2) };

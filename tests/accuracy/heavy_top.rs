@@ -1,4 +1,4 @@
-//! The compiled heavy top against BENCHMARKS 3: centre of mass and multipliers at each method's order.
+//! The compiled heavy top against THEORY 9.7: centre of mass and multipliers at each method's order.
 
 use rncf::nalgebra::{Matrix3, Vector3};
 use rncf::{Formulation, Joints, Method, Model, Options};

@@ -1,4 +1,4 @@
-//! Rigid mechanisms against published and independently computed numbers (BENCHMARKS 6).
+//! Rigid mechanisms against published and independently computed numbers (THEORY 9.7).
 
 use rncf::{Formulation, Joints, Method, Model, Options, Scene, State};
 use rncf_models::{AndrewsSqueezer, Bricard, FlyballGovernor, FourBar};

@@ -1,4 +1,4 @@
-//! Buckling loads: right-angle frame (BENCHMARKS 7) and cantilever strip on edge (BENCHMARKS 8).
+//! Buckling loads: right-angle frame (THEORY 9.7) and cantilever strip on edge (THEORY 9.7).
 
 use std::f64::consts::PI;
 

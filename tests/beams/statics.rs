@@ -1,5 +1,5 @@
 //! Straight and curved beams under dead loads: exact with one element where displacements are small,
-//! elastica, 45-degree bend, Princeton beam (THEORY 5.2, BENCHMARKS 1, 4, 5).
+//! elastica, 45-degree bend, Princeton beam (THEORY 5.2, 9.7).
 
 use rncf::equilibrium::{Uniform, follow};
 use rncf::modes::{Wanted, modes};
@@ -215,7 +215,7 @@ fn relative(exact: [f64; 3], start: [f64; 3], tip: impl Fn(usize) -> Vec<f64>) -
 
 #[test]
 fn bend_of_45_degrees() {
-    // BENCHMARKS 5.
+    // THEORY 9.7.
     let (exact, start) = ([46.89159, 15.55768, 53.60799], [70.7107, 29.2893, 0.0]);
     let errors = relative(exact, start, |elements| {
         let model = Bend45 { load: 600.0, elements };
@@ -227,7 +227,7 @@ fn bend_of_45_degrees() {
 
 #[test]
 fn princeton_beam() {
-    // BENCHMARKS 4.
+    // THEORY 9.7.
     for (angle, exact) in [
         (30.0_f64, [-7.659933e-3, 1.014554e-2, 7.945169e-2]),
         (60.0, [-2.047109e-2, 6.653287e-3, 1.299171e-1]),

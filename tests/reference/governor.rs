@@ -1,4 +1,4 @@
-//! Stiff flyball governor (BENCHMARKS 6) in three coordinates: the arms' angle below the horizontal, the height of the
+//! Stiff flyball governor (THEORY 9.7) in three coordinates: the arms' angle below the horizontal, the height of the
 //! slider, and the turn of the shaft, whose angular momentum is kept.
 //!
 //! States: alpha (rad), s (m), alpha', s'. Rods and shaft are square, 10 mm wide.

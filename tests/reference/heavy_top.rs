@@ -1,4 +1,4 @@
-//! Heavy top (BENCHMARKS 3) as a body that turns about a fixed point: no constraint, no multiplier among its states.
+//! Heavy top (THEORY 9.7) as a body that turns about a fixed point: no constraint, no multiplier among its states.
 //!
 //! States: angular velocity in body axes (3, rad/s), then the quaternion of the orientation (4, scalar first). With the
 //! inertia `J_o = J + m (X.X 1 - X X^T)` about the fixed point
@@ -23,7 +23,7 @@ pub const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
 /// States at t = 0.
 pub const START: [f64; 7] = [0.0, 150.0, -4.61538, 1.0, 0.0, 0.0, 0.0];
 
-/// The top of BENCHMARKS 3.
+/// The top of THEORY 9.7.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct HeavyTop;
 

@@ -8,11 +8,11 @@
 //! - [`free_cable`]: the cable of THEORY 9.6 in free flight, and what it keeps.
 //! - [`swing`]: another motion of the same beam, for scenes that are nobody's example.
 //! - [`pendulum`]: the planar pendulum (THEORY 10, T1) with its exact multiplier.
-//! - [`heavy_top`], [`governor`]: mechanisms of BENCHMARKS 3 and 6 in coordinates without constraints.
+//! - [`heavy_top`], [`governor`]: mechanisms of THEORY 9.7 in coordinates without constraints.
 //! - [`section_beam`], [`section_inertia`]: the ten-vector element (THEORY 5.2), also a yardstick of the benches.
 //! - [`section_chain`], [`section_statics`], [`section_modes`]: chains of it in static and relative equilibrium, and
 //!   small motions about it.
-//! - [`rod`]: the geometrically exact rod of BENCHMARKS 1, 4 and 5.
+//! - [`rod`]: the geometrically exact rod of THEORY 9.7.
 //! - [`timoshenko`]: natural frequencies of the uniform beam with shear and rotary inertia.
 //! - [`galerkin_rotor`]: the rotating cantilever on a hub (THEORY 8.2).
 //! - [`dense`], [`banded`], [`symmetric`]: the linear algebra of all that.

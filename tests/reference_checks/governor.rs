@@ -1,4 +1,4 @@
-//! The flyball governor in three coordinates against BENCHMARKS 6.
+//! The flyball governor in three coordinates against THEORY 9.7.
 
 use rncf_reference::governor::{Governor, SPIN, START};
 use rncf_reference::integrate::{Method, agreed};

@@ -1,4 +1,4 @@
-//! The heavy top: the numbers of BENCHMARKS 3, the start's multiplier, energy, and equations of motion by differences.
+//! The heavy top: the numbers of THEORY 9.7, the start's multiplier, energy, and equations of motion by differences.
 
 use rncf_reference::heavy_top::{GRAVITY, HeavyTop, MASS, START};
 use rncf_reference::integrate::{Method, agreed};

@@ -1,4 +1,4 @@
-//! The geometrically exact rod against BENCHMARKS 1, 2, 4 and 5.
+//! The geometrically exact rod against THEORY 9.7.
 
 use rncf_reference::rod::{Rod, Tip};
 use std::f64::consts::PI;
@@ -23,7 +23,7 @@ fn slope(tip: &Tip) -> f64 {
 
 #[test]
 fn elastica_under_a_dead_force() {
-    // BENCHMARKS 1: load P L^2 / EI, axial shortening, deflection, slope.
+    // THEORY 9.7: load P L^2 / EI, axial shortening, deflection, slope.
     const TABLE: [[f64; 4]; 7] = [
         [0.2, 0.002646548341, 0.06636448214, 0.09963616304],
         [0.6, 0.02248766798, 0.1923502797, 0.2907377668],
@@ -71,7 +71,7 @@ fn princeton_beam() {
         curvature: [0.0; 3],
         steps: 200,
     };
-    // BENCHMARKS 4: displacement of the tip at 8.896 N, angle of the load in degrees.
+    // THEORY 9.7: displacement of the tip at 8.896 N, angle of the load in degrees.
     let table = [
         (30.0_f64, [-7.659933e-3_f64, 1.014554e-2, 7.945169e-2]),
         (60.0, [-2.047109e-2, 6.653287e-3, 1.299171e-1]),
@@ -101,7 +101,7 @@ fn bend_of_45_degrees() {
     let unloaded = bend(0.140577, 5.0 / 6.0).tip([0.0; 3], [0.0; 3], 1).unwrap();
     close(unloaded.position[0], 70.7107, 5e-5);
     close(unloaded.position[1], 29.2893, 5e-5);
-    // BENCHMARKS 5, and the usual other section constants.
+    // THEORY 9.7, and the usual other section constants.
     let table = [
         (0.140577, 5.0 / 6.0, [46.89159, 15.55768, 53.60799], 6e-6),
         (1.0 / 6.0, 1.0, [47.150, 15.685, 53.475], 6e-4),

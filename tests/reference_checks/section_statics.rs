@@ -281,7 +281,7 @@ fn large_displacements_in_space_are_those_of_the_exact_rod() {
 
 #[test]
 fn elastica_of_a_slender_beam() {
-    // BENCHMARKS 1 at P L^2 / EI = 1 and r/L = 1e-3; the circle's EI is 1.
+    // THEORY 9.7 at P L^2 / EI = 1 and r/L = 1e-3; the circle's EI is 1.
     let s = Section::circle(1e-3, 4e12 / PI, 0.3, 1.0);
     let error = |elements: usize| {
         let load = Load::Force(elements, [0.0, 1.0, 0.0]);

@@ -26,12 +26,6 @@ pub trait Bodies {
     fn shares(&self) -> Vec<ShareSpec>;
     /// Frames whose bodies start in relative equilibrium.
     fn starts(&self) -> Vec<StartSpec>;
-    /// Brings strain energies that change with time to a time (s); what follows is asked for at this time.
-    fn set_time(&mut self, _t: f64) {}
-    /// A body whose strain energy changes with time, by name; `None` where there is none.
-    fn timed_energy(&self) -> Option<&'static str> {
-        None
-    }
     /// Adds the elastic forces of one element.
     fn elastic_force(&self, body: usize, element: usize, q: &[f64], v: &[f64], force: &mut [f64]);
     /// Adds their derivatives with respect to q and q', rows first.
@@ -96,6 +90,24 @@ pub trait Bodies {
     );
     /// Fixtures of flexible bodies.
     fn fixtures(&self) -> Vec<FixtureSpec>;
+}
+
+/// Strain energies that change with time.
+pub trait TimedEnergies {
+    /// Brings them to a time (s); what is asked of elements after that is asked for at this time.
+    fn set_time(&mut self, t: f64);
+    /// A body that has one, by name.
+    fn timed_energy(&self) -> Option<&'static str>;
+}
+
+/// Of a model whose strain energies do not change with time.
+pub trait WithoutTimedEnergies {}
+
+impl<T: WithoutTimedEnergies> TimedEnergies for T {
+    fn set_time(&mut self, _t: f64) {}
+    fn timed_energy(&self) -> Option<&'static str> {
+        None
+    }
 }
 
 /// Of a model without meshed bodies.

@@ -1,5 +1,5 @@
 //! Four elements side by side: what a generated kernel needs of its number type, a type of four lanes, and the
-//! choice of the instruction set at run time (DESIGN 2).
+//! choice of the instruction set at run time.
 //!
 //! A kernel is written once, generic over [`Real`]. With `f64` it is the kernel of one element; with the numbers of
 //! [`Lanes`] it evaluates four at a time. Multiplications and additions are never contracted to fused ones: every

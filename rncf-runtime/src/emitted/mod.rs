@@ -41,8 +41,8 @@ pub use conditions::{JointConditions, MarkerConstraints, WithoutJointConditions,
 pub use curve::Curve;
 pub use distributed::DistributedSpec;
 pub use elements::{
-    Bodies, ConservingForces, WithoutBodies, WithoutConservingForces, elastic_force_one_by_one,
-    elastic_tangent_one_by_one,
+    Bodies, ConservingForces, TimedEnergies, WithoutBodies, WithoutConservingForces, WithoutTimedEnergies,
+    elastic_force_one_by_one, elastic_tangent_one_by_one,
 };
 pub use forces::{
     Densities, DistributedLoads, GravityFields, Loads, MarkerForces, PlacedGravity, SectionMoments, SlopeMoments,

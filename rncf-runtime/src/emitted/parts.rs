@@ -1,7 +1,7 @@
 //! What the generator emits for one model, as the runtime sees it.
 
 use super::conditions::{JointConditions, MarkerConstraints};
-use super::elements::{Bodies, ConservingForces};
+use super::elements::{Bodies, ConservingForces, TimedEnergies};
 use super::forces::{
     Densities, DistributedLoads, GravityFields, Loads, MarkerForces, PlacedGravity, SectionMoments, SlopeMoments,
 };
@@ -20,6 +20,7 @@ use crate::error::ModelError;
 pub trait Parts:
     Bodies
     + ConservingForces
+    + TimedEnergies
     + JointConditions
     + Loads
     + SlopeMoments

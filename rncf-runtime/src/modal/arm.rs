@@ -304,6 +304,7 @@ impl Bodies for Arm {
 }
 
 impl WithoutConservingForces for Arm {}
+impl WithoutTimedEnergies for Arm {}
 impl WithoutDistributedLoads for Arm {}
 impl WithoutPlacedGravity for Arm {}
 

@@ -79,6 +79,7 @@ pub fn parts(model: &Model, library: &Library, equations: &Equations) -> String 
     for (name, methods) in [
         ("Bodies", writer.meshed()),
         ("ConservingForces", writer.conserving_forces()),
+        ("TimedEnergies", writer.timed_energies()),
         ("JointConditions", writer.joints()),
         ("Loads", writer.loads()),
         ("SlopeMoments", slopes),
@@ -154,7 +155,6 @@ impl Parts<'_> {
             self.read_tables(),
             self.properties_along(),
             self.element_functions(),
-            self.timed_energies(),
             self.sections(),
         ]
         .concat()

@@ -1,4 +1,4 @@
-//! The cheapest form of the elastic kernels by counted operations (DESIGN 2: measured limits).
+//! The cheapest form of the elastic kernels by counted operations (THEORY 4.3).
 
 use super::elastic::{FieldKernels, Form, Quantity, field_kernels, kept, kernel, rules};
 use super::kernel::Kernel;
@@ -35,7 +35,7 @@ pub struct ElasticKernels {
     pub choice: String,
 }
 
-/// From this many nodal vectors on unrolled elements are too long: loops win (DESIGN 2).
+/// From this many nodal vectors on unrolled elements are too long: loops win.
 const FIELDS_FROM: usize = 6;
 
 /// The kernels by fields, which an element of many vectors or with several rules has alone.

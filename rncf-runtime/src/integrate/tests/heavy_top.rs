@@ -1,4 +1,4 @@
-//! Heavy top of BENCHMARKS 3 and the free top: a free frame of six unknowns, reference point r and
+//! Heavy top of THEORY 9.7 and the free top: a free frame of six unknowns, reference point r and
 //! orientation A, written by hand. The reference point is the centre of mass, or off it: then the mass
 //! depends on the orientation.
 

@@ -1,4 +1,4 @@
-//! The alpha family on a Lie group: heavy top (BENCHMARKS 3) and free top (THEORY 10, T9).
+//! The alpha family on a Lie group: heavy top (THEORY 9.7) and free top (THEORY 10, T9).
 
 use super::heavy_top::{OFFSET, REFERENCE, Top, angular, attitude, errors};
 use super::swarm::{Swarm, TURN};

@@ -385,6 +385,7 @@ impl Bodies for Hand {
 }
 
 impl WithoutConservingForces for Hand {}
+impl crate::emitted::WithoutTimedEnergies for Hand {}
 impl crate::emitted::WithoutDistributedLoads for Hand {}
 impl crate::emitted::WithoutPlacedGravity for Hand {}
 

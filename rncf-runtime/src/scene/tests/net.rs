@@ -272,6 +272,7 @@ impl Bodies for Net {
 }
 
 impl WithoutConservingForces for Net {}
+impl crate::emitted::WithoutTimedEnergies for Net {}
 impl crate::emitted::WithoutDistributedLoads for Net {}
 impl crate::emitted::WithoutPlacedGravity for Net {}
 
