@@ -1,5 +1,6 @@
 //! Scales of tolerances come from the size of a scene: not from units, round-off or the distance from the origin.
 
+use rncf::app::{EquilibriumSettings, modes, static_equilibria};
 use rncf::{Formulation, Integrator, Joints, Method, Model, Options, Scene, SolveError, State, Stop};
 
 const ALL: [Method; 3] = [
@@ -300,5 +301,58 @@ fn a_frame_that_follows_a_section_on_a_hinge_is_regular_in_all_units() {
                 runs[0].1
             );
         }
+    }
+}
+
+rncf::model! {
+    /// A cantilever with a body at its tip, an arm on a hinge and a spring, of any size: nothing but `size` has a length.
+    pub model Resonator {
+        param size = 1;
+        material steel { density = 7850 kg/m^3; young = 210 GPa; poisson = 0.3; damping = size * 1e-5 s; }
+        section r = rectangle(y = size * 20 mm, z = size * 10 mm);
+        body b { spatial; line from [0, 0, 0] m to [size * 1 m, 0 m, 0 m]; section_y [0, 1, 0]; mesh 3 * beam(r, steel); }
+        rigid tip {
+            mass = size^3 * 1 kg;
+            inertia = [size^5 * 0.01 [kg*m^2], size^5 * 0.02 [kg*m^2], size^5 * 0.02 [kg*m^2]];
+            origin = [size * 1.2 m, 0 m, 0 m];
+        }
+        rigid arm {
+            mass = size^3 * 2 kg;
+            inertia = [size^5 * 0.01 [kg*m^2], size^5 * 0.02 [kg*m^2], size^5 * 0.02 [kg*m^2]];
+            origin = [size * 1.2 m, 0 m, size * 0.3 m];
+        }
+        joint root = clamp(b.start, inertial);
+        joint held = weld(b.end, tip);
+        joint hinge = revolute(tip, arm.at([0 m, 0 m, size * -0.3 m]), axis = y);
+        spring tie = linear(arm, inertial.at([0 m, size * 0.2 m, size * 0.3 m]), stiffness = size * 10 [kN/m], length = size * 1.25 m,
+            damping = size^2 * 10 [N*s/m]);
+        load w = force(arm, [0 N, size^2 * 30 N, size^2 * -100 N]);
+        output deflection = b.end.y / (size * 1 m);
+        run { t_end = size * 0.05 s; every = size * 1 ms; }
+    }
+}
+
+/// Forces scale with the square of a length, frequencies with its inverse; beside conditions between lengths the stiffness of a small machine in SI is nothing.
+#[test]
+fn a_machine_of_a_micrometre_is_as_stable_as_a_large_one() {
+    let settings = EquilibriumSettings::default();
+    let found = [1.0, 1e-3, 1e-6].map(|size| {
+        let model = Resonator { size };
+        let statics = static_equilibria(&model, &settings).unwrap();
+        assert!(statics.critical.is_empty(), "{size}: {:?}", statics.critical);
+        assert!(statics.warnings.is_empty(), "{size}: {:?}", statics.warnings);
+        let modes = modes(&model, &settings).unwrap();
+        let all: Vec<f64> = modes
+            .modes
+            .iter()
+            .flat_map(|mode| [mode.im * size, mode.re * size])
+            .collect();
+        (statics.history.column(0).last().unwrap(), all)
+    });
+    println!("{found:?}");
+    for (deflection, all) in &found[1..] {
+        assert!((deflection / found[0].0 - 1.0).abs() < 1e-8, "{deflection}");
+        let apart = all.iter().zip(&found[0].1).map(|(a, b)| (a - b).abs() / found[0].1[0]);
+        assert!(apart.fold(0.0, f64::max) < 1e-6, "{all:?}");
     }
 }

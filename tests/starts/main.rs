@@ -1,6 +1,7 @@
 //! Starts in relative equilibrium, cautions, and strings that go slack.
 
 mod assembled;
+mod closed;
 mod coils;
 mod equilibria;
 mod slack;

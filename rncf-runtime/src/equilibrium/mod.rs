@@ -6,6 +6,7 @@ mod assembled;
 mod continuation;
 mod critical;
 mod distance;
+mod matrix;
 mod negative;
 mod newton;
 mod spun_up;

@@ -1,9 +1,8 @@
 //! Newton's iteration for equilibria with the whole matrix `[[K, C_x^T, p], [C_x, 0, 0], [p^T, 0, 0]]`:
 //! K alone may be singular, and phase conditions p hold what is neutral.
 
-use super::negative::Negative;
-use crate::linalg::{Lu, Pattern, negative_eigenvalues};
-use crate::model::{Kind, Scene, Uniform};
+use crate::linalg::{Lu, Pattern};
+use crate::model::{Scene, Uniform};
 use crate::system::{ConstraintLevel, State, Tangent};
 
 /// Most iterations.
@@ -30,14 +29,12 @@ const FLOW_MOST: f64 = 1e8;
 const STILL: f64 = 1e-8;
 /// Part of the acting forces that a phase condition may carry.
 const UNBALANCED: f64 = 1e-6;
-/// Most rows of a matrix whose eigenvalues are counted.
-const LARGEST_COUNTED: usize = 400;
-/// Skew part of an equilibrated matrix that counts as round-off.
-const SKEW: f64 = 1e-9;
 /// Part of the stiffness times the sizes that forces are resolved to.
 const RESOLVED: f64 = 1e-11;
 /// The same along what was found to be untied: a force that is lost there would let a body stand that falls.
 const RESOLVED_UNTIED: f64 = 1e-15;
+/// Part of the largest stiffness times the sizes that is left where constraints that are open by round-off exert forces of it, on levers of it.
+const RESOLVED_TWICE: f64 = 1e-28;
 /// Part of its first increment by which an iteration may miss it, if that is larger than this, relative to the sizes.
 const MISSED: f64 = 0.25;
 const FAR: f64 = 1e-3;
@@ -109,6 +106,8 @@ pub(super) struct Untied {
 /// The iteration and its memory.
 pub(super) struct Newton {
     pub(super) lu: Lu<f64>,
+    /// Scales of its rows and columns; nothing where it is factored as it is.
+    pub(super) scales: Vec<f64>,
     /// Places in the whole matrix of the entries of K, of `C_x^T` and of `C_x`.
     block: Vec<usize>,
     border: Vec<[usize; 2]>,
@@ -123,7 +122,7 @@ pub(super) struct Newton {
     pub(super) values: Vec<f64>,
     jacobian: Vec<f64>,
     pub(super) tangent: Tangent,
-    increments: Vec<f64>,
+    pub(super) increments: Vec<f64>,
     pub(super) inverse_sizes: Vec<f64>,
     /// Multipliers of the phase conditions.
     held: Vec<f64>,
@@ -188,6 +187,7 @@ impl Newton {
             wandered: false,
             untied: Vec::new(),
             lu: Lu::new(&whole),
+            scales: Vec::new(),
         }
     }
 
@@ -303,11 +303,11 @@ impl Newton {
                 {
                     return Err(Failure::NotFinite(scene.undefined(state)));
                 }
-                let is_factored = self.lu.factor(&self.values).is_ok();
+                let is_factored = self.factor().is_ok();
                 // With a negative direction the step would go uphill.
                 let is_uphill = self.lu.is_determinant_negative() == bordering.is_multiple_of(2);
                 if is_factored && !is_uphill {
-                    self.lu.solve(&mut self.increments);
+                    self.solve_increments();
                     if self.stride(Patience::Patient) == 1.0 {
                         break;
                     }
@@ -360,10 +360,10 @@ impl Newton {
             if !all.copied().all(f64::is_finite) {
                 return (Err(Failure::NotFinite(scene.undefined(state))), iteration);
             }
-            if let Err(row) = self.lu.factor(&self.values) {
+            if let Err(row) = self.factor() {
                 return (Err(Failure::Singular(row)), iteration);
             }
-            self.lu.solve(&mut self.increments);
+            self.solve_increments();
             let size = self.size();
             if !size.is_finite() {
                 return (Err(Failure::NotFinite(None)), iteration);
@@ -435,67 +435,17 @@ impl Newton {
     /// Along a neutral motion nothing may act.
     fn check_phases(&self) -> Result<(), Failure> {
         let known = self.phases.len() - self.untied.len();
+        let twice = RESOLVED_TWICE * self.stiffest(|_| true);
         for (place, (phase, held)) in self.phases.iter().zip(&self.held).enumerate() {
             let energy = |row: usize| (held * phase[row] / self.inverse_sizes[row]).abs();
             let rows = 0..phase.len();
             let worst = rows.max_by(|&i, &j| energy(i).total_cmp(&energy(j))).unwrap_or(0);
             let resolved = if place < known { RESOLVED } else { RESOLVED_UNTIED };
-            if energy(worst) > UNBALANCED * self.acting + resolved * self.stiffest(phase) {
+            if energy(worst) > UNBALANCED * self.acting + resolved * self.stiffest(|row| phase[row] != 0.0) + twice {
                 return Err(Failure::Unbalanced(worst));
             }
         }
         Ok(())
-    }
-
-    /// Largest energy of a stiffness over the sizes of its unknowns, J, in the rows of a phase condition:
-    /// forces that are in balance by themselves leave round-off of this.
-    fn stiffest(&self, phase: &[f64]) -> f64 {
-        let columns = self.columns.iter().enumerate();
-        let mut largest: f64 = 0.0;
-        for (entry, &(row, column)) in columns {
-            if phase[row] != 0.0 {
-                let sizes = self.inverse_sizes[row] * self.inverse_sizes[column];
-                largest = largest.max((self.tangent.stiffness[entry] / sizes).abs());
-            }
-        }
-        largest
-    }
-
-    /// What is known of the negative directions where the iteration to a static equilibrium ended.
-    pub fn count(&self, at: &Uniform) -> Option<Negative> {
-        (at.kind == Kind::Static).then(|| self.negative())
-    }
-
-    fn negative(&self) -> Negative {
-        let pattern = self.lu.pattern();
-        let size = pattern.columns();
-        let bordering = size - self.inverse_sizes.len();
-        if let Some(whole) = self.symmetric().filter(|_| size <= LARGEST_COUNTED)
-            && let Ok(negative) = negative_eigenvalues(size, &whole)
-        {
-            // Every bordering row has one negative eigenvalue of its own.
-            return Negative::Counted(negative.saturating_sub(bordering));
-        }
-        let is_odd = self.lu.is_determinant_negative() == bordering.is_multiple_of(2);
-        if is_odd { Negative::Odd } else { Negative::Even }
-    }
-
-    /// The whole matrix, equilibrated by a congruence; `None` where it is not symmetric.
-    fn symmetric(&self) -> Option<Vec<f64>> {
-        let pattern = self.lu.pattern();
-        let size = pattern.columns();
-        let places = entries(pattern);
-        let mut largest = vec![0.0_f64; size];
-        for (&(row, _), value) in places.iter().zip(&self.values) {
-            largest[row] = largest[row].max(value.abs());
-        }
-        let factors: Vec<f64> = largest.iter().map(|largest| 1.0 / largest.sqrt()).collect();
-        let mut whole = vec![0.0; size * size];
-        for (&(row, column), value) in places.iter().zip(&self.values) {
-            whole[row * size + column] = value * factors[row] * factors[column];
-        }
-        let skew = |&(row, column): &(usize, usize)| (whole[row * size + column] - whole[column * size + row]).abs();
-        places.iter().all(|place| skew(place) <= SKEW).then_some(whole)
     }
 
     /// Part of the increment that is taken.
@@ -588,7 +538,7 @@ fn directions(untied: Vec<Untied>) -> Vec<Vec<f64>> {
 }
 
 /// Row and column of every entry, in the order of the values.
-fn entries(pattern: &Pattern) -> Vec<(usize, usize)> {
+pub(super) fn entries(pattern: &Pattern) -> Vec<(usize, usize)> {
     (0..pattern.columns())
         .flat_map(|column| {
             pattern.indices()[pattern.starts()[column]..pattern.starts()[column + 1]]

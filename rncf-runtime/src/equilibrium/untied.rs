@@ -26,7 +26,7 @@ impl Newton {
         for (row, stiffness) in self.stiffnesses().into_iter().enumerate() {
             image[row] = sign(row, 0) * stiffness / self.inverse_sizes[row];
         }
-        self.lu.solve(&mut image);
+        self.solve_with(&mut image);
         let parts = image.iter().zip(&self.inverse_sizes);
         let largest = parts.fold(0.0, |largest: f64, (x, inverse)| largest.max((x * inverse).abs()));
         largest.is_nan() || largest > DOUBTFUL
@@ -45,7 +45,7 @@ impl Newton {
                 newton.values[place] += SHIFT * stiffness;
             }
         }
-        if !newton.values.iter().all(|value| value.is_finite()) || newton.lu.factor(&newton.values).is_err() {
+        if !newton.values.iter().all(|value| value.is_finite()) || newton.factor().is_err() {
             return Vec::new();
         }
         let n = metric.len();
@@ -76,7 +76,7 @@ impl Newton {
             for k in 0..count {
                 let mut image = weighted(&directions[k]);
                 image.resize(rows, 0.0);
-                self.lu.solve(&mut image);
+                self.solve_with(&mut image);
                 directions[k] = weighted(&image[..n]);
             }
             for k in 0..count {

@@ -35,4 +35,4 @@ pub use lu::Lu;
 pub use pattern::Pattern;
 pub use saddle::{Saddle, Singular};
 pub use scalar::{Scalar, c64};
-pub(crate) use span::{clear, dot, norm, normalise, reduce, total};
+pub(crate) use span::{clear, dot, norm, normalise, power_of_two, reduce, total};

@@ -50,3 +50,12 @@ pub(crate) fn reduce(vector: &mut [f64], basis: &[Vec<f64>]) -> f64 {
     clear(vector, basis, &mut []);
     norm(vector)
 }
+
+/// The power of two next to a size; 1 for what is no size.
+pub(crate) fn power_of_two(size: f64) -> f64 {
+    if size > 0.0 && size.is_finite() {
+        size.log2().round().exp2()
+    } else {
+        1.0
+    }
+}

@@ -3,7 +3,7 @@
 
 use pulp::Arch;
 
-use crate::linalg::{Lu, Pattern, Scalar, Vectorised, c64, dispatch, norm, normalise, reduce};
+use crate::linalg::{Lu, Pattern, Scalar, Vectorised, c64, dispatch, norm, normalise, power_of_two, reduce};
 use crate::system::Tangent;
 
 /// Round-off of the energy of a motion without stiffness, in units of that of its terms.
@@ -17,7 +17,8 @@ const BESIDE: f64 = 0.7;
 /// Part of a motion beside those that are known to have no stiffness, below which it is one of them.
 const KNOWN: f64 = 1e-4;
 
-/// Matrices of small motions with constraints, in unknowns and multipliers relative to their sizes.
+/// Matrices of small motions with constraints, in unknowns and multipliers relative to their sizes; energies in J, or in the largest of the stiffness where that
+/// is less.
 ///
 /// Sizes are rounded to powers of two, so that scaling does not round: the frequencies of what is soft
 /// beside something very stiff depend on the last digits of the stiffness.
@@ -63,10 +64,17 @@ impl Pencil {
         assert_eq!((pattern.rows(), constraint_pattern.rows(), sizes.len()), (n, n, n), "n");
         let scales: Vec<f64> = sizes.iter().map(|&size| power_of_two(size)).collect();
         let places: Vec<(usize, usize)> = entries(pattern).collect();
+        let energies = tangent.stiffness.iter().zip(&places);
+        let energies = energies.map(|(value, &(row, column))| (value * scales[row] * scales[column]).abs());
+        // Beside constraints, which are relative to themselves, the stiffness of a small machine in J is nothing.
+        let unit = match energies.fold(0.0, f64::max) {
+            largest if largest > 0.0 && largest < 1.0 => 1.0 / power_of_two(largest),
+            _ => 1.0,
+        };
         let scaled = |values: &[f64]| {
             let parts = values.iter().zip(&places);
             parts
-                .map(|(value, &(row, column))| value * scales[row] * scales[column])
+                .map(|(value, &(row, column))| unit * (value * scales[row] * scales[column]))
                 .collect()
         };
         let border: Vec<(usize, usize)> = entries(constraint_pattern).collect();
@@ -345,15 +353,6 @@ fn entries(pattern: &Pattern) -> impl Iterator<Item = (usize, usize)> {
         let range = pattern.starts()[column]..pattern.starts()[column + 1];
         pattern.indices()[range].iter().map(move |&row| (row, column))
     })
-}
-
-/// The power of two next to a size; 1 for what is no size.
-fn power_of_two(size: f64) -> f64 {
-    if size > 0.0 && size.is_finite() {
-        size.log2().round().exp2()
-    } else {
-        1.0
-    }
 }
 
 /// Sums of products in twice the working precision: value and rest, real and imaginary parts.
