@@ -177,9 +177,10 @@ fn apart((own, finer): (&Critical, &Critical)) -> f64 {
     (own.value - finer.value).abs() / own.value.abs()
 }
 
-/// The largest of these parts.
+/// The largest of these parts. Both may lie in the same gap, in which neither is known.
 pub(in crate::app) fn farthest(own: &[Critical], finer: &[Critical]) -> Option<f64> {
-    own.iter().zip(finer).map(apart).reduce(f64::max)
+    let part = |both: (&Critical, &Critical)| apart(both).max(both.0.within / both.0.value.abs());
+    own.iter().zip(finer).map(part).reduce(f64::max)
 }
 
 /// What critical values are off by, where that is much.

@@ -31,8 +31,13 @@ pub(in crate::app) fn nearer(station: &mut Station<'_>, history: &History, cure:
     let [mut here, mut there] = [vec![0.0; scene.output_columns()], vec![0.0; scene.output_columns()]];
     scene.uniform_outputs(at, state, &mut here);
     scene.uniform_outputs(at, &other.state, &mut there);
+    // A component that both have nothing of is no witness.
+    let vector = |column: usize| history.columns[column].name.split('.').next();
     let part = |column: usize| {
-        let size = here[column].abs().max(there[column].abs());
+        let of_vector = (0..here.len()).filter(|&other| vector(other) == vector(column));
+        let size = of_vector.fold(0.0f64, |size, other| {
+            size.max(here[other].abs()).max(there[other].abs())
+        });
         if size > 0.0 {
             (here[column] - there[column]).abs() / size
         } else {

@@ -162,6 +162,14 @@ fn off(mode: usize, [re, im]: [f64; 2], [re_there, im_there]: [f64; 2]) -> Off {
 /// Vibrations beside those of the finer mesh.
 fn paired(own: &[Vibration], there: &[Vibration]) -> Vec<[Vibration; 2]> {
     let frequency = |of: &Vibration| of.1[1];
+    // What round-off makes of none says nothing.
+    let rate = |of: &Vibration| {
+        if of.1[0].abs() > UNDAMPED * of.1[1] {
+            of.1[0]
+        } else {
+            0.0
+        }
+    };
     let count = own.len().min(there.len());
     let (mut own, mut there) = (own[..count].to_vec(), there[..count].to_vec());
     let mut from = 0;
@@ -171,7 +179,7 @@ fn paired(own: &[Vibration], there: &[Vibration]) -> Vec<[Vibration; 2]> {
             continue;
         }
         for all in [&mut own, &mut there] {
-            all[from..next].sort_by(|a, b| a.1[0].total_cmp(&b.1[0]));
+            all[from..next].sort_by(|a, b| rate(a).total_cmp(&rate(b)));
         }
         from = next;
     }
@@ -190,5 +198,10 @@ mod tests {
         let pairs = paired(&own, &there);
         assert!(pairs.iter().all(|[own, there]| own.1[0] == there.1[0]), "{pairs:?}");
         assert_eq!(pairs.len(), 3);
+        // Without damping they are compared by their places.
+        let own = [(0, [1e-15, 10.0]), (1, [-1e-15, 10.04])];
+        let there = [(0, [-1e-15, 9.99]), (1, [0.0, 10.03])];
+        let pairs = paired(&own, &there);
+        assert!(pairs.iter().all(|[own, there]| own.0 == there.0), "{pairs:?}");
     }
 }
