@@ -3,6 +3,7 @@
 
 mod bushings;
 mod campbell;
+mod carried;
 mod chains;
 mod circulatory;
 mod discs;

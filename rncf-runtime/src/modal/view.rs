@@ -147,6 +147,15 @@ impl Scene for ModalScene {
         carried
     }
 
+    fn carried_shape(&mut self, at: &Uniform, shape: &mut [[f64; 2]], back: bool) {
+        for mut carried in self.scene.carried_increments(at, back) {
+            if let Some(first) = self.reduction.same(carried.first) {
+                carried.first = first;
+                carried.apply(shape);
+            }
+        }
+    }
+
     fn uniform_state(&mut self, at: &Uniform, state: &mut State) {
         self.expand(state);
         self.scene.set_uniform(at, &mut self.full);

@@ -146,6 +146,9 @@ pub trait Scene: System + Send {
         state.clone()
     }
 
+    /// The same of increments of the unknowns, as of modes: those of one motion at different angular velocities are alike only as at t = 0.
+    fn carried_shape(&mut self, _at: &Uniform, _shape: &mut [[f64; 2]], _back: bool) {}
+
     /// `M a + f`, without constraint forces, in the uniform motion; prescribed frames and loads are
     /// those of `at`, velocities and accelerations those of [`Scene::uniform_state`].
     fn uniform_residual(&mut self, at: &Uniform, state: &State, out: &mut [f64]);

@@ -143,6 +143,12 @@ impl Scene for MeshScene {
         self.carried_state(at, state, back)
     }
 
+    fn carried_shape(&mut self, at: &Uniform, shape: &mut [[f64; 2]], back: bool) {
+        for carried in self.carried_increments(at, back) {
+            carried.apply(shape);
+        }
+    }
+
     fn uniform_state(&mut self, at: &Uniform, state: &mut State) {
         self.set_uniform(at, state);
     }

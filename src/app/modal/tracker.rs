@@ -113,7 +113,7 @@ impl Judged {
     }
 }
 
-/// The modes at an equilibrium.
+/// The modes at an equilibrium, with shapes that are turned back with the system to t = 0: at one time systems have turned by other angles at other speeds.
 struct Looked {
     modes: Vec<Mode>,
     weights: Vec<f64>,
@@ -124,7 +124,10 @@ impl Looked {
         let modes = |scene: &mut dyn Scene, count| modes::modes(scene, at, state, Wanted { count });
         // Those beyond what is asked for may be too many.
         let beyond = BEYOND.into_iter().find_map(|beyond| modes(scene, count + beyond).ok());
-        let modes = beyond.map_or_else(|| modes(scene, count), Ok)?;
+        let mut modes = beyond.map_or_else(|| modes(scene, count), Ok)?;
+        for mode in &mut modes {
+            scene.carried_shape(at, &mut mode.shape, true);
+        }
         let weights = masses(scene, state);
         Ok(Self { modes, weights })
     }
@@ -136,6 +139,13 @@ impl Looked {
         order.sort_by(|a, b| size(a).total_cmp(&size(b)).then(a.cmp(b)));
         order
     }
+}
+
+/// A mode with the shape that it has at the time of the equilibrium.
+fn there(scene: &mut dyn Scene, at: &Uniform, mode: &Mode) -> Mode {
+    let mut mode = mode.clone();
+    scene.carried_shape(at, &mut mode.shape, false);
+    mode
 }
 
 fn size(mode: &Mode) -> f64 {
@@ -188,19 +198,21 @@ impl Tracker {
             let mode = partner.as_ref().map(|(index, mode)| {
                 is_taken[*index] = true;
                 self.last[track].clone_from(mode);
+                let mode = there(station.scene, &at, mode);
                 self.compositions[track] = station.scene.composition(&at, station.state, &mode.shape);
-                SeenMode::of(station.scene, &at, station.state, mode)
+                SeenMode::of(station.scene, &at, station.state, &mode)
             });
             diagram.tracks[track].push(mode);
         }
         let row = diagram.keys.len() - 1;
         for (index, mode) in found.modes.iter().enumerate().filter(|(index, _)| !is_taken[*index]) {
             let mut track = vec![None; row];
-            track.push(Some(SeenMode::of(station.scene, &at, station.state, mode)));
+            let seen = there(station.scene, &at, mode);
+            track.push(Some(SeenMode::of(station.scene, &at, station.state, &seen)));
             diagram.tracks.push(track);
             self.last.push(mode.clone());
             self.compositions
-                .push(station.scene.composition(&at, station.state, &mode.shape));
+                .push(station.scene.composition(&at, station.state, &seen.shape));
             self.is_shown.push(false);
             partners.push(Some((index, mode.clone())));
         }
@@ -258,7 +270,10 @@ impl Tracker {
         let station = line.station();
         let known = |track: &usize| diagram.tracks[*track].last().is_some_and(Option::is_some);
         let tracks: Vec<usize> = (0..self.last.len()).filter(known).collect();
-        let shapes: Vec<Mode> = tracks.iter().map(|&track| self.last[track].clone()).collect();
+        let shapes = tracks
+            .iter()
+            .map(|&track| there(station.scene, &station.at, &self.last[track]));
+        let shapes: Vec<Mode> = shapes.collect();
         let errors = modes::mesh_errors(station.scene, &station.at, station.state, &shapes);
         self.mesh_errors.resize(self.last.len(), Judged::default());
         for ((track, errors), shape) in tracks.into_iter().zip(errors).zip(&shapes) {
@@ -337,14 +352,20 @@ impl Tracker {
         let found = self
             .symmetric
             .locate(line, symmetric, directions::turning, turns || !circulates);
+        let of_whole = self.whole.locate(line, whole, self::whole, circulates);
         for critical in found {
             let (first, last) = line.last_two();
             let guess = first.unwrap_or(last).state.clone();
-            let stands = stands(line, critical.value, &guess, diagram);
+            // What comes to rest does so at the value of the whole stiffness.
+            let is_moved = of_whole.iter().any(|other| {
+                let away = (other.value - critical.value).abs() / critical.value.abs();
+                ALIKE < away && away <= UNDAMPED
+            });
+            let stands = !is_moved && stands(line, critical.value, &guess, diagram);
             diagram.standing.push(stands);
             diagram.critical.push(critical);
         }
-        for critical in self.whole.locate(line, whole, self::whole, circulates) {
+        for critical in of_whole {
             let is_known = |other: &Critical| (other.value - critical.value).abs() <= ALIKE * critical.value.abs();
             if !diagram.critical[known..].iter().any(is_known) {
                 diagram.standing.push(true);
@@ -528,6 +549,7 @@ fn refined(
         }
         let followed = modes::followed(&shapes, &looked.modes, &looked.weights, 0.0);
         let (_, best) = followed.into_iter().nth(own).flatten()?;
+        let best = there(scene.as_mut(), &at, &best);
         let (im, whirl) = compared(SeenMode::of(scene.as_mut(), &at, &state, &best), spin);
         if whirl != crossing.whirl {
             return None;

@@ -64,6 +64,27 @@ impl Corotation {
     }
 }
 
+/// What becomes of the increments of one free frame's unknowns when the system is turned; k x k, rows first.
+pub(crate) struct Carried {
+    /// First of the frame's unknowns.
+    pub first: usize,
+    count: usize,
+    turned: Vec<f64>,
+}
+
+impl Carried {
+    /// Turns increments of all unknowns.
+    pub fn apply(&self, shape: &mut [[f64; 2]]) {
+        let k = self.count;
+        let own = &mut shape[self.first..self.first + k];
+        let before = own.to_vec();
+        for (row, value) in own.iter_mut().enumerate() {
+            let entries = &self.turned[row * k..(row + 1) * k];
+            *value = [0, 1].map(|part| entries.iter().zip(&before).map(|(entry, of)| entry * of[part]).sum());
+        }
+    }
+}
+
 impl MeshScene {
     /// Fills the full state of a uniform motion.
     pub(crate) fn load_uniform(&mut self, at: &Uniform, state: &State) {
@@ -164,6 +185,32 @@ impl MeshScene {
         let mut carried = self.unknowns_from(t, &q, &v, &poses);
         carried.lambda.clone_from(&state.lambda);
         carried
+    }
+
+    /// What [`MeshScene::carried_state`] makes of increments of the unknowns: positions of free frames have inertial axes, turns have those of the body.
+    pub(crate) fn carried_increments(&self, at: &Uniform, back: bool) -> Vec<Carried> {
+        let mut carrier = self.carrier(at);
+        if carrier.is_still() {
+            return Vec::new();
+        }
+        if back {
+            carrier = carrier.inverse();
+        }
+        let turn = matrix(&carrier.turn);
+        let border = self.layout.unknowns() - self.layout.border();
+        let frames = self.frames.free.iter().map(|frame| {
+            let (directions, k) = (&frame.directions, frame.count());
+            let entry = |place: usize| {
+                let (row, column) = (&directions[place / k], &directions[place % k]);
+                row.shift.dot(&(turn * column.shift)) + row.turn.dot(&column.turn)
+            };
+            Carried {
+                first: border + frame.first,
+                count: k,
+                turned: (0..k * k).map(entry).collect(),
+            }
+        });
+        frames.collect()
     }
 
     /// Where what moves freely has been carried since t = 0: with the first prescribed frame that turns,

@@ -292,9 +292,9 @@ impl MeshScene {
             total += value.max(0.0);
         }
         energies.whirling.add(&centred, &own);
-        if let Some((axis, _)) = axis {
-            // Points on both sides along the axis see the tilt.
-            let tilted = turn.map(|turn| turn.cross(&axis));
+        if axis.is_some() {
+            // Points on both sides of it see the tilt: along the axis where it lies there, as of a disc, else outwards, as of a blade.
+            let tilted = turn.map(|turn| turn.cross(&along_axis));
             let size = |axis: Vector| axis.dot(&(rigid.inertia * axis));
             let gyration = 0.5
                 * (0..3)
