@@ -10,7 +10,7 @@ use std::time::Instant;
 use rncf_codegen::check::check_with_elements;
 use rncf_codegen::elements::Library;
 use rncf_codegen::errors::Errors;
-use rncf_codegen::{emit, expand, parse, unfold};
+use rncf_codegen::{emit, expand, lower, parse, unfold};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut files: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
@@ -49,7 +49,7 @@ fn time(tokens: proc_macro2::TokenStream, folder: &Path) -> Result<(), String> {
             .map_or("no model".into(), |mistake| mistake.message.clone()));
     };
     let checked = start.elapsed().as_secs_f64();
-    let text = emit::model(&model, &library);
+    let text = emit::model(&model, &library, lower::lower(&model, &library));
     let derived = start.elapsed().as_secs_f64();
     let lines = expand::format(&text).lines().count();
     let total = start.elapsed().as_secs_f64();

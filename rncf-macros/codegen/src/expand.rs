@@ -11,7 +11,7 @@ use crate::elements::Library;
 use crate::errors::{Errors, Mistake};
 use crate::model::Model;
 use crate::parse::tree::Tree;
-use crate::{check, editor, emit, parse, stub, unfold};
+use crate::{check, editor, emit, lower, parse, stub, unfold};
 
 /// Expands a declaration with the standard elements. Mistakes become `compile_error!`s where they
 /// were made, beside a stand-in for the struct that keeps the rest of the crate free of them. What has no influence
@@ -32,7 +32,7 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
         (Some(tree), Some((model, library))) if errors.is_empty() => {
             let _ = errors.finish();
             let warnings = influence(&tree, &model, &library);
-            let text = emit::model(&model, &library) + &dependences(&model);
+            let text = written_out(&model, &library) + &dependences(&model);
             if emit::is_ambiguous(&model, &text) {
                 let mut errors = Errors::new();
                 errors.at(tree.name.span, name_taken(&model.name));
@@ -92,6 +92,11 @@ pub fn library(tokens: TokenStream) -> TokenStream {
     }
 }
 
+/// The last two phases: a model that was checked as text.
+pub fn written_out(model: &Model, library: &Library) -> String {
+    emit::model(model, library, lower::lower(model, library))
+}
+
 fn name_taken(name: &str) -> String {
     format!("`{name}` is the name of something that is written for this model: choose another name")
 }
@@ -123,7 +128,7 @@ pub fn text_beside(tokens: TokenStream, library: &Library, folder: Option<&Path>
         .and_then(|tree| check::check_with_elements(tree, library, &mut errors));
     let mistakes = errors.finish();
     match model {
-        Some((model, library)) if mistakes.is_empty() => Ok(format(&emit::model(&model, &library))),
+        Some((model, library)) if mistakes.is_empty() => Ok(format(&written_out(&model, &library))),
         _ => Err(mistakes),
     }
 }

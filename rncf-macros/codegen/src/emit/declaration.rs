@@ -2,13 +2,13 @@
 
 use std::fmt::Write;
 
-use super::equations::Equations;
 use super::expression::{inline, operator};
 use super::kernel::{distinct_arrays, documentation};
 use super::notes::notes;
 use super::number::number;
 use super::{module_name, visibility, visibility_inside};
 use crate::elements::Library;
+use crate::lower::Equations;
 use crate::model::{Model, Param, Table};
 use crate::symbolic::Time;
 

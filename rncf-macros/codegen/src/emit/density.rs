@@ -2,12 +2,11 @@
 
 use std::fmt::Write;
 
-use super::equations::Equations;
 use super::kernel::fits_lanes;
 use super::parts::Parts;
 use crate::lower::courses::CourseKernel;
 use crate::lower::density::DensityKernels;
-use crate::lower::{Kernel, camel_case};
+use crate::lower::{Equations, Kernel, camel_case};
 use crate::model::Density;
 
 /// Arguments of the functions of four elements.

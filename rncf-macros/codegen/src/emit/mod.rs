@@ -9,7 +9,7 @@ pub mod declaration;
 mod density;
 mod distributed;
 mod elements;
-pub mod equations;
+mod equations;
 pub mod expression;
 pub mod kernel;
 mod moving;
@@ -24,12 +24,14 @@ mod start;
 pub use bodies::included;
 
 use crate::elements::Library;
+use crate::lower::Equations;
 use crate::model::Model;
 
 /// The whole expansion of a model as Rust text: the struct, its [`Model`] implementation and the
 /// module with its equations.
-pub fn model(model: &Model, library: &Library) -> String {
-    let equations = equations::Equations::derive(model, library);
+pub fn model(model: &Model, library: &Library, mut equations: Equations) -> String {
+    let constraints = equations.constraints.iter_mut();
+    constraints.for_each(|kernels| moving::document_rows(kernels, model));
     let mut text = declaration::declaration(model, library, &equations);
     text += &format!(
         "/// Equations of [`{0}`]: derived, checked and written by the generator.\n\
@@ -41,7 +43,7 @@ pub fn model(model: &Model, library: &Library) -> String {
     );
     text += &declaration::structure(model, library, &equations);
     text += &along::tables(model);
-    text += &equations.functions();
+    text += &equations.functions(library);
     text += &parts::parts(model, library, &equations);
     text + "}\n"
 }

@@ -1,11 +1,11 @@
 //! What was chosen and left out, and why, in sentences: documentation of the generated struct, and notes of a run.
 
-use super::equations::{Equations, VariantKernels};
 use crate::elements::{Interpolant, Library, NodalVector};
 use crate::lower::constraints::members;
 use crate::lower::joints::JointKernels;
 use crate::lower::markers::list;
 use crate::lower::motions;
+use crate::lower::{Equations, VariantKernels};
 use crate::model::{Body, Fidelity, FrameTie, INERTIAL, Joint, Line, Model, Motions, Space};
 
 /// What was chosen and left out, and why.

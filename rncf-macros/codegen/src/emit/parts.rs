@@ -2,11 +2,10 @@
 
 use std::fmt::Write;
 
-use super::equations::Equations;
 use super::expression::inline;
 use crate::elements::Library;
-use crate::lower::camel_case;
 use crate::lower::joints::LEVELS;
+use crate::lower::{Equations, camel_case};
 use crate::model::{
     About, BalanceQuantity, Body, Expr, Held, INERTIAL, JointKind, LoadKind, Location, Model, Observable, Owner,
     PointQuantity,
@@ -414,7 +413,7 @@ impl Parts<'_> {
     }
 
     /// The element variant of a body.
-    pub fn variant(&self, body: usize) -> &super::equations::VariantKernels {
+    pub fn variant(&self, body: usize) -> &crate::lower::VariantKernels {
         &self.equations.variants[self.equations.variant_of[body]]
     }
 

@@ -4,8 +4,8 @@
 
 use std::fmt::Write;
 
-use super::equations::Reduced;
 use super::parts::Parts;
+use crate::lower::loads::Reduced;
 use crate::model::{BodyId, Expr, JointId, Location, Observable, Reduction, RepeatId};
 
 /// Where what is repeated `count` times begins, in constants of the parameters.

@@ -3,12 +3,14 @@
 
 pub mod branches;
 pub mod choose;
+pub mod conserving;
 pub mod constraints;
 pub mod courses;
 pub mod density;
 mod differences;
 pub mod distributed;
 pub mod elastic;
+pub mod equations;
 pub mod field_forces;
 pub mod forces;
 pub mod free;
@@ -25,11 +27,22 @@ pub mod peaks;
 pub mod quadratic;
 mod signature;
 pub mod variant;
+pub mod variant_kernels;
 
 #[cfg(test)]
 mod tests;
 
 pub use choose::{ElasticKernels, elastic_kernels};
+pub use equations::Equations;
 pub use kernel::{Kernel, PointLoop};
 pub use signature::camel_case;
 pub use variant::{Connectivity, Variant};
+pub use variant_kernels::VariantKernels;
+
+use crate::elements::Library;
+use crate::model::Model;
+
+/// Derives all kernels of a model that was checked.
+pub fn lower(model: &Model, library: &Library) -> Equations {
+    Equations::derive(model, library)
+}

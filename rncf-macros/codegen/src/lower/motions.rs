@@ -325,6 +325,11 @@ impl Time<'_> {
     }
 }
 
+/// Whether a frame's pose is unknown.
+pub fn is_free(model: &Model, frame: FrameId) -> bool {
+    model.frames[frame.0].free.is_some()
+}
+
 /// Whether a frame moves in a prescribed way. A free one does so only where its origin stays that of
 /// a parent which moves.
 pub fn moves(model: &Model, frame: FrameId) -> bool {

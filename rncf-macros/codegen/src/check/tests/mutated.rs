@@ -13,7 +13,7 @@ use super::meaning::{MEANING, SPACE};
 use super::parts::ROTOR;
 use super::repeat::SAIL;
 use super::*;
-use crate::emit;
+use crate::expand;
 use crate::stub::stub;
 use crate::units::UNITS;
 
@@ -193,7 +193,7 @@ fn fate(tokens: TokenStream, is_written: bool) -> Fate {
     match model {
         None => Fate::Refused,
         Some(model) if is_written => {
-            let text = emit::model(&model, &library);
+            let text = expand::written_out(&model, &library);
             syn::parse_file(&text).expect("the expansion is Rust");
             Fate::Written
         }

@@ -3,7 +3,6 @@
 use super::model::{base, number, numbers};
 use super::{Inputs, Random, assert_tangent, evaluate, fill};
 use crate::elements::Library;
-use crate::emit;
 use crate::expand;
 use crate::lower::Variant;
 use crate::lower::field_forces::field_forces_kernel;
@@ -232,7 +231,7 @@ fn bodies_with_sections_are_written() {
             frame: INERTIAL,
         },
     });
-    let text = expand::format(&emit::model(&model, &Library::standard()));
+    let text = expand::format(&expand::written_out(&model, &Library::standard()));
     for there in [
         "let shear_modulus = young / (2.0 * (1.0 + poisson));",
         "SectionShape::Rectangle",

@@ -3,16 +3,15 @@
 use super::model::{base, moving, number};
 use super::{Inputs, evaluate};
 use crate::elements::Library;
-use crate::emit;
-use crate::emit::equations::Equations;
 use crate::expand;
+use crate::lower::Equations;
 use crate::lower::courses::courses;
 use crate::lower::free::free_kernel;
 use crate::lower::motions::switches;
 use crate::model::{Binary, Comparison, Expr, Force, Function, MarkerId, Model, MotionId};
 
 fn text(model: &Model) -> String {
-    expand::format(&emit::model(model, &Library::standard()))
+    expand::format(&expand::written_out(model, &Library::standard()))
 }
 
 #[test]

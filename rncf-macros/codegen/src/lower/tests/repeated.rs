@@ -3,7 +3,6 @@
 use proc_macro2::TokenStream;
 
 use crate::elements::Library;
-use crate::emit;
 use crate::errors::Errors;
 use crate::expand;
 use crate::{check, parse};
@@ -45,7 +44,7 @@ fn what_is_repeated_is_written_once_and_expanded() {
     let model = check::check(&tree, &Library::standard(), &mut errors);
     let mistakes = errors.finish();
     assert!(mistakes.is_empty(), "{mistakes:?}");
-    let text = expand::format(&emit::model(&model.unwrap(), &Library::standard()));
+    let text = expand::format(&expand::written_out(&model.unwrap(), &Library::standard()));
     let there = [
         "pub row_axle: CableSpatial,",
         "pub row_spoke: ::std::vec::Vec<CableSpatial>,",
