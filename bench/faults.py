@@ -52,7 +52,7 @@ FAULTS = {
         [CODEGEN],
     ),
     "a lost message": (
-        "rncf-macros/codegen/src/check/push.rs",
+        "rncf-macros/codegen/src/check/loads/marker_forces.rs",
         "                self.errors.at(expr.area, say::FOLLOWER_COMPONENTS);\n",
         "",
         [CODEGEN, TEXTS],
@@ -82,7 +82,7 @@ FAULTS = {
         [RUNTIME],
     ),
     "sign of a follower force": (
-        "rncf-macros/codegen/src/check/push.rs",
+        "rncf-macros/codegen/src/check/loads/marker_forces.rs",
         "let mut force = algebra::scale(&along, &tangent);",
         "let mut force = algebra::scale(&algebra::subtract(Value::Number(0.0), along), &tangent);",
         [CODEGEN, ACCURACY + " hanging", "-p rncf-tests --test beams"],
@@ -118,19 +118,19 @@ FAULTS = {
         [RUNTIME],
     ),
     "sign of a spring's damping": (
-        "rncf-macros/codegen/src/check/spring.rs",
+        "rncf-macros/codegen/src/check/loads/spring.rs",
         "force = add(force, multiply(damping, line.rate.clone()));",
         "force = add(force, multiply(Value::Number(-1.0), multiply(damping, line.rate.clone())));",
         [CODEGEN, ACCURACY],
     ),
     "axes of a section, exchanged": (
-        "rncf-macros/codegen/src/check/section.rs",
+        "rncf-macros/codegen/src/check/sections/section.rs",
         "(area, [cubed(z, y), cubed(y, z)], torsion)",
         "(area, [cubed(y, z), cubed(z, y)], torsion)",
         [CODEGEN],
     ),
     "the torsion constant of a circle": (
-        "rncf-macros/codegen/src/check/section.rs",
+        "rncf-macros/codegen/src/check/sections/section.rs",
         "let torsion = product([number(PI / 2.0), power(radius, 4.0)]);",
         "let torsion = product([number(PI / 4.0), power(radius, 4.0)]);",
         [CODEGEN],

@@ -8,12 +8,12 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::balance::TOTAL;
-use super::distant::distant_axes;
-use super::loose::loose_ties;
 use super::messages as say;
-use super::read::mentioned;
-use super::undamped::undamped_parts;
+use crate::check::joints::distant::distant_axes;
+use crate::check::joints::loose::loose_ties;
+use crate::check::observed::balance::TOTAL;
+use crate::check::sections::undamped::undamped_parts;
+use crate::check::values::read::{self, mentioned};
 use crate::elements::{Element, Library};
 use crate::errors::Mistake;
 use crate::model::{Body, Model, SectionShape, Space};
@@ -89,7 +89,7 @@ impl<'a> Graph<'a> {
         }
         let mut run = Vec::new();
         for field in tree.runs.iter().flat_map(|fields| &fields.fields) {
-            super::read::names(&field.value, &mut run);
+            read::names(&field.value, &mut run);
         }
         run.extend(tree.counted.iter().map(String::as_str));
         Self {
@@ -229,7 +229,7 @@ fn is_everywhere(call: &Call) -> bool {
 /// Names of what an item acts on.
 fn targets<'a>(tree: &'a Tree, item: &'a Item) -> Vec<&'a str> {
     let mut found = Vec::new();
-    let mut add = |expr: &'a Expr| super::read::names(expr, &mut found);
+    let mut add = |expr: &'a Expr| read::names(expr, &mut found);
     let positional = |call: &'a Call| {
         let arguments = call.arguments.iter().filter(|argument| argument.name.is_none());
         arguments.map(|argument| &argument.value)

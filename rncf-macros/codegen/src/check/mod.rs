@@ -1,67 +1,18 @@
 //! Syntax tree to [`Model`]: names resolved, units in SI, every rule of the language checked. All
 //! mistakes are reported at once; what depends on something already reported stays silent.
 
-mod along;
-mod balance;
-mod body;
-mod bushing;
-mod caution;
-mod constant;
-mod constraint;
-mod corner;
-mod curve;
-mod density;
-mod distant;
-mod distributed;
-mod drive;
-mod eigen;
+mod bodies;
 mod element;
-mod end;
-mod expr;
-mod fidelity;
-mod fixture;
-mod frame;
-mod free;
-mod import;
+mod frames;
 pub mod influence;
-mod initial;
-mod joint;
-mod law;
-mod line;
-mod load;
-mod loose;
-mod marker;
-mod material;
-mod matrix;
-mod mesh;
+mod joints;
+mod loads;
 mod messages;
 mod messages_along;
-mod nodes;
-mod observe;
-mod output;
-mod param;
-mod place;
-mod plane;
-mod push;
-mod quantity;
-mod read;
-mod repeat;
-mod resultant;
-mod rigid;
-mod section;
-mod share;
-mod shown;
-mod sound_law;
-mod spinning;
-mod split_unit;
-mod spring;
-mod start;
-mod table;
-mod thing;
-mod ties;
-mod undamped;
-mod unit;
-mod vector;
+mod observed;
+mod sections;
+mod starts;
+mod values;
 
 #[cfg(test)]
 mod tests;
@@ -76,9 +27,9 @@ use crate::errors::{Area, Errors};
 use crate::model::{BodyId, Frame, FrameId, Model, MotionId, TableId, fold};
 use crate::parse::tree::{Argument, Call, Expr, Item, ItemKind, Keyword, Name, Tree, UnitText};
 use crate::suggest;
-use balance::TOTAL;
 use messages as say;
-use quantity::Typed;
+use observed::balance::TOTAL;
+use values::quantity::Typed;
 
 /// Where the user wrote the names that generated code uses, for spans of identifiers.
 #[derive(Clone, Debug)]
@@ -140,7 +91,7 @@ pub fn check_with_elements(tree: &Tree, library: &Library, errors: &mut Errors) 
         check.ties();
     }
     let mut model = std::mem::take(&mut check.model);
-    nodes::stand_where_something_acts(&mut model);
+    bodies::nodes::stand_where_something_acts(&mut model);
     let library = Arc::clone(&check.library);
     (tree.complete && errors.len() == before).then_some((model, library))
 }
@@ -170,11 +121,11 @@ struct Check<'a> {
     /// Declared names that are units, too, with the first unit in which they could be either.
     clashes: HashMap<String, UnitText>,
     /// Readable sections and materials.
-    sections: HashMap<&'a str, section::Section>,
-    materials: HashMap<&'a str, material::Material>,
-    bodies: HashMap<&'a str, body::Known>,
-    joints: HashMap<&'a str, joint::Known>,
-    constraints: HashMap<&'a str, constraint::Known>,
+    sections: HashMap<&'a str, sections::section::Section>,
+    materials: HashMap<&'a str, sections::material::Material>,
+    bodies: HashMap<&'a str, bodies::body::Known>,
+    joints: HashMap<&'a str, joints::joint::Known>,
+    constraints: HashMap<&'a str, joints::constraint::Known>,
     /// Bodies that something holds; `None`: something unreadable may hold any.
     tied: Option<Vec<BodyId>>,
     /// Straight pieces of a body that a corner joins: what holds one holds the other.
@@ -182,7 +133,7 @@ struct Check<'a> {
     /// Names of a law, such as `length` and `rate`.
     locals: HashMap<&'a str, Typed>,
     /// What springs show, by their names.
-    shown: HashMap<String, shown::Shown>,
+    shown: HashMap<String, observed::shown::Shown>,
     /// Fields of the element that is being checked.
     element_fields: Vec<element::FieldOfElement>,
     /// Those of it that could not be read.
@@ -194,9 +145,9 @@ struct Check<'a> {
     /// Whether a force, moment or law of a spring is being checked, in which tables are looked up.
     looks_up: bool,
     /// Vectors of the particle that a density is checked for.
-    particle: HashMap<&'a str, vector::Vectorial>,
+    particle: HashMap<&'a str, values::vector::Vectorial>,
     /// The loop or reduction that is being checked.
-    turn: Option<repeat::Turn<'a>>,
+    turn: Option<values::repeat::Turn<'a>>,
     /// Unknown names that have been reported.
     unknown: HashSet<String>,
     /// Frames that have been reported for leaving the plane with this normal.
@@ -267,7 +218,7 @@ impl<'a> Check<'a> {
         let mut outputs: HashMap<&str, &Item> = HashMap::new();
         for item in &self.tree.items {
             let (name, word) = (item.name.text.as_str(), item.name.word());
-            if RESERVED.contains(&word) || expr::function(word).is_some() || vector::is_function(word) {
+            if RESERVED.contains(&word) || values::expr::function(word).is_some() || values::vector::is_function(word) {
                 self.errors.at(item.name.span, say::meaning_of_its_own(word));
             }
             let names = if item.keyword == Keyword::Output {

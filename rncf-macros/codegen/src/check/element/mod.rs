@@ -5,12 +5,13 @@ mod messages;
 mod shapes;
 mod sound;
 
+use crate::check::values::vector;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
-use super::expr::Scope;
-use super::quantity::Typed;
 use super::{Check, fold, say as common};
+use crate::check::values::expr::{self, Scope};
+use crate::check::values::quantity::Typed;
 use crate::elements::{
     Coefficient, Element, ElementOption, Field, Inertia, Interpolant, Library, NodalVector, Written, points_for, word,
 };
@@ -335,7 +336,7 @@ impl<'a> Check<'a> {
     }
 
     fn is_word(&self, text: &str) -> bool {
-        super::RESERVED.contains(&text) || super::expr::function(text).is_some() || super::vector::is_function(text)
+        super::RESERVED.contains(&text) || expr::function(text).is_some() || vector::is_function(text)
     }
 
     fn element_part(&mut self, statement: &'a ElementStatement, coordinate: &'a Name, draft: &mut Draft<'a>) {

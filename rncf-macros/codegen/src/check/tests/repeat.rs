@@ -1,6 +1,7 @@
 //! Loops, shared nodes and values over all repetitions: what they become.
 
 use super::{model, run};
+use crate::check::starts::start;
 use crate::model::{
     Binary, BodyId, Expr, FrameId, Function, JointKind, Location, Marker, Model, Observable, PointQuantity, Reduction,
     RepeatId, SectionQuantity,
@@ -336,7 +337,7 @@ fn ties_in_loops_are_left_to_the_run() {
 #[test]
 fn repetitions_start_where_they_are() {
     let model = model(SAIL);
-    let start = crate::check::start::Start::new(&model);
+    let start = start::Start::new(&model);
     let on = |instance: f64, place: Location| Location::Of {
         instance: Box::new(Expr::Number(instance)),
         place: Box::new(place),

@@ -5,7 +5,7 @@ use super::moving_sections::{FIRST, IN_PLANE, Motion, NONE, OTHER, PLANAR, SCENE
 use super::world::{
     Pose, Vec3, World, add, axis_of, dot, first_body, product, rotation, scale, still, times, transposed, with,
 };
-use crate::check::eigen::symmetric;
+use crate::check::values::eigen::symmetric;
 use crate::model::{Constraint, Expr, JointKind, Location, Marker, Model, Observable, PointQuantity, SectionQuantity};
 
 /// Derivatives of the rows with respect to shift and turn of the second party.

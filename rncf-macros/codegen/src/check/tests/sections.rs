@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use super::{model, run};
-use crate::check::start::{Start, Vector, cross, dot, norm, subtract};
-use crate::check::ties::{self, Untied};
+use crate::check::joints::ties::{self, Untied};
+use crate::check::starts::start::{Start, Vector, cross, dot, norm, subtract};
 use crate::elements::Library;
 use crate::model::fold::with_defaults;
 use crate::model::{BodyId, Expr, FrameId, Line, Location, Marker, MarkerId, Model, SectionShape};

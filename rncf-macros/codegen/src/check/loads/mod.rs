@@ -1,0 +1,8 @@
+//! Loads and springs.
+
+pub mod bushing;
+pub mod density;
+pub mod distributed;
+pub mod load;
+pub mod marker_forces;
+pub mod spring;

@@ -1,0 +1,9 @@
+//! What outputs and laws read of the system.
+
+pub mod balance;
+pub mod caution;
+pub mod members;
+pub mod observe;
+pub mod output;
+pub mod section_forces;
+pub mod shown;

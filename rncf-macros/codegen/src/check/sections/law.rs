@@ -1,0 +1,191 @@
+//! Sections that say their stiffness and mass by themselves, field by field or from the columns of a table.
+
+use std::collections::BTreeMap;
+
+use super::material::Values;
+use super::section::Section;
+use crate::check::{Check, fold, say};
+use crate::errors::Area;
+use crate::model::{Column, Expr as Value, Law, TableId};
+use crate::parse::tree::{Call, ExprKind};
+use crate::suggest;
+use crate::vocabulary::{
+    CENTRES, DAMPINGS, LAW, MASS_ENTRIES, MASSES, Property, STIFFNESS_ENTRIES, from_beamdyn, of_either_triangle,
+};
+
+/// Words before parentheses that make a section of a table.
+pub const OF_TABLE: [&str; 2] = ["columns", "beamdyn"];
+
+/// A field of such a section.
+pub fn law_property(name: &str) -> Option<&'static Property> {
+    LAW.iter().find(|property| property.name == name)
+}
+
+impl<'a> Check<'a> {
+    /// `section name = columns(table);` or `= beamdyn(table, damping = ..);`
+    pub(in crate::check) fn section_of_table(&mut self, name: &str, call: &'a Call) -> Option<Section> {
+        let mut values = Values::new();
+        let mut table = None;
+        for argument in &call.arguments {
+            match (&argument.name, &argument.value.kind) {
+                (None, ExprKind::Name(word)) if table.is_none() => table = Some(self.table(word)?),
+                (Some(word), _) => {
+                    let Some(property) = law_property(&word.text) else {
+                        let known = LAW.iter().map(|property| property.name);
+                        let message = suggest::unknown("field of `section`", &word.text, known);
+                        self.errors.at(word.span, message);
+                        return None;
+                    };
+                    let value = self.along_axis(|check| check.field_value(property.name, &argument.value, property));
+                    values.insert(property.name, (value?, argument.value.area));
+                }
+                _ => {
+                    let usage = format!("{}(blade, damping = 2 ms)", call.name.text);
+                    self.errors.at(call.area, say::usage(&call.name.text, &usage));
+                    return None;
+                }
+            }
+        }
+        let Some(table) = table else {
+            let usage = format!("{}(blade)", call.name.text);
+            self.errors.at(call.area, say::usage(&call.name.text, &usage));
+            return None;
+        };
+        self.fields_of_columns(table, call, &mut values)?;
+        self.stiffness_law(name, values, call.area)
+    }
+
+    /// Adds the fields that columns of a table are; `None`: reported.
+    fn fields_of_columns(&mut self, table: TableId, call: &'a Call, values: &mut Values) -> Option<()> {
+        let is_beamdyn = call.name.text == OF_TABLE[1];
+        let columns = self.model.tables[table.0].columns.clone();
+        let mut taken: BTreeMap<&'static str, &Column> = BTreeMap::new();
+        for (at, column) in columns.iter().enumerate() {
+            let name = if is_beamdyn {
+                from_beamdyn(&column.name)
+            } else {
+                of_either_triangle(&column.name).or(Some(column.name.as_str()))
+            };
+            let own = name.and_then(law_property);
+            let Some(property) = own else {
+                // Places, and what a name with an underscore tells to be spare, are nobody's field.
+                if !self.model.tables[table.0].is_place(at) && !column.name.starts_with('_') {
+                    self.spare_columns.push((table, at, call));
+                }
+                continue;
+            };
+            if column.dimension != property.dimension {
+                let message = say::column_dimension(&column.name, property.name, property.unit);
+                self.errors.at(call.area, message);
+                return None;
+            }
+            for (row, &value) in column.values.iter().enumerate() {
+                if !property.range.has(value) {
+                    let place = self.model.tables[table.0].places[row];
+                    let message = say::row_out_of_range(row + 1, place, &column.name, value);
+                    self.errors.at(call.area, message);
+                    return None;
+                }
+            }
+            // Both triangles of a symmetric matrix may stand in a table, where they are one matrix.
+            if let Some(other) = taken.insert(property.name, column) {
+                let differ = |row: &usize| other.values[*row] != column.values[*row];
+                if let Some(row) = (0..column.values.len()).find(differ) {
+                    let message = say::not_symmetric(&other.name, &column.name, row + 1);
+                    self.errors.at(call.area, message);
+                    return None;
+                }
+                let other = columns.iter().position(|column| column.name == other.name);
+                self.model.tables[table.0].alike.extend(other.map(|other| [other, at]));
+                continue;
+            }
+            if let Some((_, area)) = values.get(property.name) {
+                self.errors
+                    .at(*area, say::field_and_column(property.name, &column.name));
+                return None;
+            }
+            let value = self.column_at(table, at).value;
+            values.insert(property.name, (value, call.area));
+        }
+        Some(())
+    }
+
+    /// Refuses columns of sections' tables that nothing reads: behind one of them may be an entry of a matrix with a wrong name.
+    pub(in crate::check) fn unread_columns(&mut self) {
+        for (table, at, call) in std::mem::take(&mut self.spare_columns) {
+            if self.read_columns.contains(&(table, at)) {
+                continue;
+            }
+            let known: Vec<&str> = if call.name.text == OF_TABLE[1] {
+                [STIFFNESS_ENTRIES, MASS_ENTRIES].concat()
+            } else {
+                LAW.iter().map(|property| property.name).collect()
+            };
+            let table = &self.model.tables[table.0];
+            let column = table.columns[at].name.as_str();
+            let message = say::unread_column(column, &table.name, &call.name.text, suggest::nearest(column, &known));
+            self.errors.at(call.area, message);
+        }
+    }
+
+    /// The law that fields are, checked for what is missing and what contradicts.
+    pub(in crate::check) fn stiffness_law(&mut self, name: &str, values: Values, area: Area) -> Option<Section> {
+        let has = |list: &[&str]| list.iter().any(|field| values.contains_key(field));
+        let mut fields: BTreeMap<&'static str, Value> = BTreeMap::new();
+        for (field, (value, area)) in &values {
+            if field.starts_with("damping") && fold::has_arclength(value) {
+                self.errors.at(*area, say::DAMPING_ALONG);
+                return None;
+            }
+            fields.insert(field, value.clone());
+        }
+        let (is_matrix, has_mass_matrix) = (has(STIFFNESS_ENTRIES), has(MASS_ENTRIES));
+        for (matrix, constants) in [(STIFFNESS_ENTRIES, CENTRES), (MASS_ENTRIES, MASSES)] {
+            if has(matrix) && has(constants) {
+                let first = |list: &[&'static str]| {
+                    list.iter()
+                        .copied()
+                        .find(|field| values.contains_key(field))
+                        .unwrap_or("")
+                };
+                let message = say::two_laws(first(matrix), first(constants));
+                self.errors.at(values[first(constants)].1, message);
+                return None;
+            }
+        }
+        if let Some(own) = DAMPINGS.iter().find(|own| values.contains_key(**own))
+            && let Some((_, area)) = values.get("damping")
+        {
+            self.errors.at(*area, say::two_dampings(own));
+            return None;
+        }
+        let needed = [
+            if is_matrix { STIFFNESS_ENTRIES } else { CENTRES },
+            if has_mass_matrix { MASS_ENTRIES } else { MASSES },
+        ];
+        let missing: Vec<&str> = needed
+            .into_iter()
+            .flatten()
+            .copied()
+            .filter(|field| !fields.contains_key(field))
+            .filter(|field| law_property(field).is_some_and(|property| property.default.is_none()))
+            .collect();
+        if !missing.is_empty() {
+            self.errors.at(area, say::missing_of_law(name, &missing));
+            return None;
+        }
+        let law = Law {
+            is_matrix,
+            has_mass_matrix,
+            fields,
+        };
+        if !self.is_sound(name, &law, &values, area) {
+            return None;
+        }
+        Some(Section {
+            law: Some(law),
+            is_whole: true,
+            ..Section::default()
+        })
+    }
+}

@@ -1,0 +1,4 @@
+//! Where and how the system starts.
+
+pub mod spinning;
+pub mod start;
