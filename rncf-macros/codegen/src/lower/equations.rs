@@ -69,82 +69,80 @@ pub struct Equations {
     pub conserving: Conserving,
 }
 
-impl Equations {
-    /// Derives all kernels.
-    pub fn derive(model: &Model, library: &Library) -> Self {
-        let mut variants: Vec<VariantKernels> = Vec::new();
-        let mut variant_of = Vec::new();
-        for body in &model.bodies {
-            let variant = Variant::of(model, body, library);
-            let index = variants
-                .iter()
-                .position(|other| other.variant == variant)
-                .unwrap_or_else(|| {
-                    variants.push(variant_kernels(variant, library));
-                    variants.len() - 1
-                });
-            variant_of.push(index);
-        }
-        let mut moments: Vec<(usize, [Kernel; 2])> = Vec::new();
-        let mut section_moments = None;
-        for load in &model.loads {
-            if let LoadKind::Moment { body, .. } = &load.kind {
-                let dimension = model.bodies[body.0].space.dimension();
-                if dimension == 3 && has_section(model, *body, library) {
-                    section_moments = Some(loads::section_moment_kernels());
-                } else if moments.iter().all(|(other, _)| *other != dimension) {
-                    moments.push((dimension, loads::moment_kernels(dimension)));
-                }
+/// Derives all kernels of a model that was checked.
+pub fn lower(model: &Model, library: &Library) -> Equations {
+    let mut variants: Vec<VariantKernels> = Vec::new();
+    let mut variant_of = Vec::new();
+    for body in &model.bodies {
+        let variant = Variant::of(model, body, library);
+        let index = variants
+            .iter()
+            .position(|other| other.variant == variant)
+            .unwrap_or_else(|| {
+                variants.push(variant_kernels(variant, library));
+                variants.len() - 1
+            });
+        variant_of.push(index);
+    }
+    let mut moments: Vec<(usize, [Kernel; 2])> = Vec::new();
+    let mut section_moments = None;
+    for load in &model.loads {
+        if let LoadKind::Moment { body, .. } = &load.kind {
+            let dimension = model.bodies[body.0].space.dimension();
+            if dimension == 3 && has_section(model, *body, library) {
+                section_moments = Some(loads::section_moment_kernels());
+            } else if moments.iter().all(|(other, _)| *other != dimension) {
+                moments.push((dimension, loads::moment_kernels(dimension)));
             }
         }
-        let frames = model.frames.iter().enumerate().skip(1);
-        let prescribed = frames.clone().filter(|(_, frame)| frame.free.is_none());
-        let free = frames.filter_map(|(index, frame)| Some((index, frame, frame.free.as_ref()?)));
-        let bodies = model.bodies.iter().enumerate();
-        let paths = bodies
-            .clone()
-            .filter_map(|(index, body)| Some((index, path_kernel(model, body)?)));
-        let initial = bodies.filter_map(|(index, body)| Some((index, initial_kernel(model, body)?)));
-        let outputs = loads::outputs_kernel(model);
-        let dissipation = not_conservative(model, library, (&variants, &variant_of));
-        Self {
-            conserving: Conserving::derive(model, library, (&variants, &variant_of), dissipation.as_deref()),
-            conservative: dissipation.is_none(),
-            variant_of,
-            frames: prescribed
-                .map(|(index, _)| (index, motions::frame_kernel(model, FrameId(index))))
-                .collect(),
-            free: free
-                .map(|(index, frame, free)| (index, free_kernel(model, frame, free)))
-                .collect(),
-            initial: initial.collect(),
-            paths: paths.collect(),
-            joints: model
-                .joints
-                .iter()
-                .map(|joint| conditions(model, joint, library))
-                .collect(),
-            constraints: constraint_kernels(model),
-            forces: force_kernels(model),
-            loads: loads::load_kernels(model),
-            densities: density_kernels(model, library),
-            distributed: distributed_kernels(model),
-            around: around_kernels(model),
-            fields: field_kernels(model),
-            moments,
-            section_moments,
-            switches: motions::switches(model, library),
-            courses: courses::courses(model, library),
-            reduced: loads::reductions(model, &outputs.1),
-            outputs,
-            run: loads::run_kernel(model),
-            variants,
-        }
+    }
+    let frames = model.frames.iter().enumerate().skip(1);
+    let prescribed = frames.clone().filter(|(_, frame)| frame.free.is_none());
+    let free = frames.filter_map(|(index, frame)| Some((index, frame, frame.free.as_ref()?)));
+    let bodies = model.bodies.iter().enumerate();
+    let paths = bodies
+        .clone()
+        .filter_map(|(index, body)| Some((index, path_kernel(model, body)?)));
+    let initial = bodies.filter_map(|(index, body)| Some((index, initial_kernel(model, body)?)));
+    let outputs = loads::outputs_kernel(model);
+    let dissipation = not_conservative(model, library, (&variants, &variant_of));
+    Equations {
+        conserving: Conserving::derive(model, library, (&variants, &variant_of), dissipation.as_deref()),
+        conservative: dissipation.is_none(),
+        variant_of,
+        frames: prescribed
+            .map(|(index, _)| (index, motions::frame_kernel(model, FrameId(index))))
+            .collect(),
+        free: free
+            .map(|(index, frame, free)| (index, free_kernel(model, frame, free)))
+            .collect(),
+        initial: initial.collect(),
+        paths: paths.collect(),
+        joints: model
+            .joints
+            .iter()
+            .map(|joint| conditions(model, joint, library))
+            .collect(),
+        constraints: constraint_kernels(model),
+        forces: force_kernels(model),
+        loads: loads::load_kernels(model),
+        densities: density_kernels(model, library),
+        distributed: distributed_kernels(model),
+        around: around_kernels(model),
+        fields: field_kernels(model),
+        moments,
+        section_moments,
+        switches: motions::switches(model, library),
+        courses: courses::courses(model, library),
+        reduced: loads::reductions(model, &outputs.1),
+        outputs,
+        run: loads::run_kernel(model),
+        variants,
     }
 }
 
 /// Whether the nodes of a body carry the axes of its section.
-pub fn has_section(model: &Model, body: BodyId, library: &Library) -> bool {
+fn has_section(model: &Model, body: BodyId, library: &Library) -> bool {
     library.elements[model.bodies[body.0].element.0].has_section()
 }
 

@@ -33,16 +33,8 @@ pub mod variant_kernels;
 mod tests;
 
 pub use choose::{ElasticKernels, elastic_kernels};
-pub use equations::Equations;
+pub use equations::{Equations, lower};
 pub use kernel::{Kernel, PointLoop};
 pub use signature::camel_case;
 pub use variant::{Connectivity, Variant};
 pub use variant_kernels::VariantKernels;
-
-use crate::elements::Library;
-use crate::model::Model;
-
-/// Derives all kernels of a model that was checked.
-pub fn lower(model: &Model, library: &Library) -> Equations {
-    Equations::derive(model, library)
-}

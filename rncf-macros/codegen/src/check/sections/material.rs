@@ -417,8 +417,8 @@ fn bases(factor: &'static str) -> Vec<&'static str> {
     derived.map_or_else(|| vec![factor], |derived| derived.from.to_vec())
 }
 
-/// Energy (six times), stresses and the diagonal of the stiffness without strain, with the defaults.
-fn at_rest(model: &Model, energy: &Value) -> [[f64; 6]; 3] {
+/// A graph with an energy and the strains in it, and their values without strain, with the defaults.
+fn unstrained<'m>(model: &'m Model, energy: &Value) -> (Time<'m>, Id, [Id; 6], HashMap<Id, f64>) {
     let mut time = Time::new(model);
     let root = time.expression(energy);
     let strains: [Id; 6] = std::array::from_fn(|at| time.strain(at));
@@ -426,6 +426,12 @@ fn at_rest(model: &Model, energy: &Value) -> [[f64; 6]; 3] {
     for (at, param) in model.params.iter().enumerate() {
         inputs.insert(time.param(at), param.default);
     }
+    (time, root, strains, inputs)
+}
+
+/// Energy (six times), stresses and the diagonal of the stiffness without strain, with the defaults.
+fn at_rest(model: &Model, energy: &Value) -> [[f64; 6]; 3] {
+    let (mut time, root, strains, inputs) = unstrained(model, energy);
     let stress = strains.map(|strain| time.graph.partial(root, strain));
     let stiffness: [Id; 6] = std::array::from_fn(|at| time.graph.partial(stress[at], strains[at]));
     [[root; 6], stress, stiffness].map(|ids| {
@@ -436,13 +442,7 @@ fn at_rest(model: &Model, energy: &Value) -> [[f64; 6]; 3] {
 
 /// Second derivatives without strain, with the defaults.
 fn stiffness_at_rest(model: &Model, energy: &Value) -> [[f64; 6]; 6] {
-    let mut time = Time::new(model);
-    let root = time.expression(energy);
-    let strains: [Id; 6] = std::array::from_fn(|at| time.strain(at));
-    let mut inputs: HashMap<Id, f64> = strains.map(|strain| (strain, 0.0)).into();
-    for (at, param) in model.params.iter().enumerate() {
-        inputs.insert(time.param(at), param.default);
-    }
+    let (mut time, root, strains, inputs) = unstrained(model, energy);
     strains.map(|row| {
         let stress = time.graph.partial(root, row);
         let entries = strains.map(|column| time.graph.partial(stress, column));

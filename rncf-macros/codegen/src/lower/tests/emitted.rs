@@ -4,9 +4,9 @@ use super::model::{base, moving, number};
 use super::{Inputs, evaluate};
 use crate::elements::Library;
 use crate::expand;
-use crate::lower::Equations;
 use crate::lower::courses::courses;
 use crate::lower::free::free_kernel;
+use crate::lower::lower;
 use crate::lower::motions::switches;
 use crate::model::{Binary, Comparison, Expr, Force, Function, MarkerId, Model, MotionId};
 
@@ -170,7 +170,7 @@ fn pulses_of_time_are_written_as_operations() {
 
 #[test]
 fn energy_is_conserved_where_nothing_drives_or_damps() {
-    let conservative = |model: &Model| Equations::derive(model, &Library::standard()).conservative;
+    let conservative = |model: &Model| lower(model, &Library::standard()).conservative;
     let mut model = moving();
     assert!(!conservative(&model));
     // The strut damps, the thrust has no potential, the hinge is driven.
