@@ -48,7 +48,7 @@ fn declared(text: &str) -> Vec<Element> {
     let mut errors = Errors::new();
     let tokens = format!("model Library {{ {text} }}").parse().expect("tokens");
     let tree = parse::parse(tokens, &mut errors).expect("a declaration");
-    let library = check::elements(&tree, &Library::default(), &mut errors);
+    let library = check::element::elements(&tree, &Library::default(), &mut errors);
     let mistakes: Vec<String> = errors.finish().into_iter().map(|mistake| mistake.message).collect();
     assert!(
         mistakes.is_empty(),

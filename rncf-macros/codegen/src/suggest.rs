@@ -105,6 +105,17 @@ fn edits(a: &str, b: &str) -> usize {
     rows[a.len()][b.len()]
 }
 
+/// A computed number in six digits.
+pub fn written(value: f64) -> String {
+    let short: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    let size = short.abs();
+    if size == 0.0 || (1e-4..1e6).contains(&size) {
+        format!("{short}")
+    } else {
+        format!("{short:e}")
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -9,11 +9,11 @@
 use std::collections::{HashMap, HashSet};
 
 use super::messages as say;
-use crate::check::joints::distant::distant_axes;
 use crate::check::joints::loose::loose_ties;
-use crate::check::observed::balance::TOTAL;
 use crate::check::sections::undamped::undamped_parts;
+use crate::check::starts::distant::distant_axes;
 use crate::check::values::read::{self, mentioned};
+use crate::check::values::words::TOTAL;
 use crate::elements::{Element, Library};
 use crate::errors::Mistake;
 use crate::model::{Body, Model, SectionShape, Space};

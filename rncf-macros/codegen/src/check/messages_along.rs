@@ -1,6 +1,6 @@
 //! What is said about tables, curves, and sections that say their stiffness by themselves.
 
-use crate::check::sections::along::written;
+use crate::suggest::written;
 
 pub const COLUMN: &str = "a column is a list of values with one unit: `EI = [2, 1.5, 1] N*m^2;`";
 pub const COLUMN_ELSEWHERE: &str = "a column of a table has a value at a place along an axis: it stands in fields of sections and materials, and in `twist`";

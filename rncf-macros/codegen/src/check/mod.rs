@@ -2,7 +2,7 @@
 //! mistakes are reported at once; what depends on something already reported stays silent.
 
 mod bodies;
-mod element;
+pub mod element;
 mod frames;
 pub mod influence;
 mod joints;
@@ -10,6 +10,7 @@ mod loads;
 mod messages;
 mod messages_along;
 mod observed;
+mod places;
 mod sections;
 mod starts;
 mod values;
@@ -28,8 +29,6 @@ use crate::model::{BodyId, Frame, FrameId, Model, MotionId, TableId, fold};
 use crate::parse::tree::{Argument, Call, Expr, Item, ItemKind, Keyword, Name, Tree, UnitText};
 use crate::suggest;
 use messages as say;
-use observed::balance::TOTAL;
-use values::quantity::Typed;
 
 /// Where the user wrote the names that generated code uses, for spans of identifiers.
 #[derive(Clone, Debug)]
@@ -50,8 +49,6 @@ impl Spans {
         }
     }
 }
-
-pub use element::elements;
 
 /// Checks a declaration against the element library. All mistakes go to `errors`; a model comes
 /// back only where there are none (those of reading included).
@@ -91,7 +88,7 @@ pub fn check_with_elements(tree: &Tree, library: &Library, errors: &mut Errors) 
         check.ties();
     }
     let mut model = std::mem::take(&mut check.model);
-    bodies::nodes::stand_where_something_acts(&mut model);
+    starts::nodes::stand_where_something_acts(&mut model);
     let library = Arc::clone(&check.library);
     (tree.complete && errors.len() == before).then_some((model, library))
 }
@@ -109,8 +106,8 @@ struct Check<'a> {
     /// Everything with a name, outputs apart.
     names: HashMap<&'a str, &'a Item>,
     /// Resolved values of constants and parameters; `None`: reported.
-    values: HashMap<&'a str, Option<Typed>>,
-    motions: HashMap<&'a str, Option<(MotionId, Typed)>>,
+    values: HashMap<&'a str, Option<values::quantity::Typed>>,
+    motions: HashMap<&'a str, Option<(MotionId, values::quantity::Typed)>>,
     frames: HashMap<&'a str, Option<FrameId>>,
     /// Tables; `None`: reported.
     tables: HashMap<&'a str, Option<TableId>>,
@@ -121,21 +118,21 @@ struct Check<'a> {
     /// Declared names that are units, too, with the first unit in which they could be either.
     clashes: HashMap<String, UnitText>,
     /// Readable sections and materials.
-    sections: HashMap<&'a str, sections::section::Section>,
+    sections: HashMap<&'a str, sections::known::Section>,
     materials: HashMap<&'a str, sections::material::Material>,
     bodies: HashMap<&'a str, bodies::body::Known>,
-    joints: HashMap<&'a str, joints::joint::Known>,
+    joints: HashMap<&'a str, joints::known::Known>,
     constraints: HashMap<&'a str, joints::constraint::Known>,
     /// Bodies that something holds; `None`: something unreadable may hold any.
     tied: Option<Vec<BodyId>>,
     /// Straight pieces of a body that a corner joins: what holds one holds the other.
     corners: Vec<[BodyId; 2]>,
     /// Names of a law, such as `length` and `rate`.
-    locals: HashMap<&'a str, Typed>,
+    locals: HashMap<&'a str, values::quantity::Typed>,
     /// What springs show, by their names.
     shown: HashMap<String, observed::shown::Shown>,
     /// Fields of the element that is being checked.
-    element_fields: Vec<element::FieldOfElement>,
+    element_fields: Vec<element::formula::FieldOfElement>,
     /// Those of it that could not be read.
     lost_fields: Vec<String>,
     /// Whether a density or a field is being checked.
@@ -160,7 +157,7 @@ struct Check<'a> {
 }
 
 /// Names with a meaning of their own.
-const RESERVED: &[&str] = &["t", "pi", "inertial", TOTAL];
+const RESERVED: &[&str] = &["t", "pi", "inertial", values::words::TOTAL];
 
 /// Longest chain of names that are defined by each other.
 const LONGEST_CHAIN: usize = 64;

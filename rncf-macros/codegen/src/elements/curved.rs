@@ -7,7 +7,7 @@
 
 use std::collections::HashMap;
 
-use super::{Density, Element, Field, Interpolant, field_invariants};
+use super::element::{Density, Element, Field, Interpolant, field_invariants};
 use crate::symbolic::{Graph, Id, Invariant};
 
 /// Values of coefficients at which the derivatives of an energy are looked at; what changes with time takes both.

@@ -2,11 +2,8 @@
 
 use std::sync::Arc;
 
-use super::{Element, Invariants};
+use super::element::{Element, Invariants, VISCOUS};
 use crate::symbolic::Graph;
-
-/// Name in generated code of the one that damps each strain by itself.
-pub const VISCOUS: &str = "full_beam_viscous";
 
 /// Those of the declaration `full`, by the value of its option: without and with a damping of its own for each strain, where the stress of
 /// the rates is `sqrt(c_i c_j) K_ij e_j'`. `beam` says how they are called.

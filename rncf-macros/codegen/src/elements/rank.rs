@@ -3,7 +3,7 @@
 
 use std::collections::HashMap;
 
-use super::{Density, Element, Interpolant, NodalVector, Term, field_invariants};
+use super::element::{Density, Element, Interpolant, NodalVector, Term, field_invariants};
 use crate::symbolic::{Graph, Id, Invariant, Product};
 use crate::tensors::{Rule, Sampling};
 
@@ -149,7 +149,7 @@ impl Point {
             (0..dimension).map(|c| if c == axis { size } else { 0.0 }).collect()
         };
         let fields = |stretch: f64| {
-            let value = |field: &super::Field| {
+            let value = |field: &super::element::Field| {
                 let is_unit = field.order == usize::from(field.of == Interpolant::Position);
                 direction(field.of, if is_unit { stretch } else { 0.0 })
                     .into_iter()

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::{Density, Invariants, Term};
+use super::element::{Density, Invariants, Term};
 use crate::model::{Binary, ElementQuantity, Expr, fold};
 use crate::symbolic::{Graph, Id};
 use crate::tensors::Sampling;

@@ -4,7 +4,7 @@ use super::elements::{rows_side_by_side, side_by_side};
 use super::kernel::{arrays, documentation, fits_lanes, function, function_of_lanes};
 use crate::elements::Library;
 use crate::lower::courses::CourseKernel;
-use crate::lower::elastic::Form;
+use crate::lower::form::Form;
 use crate::lower::{Equations, Kernel, VariantKernels, camel_case};
 
 impl VariantKernels {

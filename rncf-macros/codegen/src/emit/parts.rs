@@ -148,7 +148,7 @@ impl Parts<'_> {
             self.prepare(),
             self.initial(),
             self.shares(),
-            super::start::starts(self),
+            self.starts(),
             self.fixtures(),
             self.varies(),
             self.read_tables(),

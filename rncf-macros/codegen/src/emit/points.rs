@@ -2,7 +2,8 @@
 
 use super::number::number;
 use crate::lower::camel_case;
-use crate::lower::elastic::{Between, FieldBlocks, FieldKernels, FieldRule};
+use crate::lower::elastic::Between;
+use crate::lower::form::{FieldBlocks, FieldKernels, FieldRule};
 use crate::lower::material::{Material, SectionRule};
 use crate::model::{Body, Expr, SectionShape};
 use crate::tensors::Sampling;

@@ -4,24 +4,26 @@ use std::fmt::Write;
 
 use super::parts::Parts;
 
-/// The method that names them.
-pub(super) fn starts(writer: &Parts) -> String {
-    if writer.model.starts.is_empty() {
-        return writer.list("starts", "StartSpec", &[]);
-    }
-    let mut text = "fn starts(&self) -> ::std::vec::Vec<::rncf::emitted::StartSpec> {\nlet model = &self.model;\n\
+impl Parts<'_> {
+    /// The method that names them.
+    pub(super) fn starts(&self) -> String {
+        if self.model.starts.is_empty() {
+            return self.list("starts", "StartSpec", &[]);
+        }
+        let mut text = "fn starts(&self) -> ::std::vec::Vec<::rncf::emitted::StartSpec> {\nlet model = &self.model;\n\
                     ::std::vec::Vec::from([\n"
-        .to_string();
-    for start in &writer.model.starts {
-        let spin = match &start.spin {
-            Some(spin) => format!("Some({})", writer.vector(spin)),
-            None => "None".to_string(),
-        };
-        let _ = writeln!(
-            text,
-            "::rncf::emitted::StartSpec {{ name: {:?}, frame: {}, spin: {spin} }},",
-            start.name, start.frame.0
-        );
+            .to_string();
+        for start in &self.model.starts {
+            let spin = match &start.spin {
+                Some(spin) => format!("Some({})", self.vector(spin)),
+                None => "None".to_string(),
+            };
+            let _ = writeln!(
+                text,
+                "::rncf::emitted::StartSpec {{ name: {:?}, frame: {}, spin: {spin} }},",
+                start.name, start.frame.0
+            );
+        }
+        text + "])\n}\n"
     }
-    text + "])\n}\n"
 }

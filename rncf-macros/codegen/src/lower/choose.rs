@@ -1,6 +1,7 @@
 //! The cheapest form of the elastic kernels by counted operations (THEORY 4.3).
 
-use super::elastic::{FieldKernels, Form, Quantity, field_kernels, kept, kernel, rules};
+use super::elastic::{field_kernels, kept, kernel};
+use super::form::{FieldKernels, Form, Quantity, rules};
 use super::kernel::Kernel;
 use super::signature::Signature;
 use super::variant::Variant;

@@ -13,6 +13,7 @@ pub mod elastic;
 pub mod equations;
 pub mod field_forces;
 pub mod forces;
+pub mod form;
 pub mod free;
 pub mod inertia;
 pub mod initial;

@@ -1,6 +1,6 @@
 //! Names, arguments and documentation of the kernels of an element.
 
-use super::elastic::{FieldKernels, Form, Quantity, points, rules};
+use super::form::{FieldKernels, Form, Quantity, points, rules};
 use super::kernel::{Kernel, PointLoop};
 use super::variant::Variant;
 use crate::elements::Library;

@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::{Body, Expr, RepeatId, TableId, fold};
+use super::expression::Expr;
+use super::ids::{RepeatId, TableId, identifier};
 use crate::import::spline;
 use crate::vocabulary::DAMPINGS;
 
@@ -85,12 +86,12 @@ impl Table {
 
     /// Name in generated code.
     pub fn constant(&self) -> String {
-        format!("TABLE_{}", super::identifier(&self.name).to_uppercase())
+        format!("TABLE_{}", identifier(&self.name).to_uppercase())
     }
 
     /// Name of what is said of its files in generated code.
     pub fn form(&self) -> String {
-        format!("FILE_{}", super::identifier(&self.name).to_uppercase())
+        format!("FILE_{}", identifier(&self.name).to_uppercase())
     }
 
     /// Text of a column's value at the arclength `x` of an axis with the length `length`.
@@ -247,18 +248,5 @@ impl Law {
     /// Whether each strain has a damping of its own.
     pub fn is_viscous(&self) -> bool {
         DAMPINGS.iter().any(|name| self.fields.contains_key(name))
-    }
-}
-
-impl Body {
-    /// Whether its section or material depends on the repetition of its loop.
-    pub fn differs(&self) -> bool {
-        let fields = self.law.iter().flat_map(|law| law.fields.values());
-        self.properties.values().chain(fields).any(fold::has_index)
-    }
-
-    /// Whether its elements differ, or have coefficients at every point.
-    pub fn varies(&self) -> bool {
-        self.law.is_some() || self.stations.is_some() || self.properties.values().any(fold::has_arclength)
     }
 }

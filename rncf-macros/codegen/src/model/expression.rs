@@ -1,6 +1,6 @@
 //! Resolved expressions in SI, and what of the simulated system they observe.
 
-use super::{BodyId, ConstraintId, FrameId, JointId, MarkerId, MotionId, ParamId, RepeatId, TableId};
+use super::ids::{BodyId, ConstraintId, FrameId, JointId, MarkerId, MotionId, ParamId, RepeatId, TableId};
 
 /// A resolved expression in SI.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,6 +1,9 @@
-//! Constant values, and dependence on time.
+//! Constant values, and what an expression depends on: time, place, repetition.
 
-use super::{Binary, Comparison, Expr, Function, Model, TableId};
+use super::Model;
+use super::body::Body;
+use super::expression::{Binary, Comparison, Expr, Function};
+use super::ids::TableId;
 
 /// Value of an expression of numbers only.
 pub fn constant(expr: &Expr) -> Option<f64> {
@@ -181,4 +184,17 @@ pub fn has_element(expr: &Expr) -> bool {
 /// Whether a motion stands in the expression.
 pub fn has_motion(expr: &Expr) -> bool {
     expr.contains(&|expr| matches!(expr, Expr::Motion(..)))
+}
+
+impl Body {
+    /// Whether its section or material depends on the repetition of its loop.
+    pub fn differs(&self) -> bool {
+        let fields = self.law.iter().flat_map(|law| law.fields.values());
+        self.properties.values().chain(fields).any(has_index)
+    }
+
+    /// Whether its elements differ, or have coefficients at every point.
+    pub fn varies(&self) -> bool {
+        self.law.is_some() || self.stations.is_some() || self.properties.values().any(has_arclength)
+    }
 }

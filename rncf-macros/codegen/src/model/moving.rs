@@ -1,7 +1,8 @@
 //! What moves freely, and what acts on it: free frames with their rigid parts, markers, and constraints
 //! and forces as expressions of markers.
 
-use super::{BodyId, Expr, FrameId, Location, MarkerId, Model, RepeatId};
+use super::expression::{Expr, Location};
+use super::ids::{BodyId, FrameId, MarkerId, RepeatId};
 
 /// A frame whose pose is unknown (THEORY 2, 3.1).
 #[derive(Clone, Debug)]
@@ -258,17 +259,6 @@ impl Marker {
             | Marker::BodySection { .. }
             | Marker::InSection { .. }
             | Marker::SectionTurn { .. } => None,
-        }
-    }
-}
-
-impl Model {
-    /// Whether a marker is a point, not a direction.
-    pub fn is_point(&self, marker: MarkerId) -> bool {
-        match &self.markers[marker.0] {
-            Marker::Point { .. } | Marker::BodyPoint { .. } | Marker::SectionPoint { .. } => true,
-            Marker::Matching { marker, .. } => self.is_point(*marker),
-            _ => false,
         }
     }
 }

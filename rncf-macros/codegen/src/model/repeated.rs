@@ -1,6 +1,7 @@
 //! What large scenes need: repeated items, shared nodes, loads per length, starts in equilibrium, cautions.
 
-use super::{BodyId, Comparison, Expr, FrameId, Location, MarkerId, RepeatId};
+use super::expression::{Comparison, Expr, Location};
+use super::ids::{BodyId, FrameId, MarkerId, RepeatId};
 
 /// `for index in 0..count { .. }`
 #[derive(Clone, Debug)]

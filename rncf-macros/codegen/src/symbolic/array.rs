@@ -2,18 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::{Graph, Id};
-
-/// An array of constants, e.g. the mass matrix of the unit element.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Array {
-    /// Its name in generated code.
-    pub name: String,
-    /// Meaning, rows and columns; one paragraph each.
-    pub doc: Vec<String>,
-    /// Its numbers.
-    pub rows: Vec<Vec<f64>>,
-}
+use super::graph::{Array, Graph, Id};
 
 impl Graph {
     /// Has the numbers that the roots depend on and that are entries of these arrays read from there. What is equal bit by bit reads the

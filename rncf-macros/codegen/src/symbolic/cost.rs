@@ -3,7 +3,7 @@
 use std::fmt;
 use std::ops::{Add, Mul};
 
-use super::{Graph, Id, Node};
+use super::graph::{Graph, Id, Node};
 
 /// Counted operations of a straight-line evaluation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::ops::Index;
 
-use super::{Column, Graph, Id, Node};
+use super::graph::{Column, Graph, Id, Node};
 use crate::model::Function;
 
 /// What became of the nodes that a graph had at the start; a table, since a walk asks for each of them many times.

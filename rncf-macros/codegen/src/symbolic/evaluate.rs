@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
-use super::{Graph, Id, Node};
-use crate::model::{Comparison, Function};
+use super::graph::{Graph, Id, Node, compare};
+use crate::model::Function;
 
 /// An arithmetic that a graph can be evaluated in: f64, complex steps, double-double, ...
 pub trait Scalar: Copy {
@@ -23,16 +23,6 @@ pub trait Scalar: Copy {
     fn call(self, function: Function) -> Self;
     /// Function of two arguments.
     fn call2(self, function: Function, other: Self) -> Self;
-}
-
-/// Comparison in f64.
-pub(super) fn compare(comparison: Comparison, x: f64, y: f64) -> bool {
-    match comparison {
-        Comparison::Less => x < y,
-        Comparison::LessEqual => x <= y,
-        Comparison::Greater => x > y,
-        Comparison::GreaterEqual => x >= y,
-    }
 }
 
 impl Scalar for f64 {

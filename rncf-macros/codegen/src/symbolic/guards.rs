@@ -2,38 +2,7 @@
 
 use std::collections::HashSet;
 
-use super::{Graph, Id, Node};
-
-/// Which derivatives at zero are taken as zero: right where they are multiplied with what vanishes, as in `abs(v) v`.
-#[derive(Clone, Debug, Default)]
-pub enum Guards {
-    /// None of them.
-    #[default]
-    None,
-    /// Those of roots and logarithms that nothing is divided by.
-    Roots {
-        /// What the expressions are divided by.
-        divisors: HashSet<Id>,
-    },
-    /// Those of all roots, logarithms and angles.
-    Zeros,
-}
-
-impl Guards {
-    /// Whether the derivative of a root or logarithm is taken as zero where this value is.
-    pub fn of_root(&self, value: Id) -> bool {
-        match self {
-            Guards::None => false,
-            Guards::Roots { divisors } => !divisors.contains(&value),
-            Guards::Zeros => true,
-        }
-    }
-
-    /// Whether that of an angle is where both its sides are zero.
-    pub fn of_angle(&self) -> bool {
-        matches!(self, Guards::Zeros)
-    }
-}
+use super::graph::{Graph, Guards, Id, Node};
 
 impl Graph {
     /// Takes derivatives of roots, logarithms and angles of what is zero as zero.

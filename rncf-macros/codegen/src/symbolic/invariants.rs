@@ -1,7 +1,7 @@
 //! Inner products of the vectors of a set, and their derivatives.
 
+use super::graph::{Graph, Id};
 use super::linear::Vector;
-use super::{Graph, Id};
 
 /// Kind of an inner product.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

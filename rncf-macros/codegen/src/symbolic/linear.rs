@@ -1,6 +1,6 @@
 //! Vectors and 3x3 matrices of graph nodes.
 
-use super::{Graph, Id};
+use super::graph::{Graph, Id};
 
 /// A vector of nodes.
 pub type Vector = Vec<Id>;

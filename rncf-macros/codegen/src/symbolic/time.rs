@@ -3,8 +3,8 @@
 
 use std::collections::HashMap;
 
-use super::linear::{Matrix3, Vector};
-use super::{Graph, Id};
+use super::graph::{Graph, Id};
+use super::linear::{self, Matrix3, Vector};
 use crate::model::{Binary, Expr, Frame, FrameId, INERTIAL, Model, Observable};
 
 /// A graph with the time and the parameters of a model.
@@ -236,7 +236,7 @@ impl<'m> Time<'m> {
             return (rotation, position);
         }
         let (base, origin) = self.pose(to);
-        let back = crate::symbolic::linear::transpose(&base);
+        let back = linear::transpose(&base);
         let offset = self.graph.subtract_vectors(&position, &origin);
         (
             self.graph.multiply_matrices(&back, &rotation),

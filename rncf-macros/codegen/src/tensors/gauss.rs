@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use super::{Polynomial, Rational};
+use super::polynomial::Polynomial;
+use super::rational::Rational;
 
 /// Points and weights of a quadrature rule on [0, 1].
 #[derive(Clone, Debug, PartialEq)]

@@ -1,6 +1,6 @@
 //! Polynomials in xi with rational coefficients.
 
-use super::Rational;
+use super::rational::Rational;
 
 /// A polynomial in xi on the unit element; lowest power first, no trailing zeros.
 #[derive(Clone, Debug, PartialEq, Eq)]

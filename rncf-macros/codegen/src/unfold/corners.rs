@@ -1,6 +1,8 @@
 //! Bodies whose axis has corners: each straight piece becomes a body, `frame[0]`, `frame[1]`, .., and each corner a rigid joint.
 
-use super::{Place, Planned, Reached, Unfold, say};
+use super::messages as say;
+use super::names::Reached;
+use super::{Place, Planned, Unfold};
 use crate::errors::Area;
 use crate::model::Binary;
 use crate::parse::tree::{Argument, Call, Expr, ExprKind, Item, ItemKind, Keyword, Name, Statement};

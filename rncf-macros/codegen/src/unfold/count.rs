@@ -1,6 +1,7 @@
 //! Whole numbers that are known at build time: of repetitions, and of one of them.
 
-use super::{Place, Unfold, say};
+use super::messages as say;
+use super::{Count, Place, Unfold};
 use crate::model::Binary;
 use crate::parse::tree::{Expr, ExprKind, ItemKind, Keyword, Name};
 
@@ -9,16 +10,6 @@ const DEEPEST: usize = 300;
 
 /// Most repetitions of one loop.
 const MOST: f64 = 10_000.0;
-
-/// How often a loop is gone through.
-pub enum Count {
-    /// So often.
-    Known(i64),
-    /// As often as a param says.
-    Kept,
-    /// What is refused where loops are checked.
-    Wrong,
-}
 
 impl<'t> Unfold<'t, '_> {
     /// The number of repetitions of a loop.

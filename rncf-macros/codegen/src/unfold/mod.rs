@@ -20,9 +20,7 @@ use std::ops::Range;
 use crate::errors::Errors;
 use crate::parse::component::TAKEN;
 use crate::parse::tree::{Expr, Item, ItemKind, Keyword, Loop, Name, Parameter, Tree};
-use count::Count;
 use messages as say;
-use names::Reached;
 
 /// Most items that a declaration becomes.
 const MOST_ITEMS: usize = 20_000;
@@ -110,6 +108,16 @@ struct Planned<'t> {
     /// The loop that stays.
     repeat: Option<usize>,
     is_broken: bool,
+}
+
+/// How often a loop is gone through.
+enum Count {
+    /// So often.
+    Known(i64),
+    /// As often as a param says.
+    Kept,
+    /// What is refused where loops are checked.
+    Wrong,
 }
 
 /// What is to be written.

@@ -1,6 +1,7 @@
 //! What names, numbers behind them and dots between them refer to.
 
-use super::{Declared, Place, Unfold, part, say};
+use super::messages as say;
+use super::{Declared, Place, Unfold, part};
 use crate::errors::Area;
 use crate::parse::tree::{Expr, ExprKind, Keyword, Name, ParameterKind};
 use crate::suggest;

@@ -1,6 +1,7 @@
 //! Parts: components with what they are told.
 
-use super::{Place, Scope, Step, Told, Unfold, say};
+use super::messages as say;
+use super::{Place, Scope, Step, Told, Unfold};
 use crate::errors::Area;
 use crate::parse::tree::{Argument, Call, Keyword, Parameter, ParameterKind, Tree};
 use crate::suggest;

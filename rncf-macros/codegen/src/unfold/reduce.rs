@@ -1,6 +1,6 @@
 //! Values over all repetitions, where these are items of their own.
 
-use super::{Place, Turn, Unfold, count::Count};
+use super::{Count, Place, Turn, Unfold};
 use crate::model::{Binary, Reduction};
 use crate::parse::tree::{Argument, Call, Expr, ExprKind, Name, Reduced};
 

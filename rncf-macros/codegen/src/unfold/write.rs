@@ -1,7 +1,9 @@
 //! Items as they are written: with the names and numbers that they refer to.
 
+use super::messages as say;
+use super::names::Reached;
 use super::statement::own_names;
-use super::{Place, Planned, Reached, Step, Unfold, say};
+use super::{Place, Planned, Step, Unfold};
 use crate::errors::Area;
 use crate::parse::tree::{
     Argument, Call, Caution, Expr, ExprKind, Field, Fields, Given, If, Item, ItemKind, Keyword, Loop, Name, Parameter,

@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use super::{Property, Range};
+use super::property::{Property, Range};
 use crate::units::Dimension;
 
 /// Stiffness by constants about the centres, in the order of the runtime's `Stiffness::Centres`.

@@ -1,12 +1,11 @@
 //! Bodies: what their statements make of them.
 
-use super::import::is_imported;
 use crate::check::frames::plane::{PLANES, normal};
 use crate::check::{Check, fold, say};
 use crate::errors::Area;
 use crate::joints::algebra::{divide, multiply};
 use crate::model::{Body, BodyId, Expr as Value, Fidelity, FrameId, FrameTie, INERTIAL, RepeatId, Space};
-use crate::parse::tree::{Item, ItemKind, Keyword, Statement};
+use crate::parse::tree::{Expr, ExprKind, Item, ItemKind, Keyword, Statement};
 use crate::suggest;
 
 /// What other items need to know of a body; `None`: reported.
@@ -24,6 +23,36 @@ pub struct Known {
 }
 
 impl<'a> Check<'a> {
+    /// The body that stands before a dot, `main[a]` or `beam`, and the number of the repetition.
+    pub(in crate::check) fn named_body(&mut self, expr: &'a Expr) -> Option<(Known, Option<Value>)> {
+        match &expr.kind {
+            ExprKind::Name(name) => {
+                let item = self.item(name, Keyword::Body)?;
+                let body = *self.bodies.get(item.name.text.as_str())?;
+                if body.repeat.is_some() {
+                    let message = self.say_repeated(name);
+                    self.errors.at(name.span, message);
+                    return None;
+                }
+                Some((body, None))
+            }
+            ExprKind::Indexed { base, index } => {
+                let item = self.item(base, Keyword::Body)?;
+                let body = *self.bodies.get(item.name.text.as_str())?;
+                let Some(repeat) = body.repeat else {
+                    self.errors.at(index.area, say::not_repeated(&base.text));
+                    return None;
+                };
+                let number = self.repetition(base, index, repeat)?;
+                Some((body, Some(number)))
+            }
+            _ => {
+                self.errors.at(expr.area, say::PLACE_EXPECTED);
+                None
+            }
+        }
+    }
+
     pub(in crate::check) fn bodies(&mut self) {
         for (at, item) in self.items(Keyword::Body).into_iter().enumerate() {
             self.in_loop(item, |check| check.body(BodyId(at), item));
@@ -178,4 +207,27 @@ impl<'a> Check<'a> {
         }
         normal.map(|normal| Space::Planar { normal })
     }
+}
+
+/// What a piece is called in words about the whole body, and which one it is; `None` of other bodies.
+pub(in crate::check) fn piece(item: &Item) -> Option<(&str, usize)> {
+    let ItemKind::Body { statements, .. } = &item.kind else {
+        return None;
+    };
+    let number = statements.iter().find_map(|statement| match statement {
+        Statement::Piece { number, .. } => Some(*number),
+        _ => None,
+    })?;
+    let (whole, _) = item.name.text.rsplit_once('[')?;
+    Some((whole, number))
+}
+
+/// Whether a body comes from a file.
+pub(in crate::check) fn is_imported(statements: &[Statement]) -> bool {
+    statements.iter().any(|statement| {
+        matches!(
+            statement,
+            Statement::Import { .. } | Statement::Interface { .. } | Statement::InterfaceModes { .. }
+        )
+    })
 }

@@ -1,6 +1,6 @@
 //! Smooth curves as the run time has them: what the check of starts needs to know of them.
 
-use crate::check::starts::start::{Vector, add, norm, scale, subtract};
+use crate::check::values::arithmetic::{Vector, add, norm, scale, subtract};
 
 /// Parts of a span in the sum of its arclength.
 const PARTS: usize = 64;

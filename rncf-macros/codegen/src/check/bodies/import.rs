@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use super::body::Known;
-use crate::check::observed::balance;
-use crate::check::values::expr::Scope;
+use super::body::{Known, is_imported};
+use crate::check::values::scope::Scope;
 use crate::check::values::table::PATHS_BEGIN;
+use crate::check::values::words::balance_words;
 use crate::check::{Check, fold, say};
 use crate::elements::BETWEEN_INTERFACES;
 use crate::errors::Area;
@@ -35,16 +35,6 @@ struct Source {
     units: [f64; 3],
     /// Of the interfaces, m.
     places: Vec<[f64; 3]>,
-}
-
-/// Whether a body comes from a file.
-pub(in crate::check) fn is_imported(statements: &[Statement]) -> bool {
-    statements.iter().any(|statement| {
-        matches!(
-            statement,
-            Statement::Import { .. } | Statement::Interface { .. } | Statement::InterfaceModes { .. }
-        )
-    })
 }
 
 impl<'a> Check<'a> {
@@ -196,7 +186,7 @@ impl<'a> Check<'a> {
                 continue;
             };
             let text = name.text.as_str();
-            if balance::words().any(|word| word == text) {
+            if balance_words().any(|word| word == text) {
                 self.errors.at(name.span, say::meaning_of_its_own(text));
             }
             if let Some((first, _)) = found.iter().find(|(other, _)| other.text == text) {
@@ -340,7 +330,7 @@ impl<'a> Check<'a> {
         let found = names.iter().position(|name| *name == field.text);
         let Some(at) = found else {
             let mut known = names;
-            balance::words().for_each(|word| known.push(word));
+            balance_words().for_each(|word| known.push(word));
             self.errors.at(
                 field.span,
                 suggest::unknown("interface of the body", &field.text, known),

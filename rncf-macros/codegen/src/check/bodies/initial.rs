@@ -1,7 +1,7 @@
 //! Where and how fast a body starts, along its axis.
 
-use crate::check::values::expr::Scope;
 use crate::check::values::quantity::{Typed, Vector, Wanted};
+use crate::check::values::scope::Scope;
 use crate::check::{Check, fold, say};
 use crate::errors::Area;
 use crate::model::{Expr as Value, Initial, Space};

@@ -1,10 +1,11 @@
 //! Stress-free axes of bodies, and how their sections lie along them.
 
 use super::body::Known;
-use crate::check::frames::plane::{AXES, is_zero, normal, plane};
-use crate::check::starts::start::{cross, dot, norm, subtract};
-use crate::check::values::expr::Scope;
+use crate::check::frames::plane::{is_zero, normal, plane};
+use crate::check::values::arithmetic::{cross, dot, norm, subtract};
 use crate::check::values::quantity::{Typed, Vector, Wanted};
+use crate::check::values::scope::Scope;
+use crate::check::values::words::AXES;
 use crate::check::{Check, fold, say};
 use crate::elements::Element;
 use crate::errors::Area;

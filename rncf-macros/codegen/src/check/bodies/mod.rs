@@ -1,12 +1,11 @@
-//! Bodies: their axes, meshes, and how finely they deform.
+//! Bodies: their axes, meshes, how finely they deform, and what of them varies along the axis.
 
+pub mod along;
 pub mod body;
-pub mod corner;
 pub mod curve;
 pub mod fidelity;
 pub mod import;
 pub mod initial;
 pub mod line;
 pub mod mesh;
-pub mod nodes;
-pub mod share;
+pub mod sound_law;

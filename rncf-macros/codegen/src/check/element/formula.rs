@@ -2,8 +2,8 @@
 
 use super::{Draft, say};
 use crate::check::Check;
-use crate::check::values::expr::Scope;
 use crate::check::values::quantity::Typed;
+use crate::check::values::scope::Scope;
 use crate::elements::{Coefficient, Definition, Interpolant, Nature, When, WrittenTerm, word};
 use crate::model::{Binary, ElementQuantity, Expr as Value, Function, fold};
 use crate::parse::tree::{self, Call, ElementKind, ElementStatement, Expr, ExprKind, Name};

@@ -1,17 +1,18 @@
 //! Elements that are declared in the language: from the statements to an [`Element`].
 
-mod formula;
+pub(super) mod formula;
 mod messages;
 mod shapes;
 mod sound;
 
-use crate::check::values::vector;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use super::{Check, fold, say as common};
-use crate::check::values::expr::{self, Scope};
+use crate::check::values::expr;
 use crate::check::values::quantity::Typed;
+use crate::check::values::scope::Scope;
+use crate::check::values::vector;
 use crate::elements::{
     Coefficient, Element, ElementOption, Field, Inertia, Interpolant, Library, NodalVector, Written, points_for, word,
 };
@@ -25,8 +26,6 @@ use crate::tensors::{Rational, Sampling};
 use crate::units::Dimension;
 use crate::vocabulary::{DERIVED, MATERIAL, PIVOTS, PIVOTS_OF_RATES, SECTION, pivot_dimension};
 use messages as say;
-
-pub(super) use formula::FieldOfElement;
 
 /// The word for the nodes as points of integration.
 const NODES: &str = "nodes";

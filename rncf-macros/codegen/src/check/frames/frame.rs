@@ -1,7 +1,7 @@
 //! Motions and frames. Both are added to the model after everything that they refer to.
 
-use crate::check::values::expr::Scope;
 use crate::check::values::quantity::{Typed, Wanted};
+use crate::check::values::scope::Scope;
 use crate::check::{Check, Shape, fold, inertial, say};
 use crate::errors::Area;
 use crate::model::{Expr as Value, Frame, FrameId, INERTIAL, Motion, MotionId, Rotation};

@@ -1,19 +1,15 @@
 //! Free frames: what of their pose is unknown, and where they start (THEORY 2).
 
-use std::collections::HashMap;
-
-use super::plane::{AXES, PLANES, plane};
-use super::rigid::zeros;
-use crate::check::values::expr::Scope;
+use super::plane::{PLANES, plane};
+use super::rigid::{Given, zeros};
 use crate::check::values::quantity::{Vector, Wanted};
+use crate::check::values::scope::Scope;
+use crate::check::values::words::AXES;
 use crate::check::{Check, Shape, fold, inertial, say};
 use crate::errors::Area;
 use crate::model::{Binary, Expr as Value, Frame, FrameId, Free, INERTIAL, Motions, Rotation};
 use crate::parse::tree::{Call, Expr, ExprKind, Name};
 use crate::suggest;
-
-/// What is given by name: where the name stands, and the value.
-pub type Given<'a> = HashMap<&'a str, (Area, &'a Expr)>;
 
 /// How a free frame moves and starts.
 pub struct Moves {

@@ -1,9 +1,6 @@
-//! Frames, rigid bodies, places on them, and vectors that move with them.
+//! Frames and rigid bodies.
 
-pub mod fixture;
 pub mod frame;
 pub mod free;
-pub mod marker;
-pub mod place;
 pub mod plane;
 pub mod rigid;

@@ -1,6 +1,7 @@
 //! What keeps a planar body in its plane, and which frames have the same axes.
 
 use crate::check::values::quantity::Vector;
+use crate::check::values::words::AXES;
 use crate::check::{Check, fold, say};
 use crate::errors::Area;
 use crate::model::{Expr as Value, Frame, FrameId, INERTIAL, Motions, Space};
@@ -8,9 +9,6 @@ use crate::parse::tree::Name;
 
 /// Cosine of the angle between two axes that count as parallel.
 const PARALLEL: f64 = 1.0 - 1e-12;
-
-/// Names of the axes.
-pub const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Names of the planes by their normals.
 pub const PLANES: [&str; 3] = ["yz", "zx", "xy"];

@@ -1,15 +1,19 @@
 //! Rigid bodies: free frames that carry ten numbers (THEORY 3.1, 5.3).
 
-use super::free::Given;
+use std::collections::HashMap;
+
 use super::plane::PLANES;
 use crate::check::values::eigen;
-use crate::check::values::expr::Scope;
 use crate::check::values::quantity::Wanted;
+use crate::check::values::scope::Scope;
 use crate::check::{Check, say};
 use crate::errors::Area;
 use crate::model::{Expr as Value, Frame, FrameId, INERTIAL, Motions, RigidPart};
 use crate::parse::tree::{Expr, ExprKind, Fields, Item, ItemKind};
 use crate::suggest;
+
+/// What is given by name: where the name stands, and the value.
+pub type Given<'a> = HashMap<&'a str, (Area, &'a Expr)>;
 
 /// Fields of `rigid`.
 const FIELDS: &[&str] = &[

@@ -1,8 +1,8 @@
 //! Declared constraints: an expression of positions, directions, angles and time that vanishes.
 
-use crate::check::frames::plane;
-use crate::check::values::expr::Scope;
+use crate::check::values::scope::Scope;
 use crate::check::values::vector::Quantity;
+use crate::check::values::words::AXES;
 use crate::check::{Check, say};
 use crate::joints::{Rows, algebra};
 use crate::model::{ConstraintId, Expr as Value, FrameId, Marker, MarkerId};
@@ -43,7 +43,7 @@ impl<'a> Check<'a> {
         let (rows, dimension, axes, frame) = match self.with_lookups(|check| check.value(value, Scope::Constraint))? {
             Quantity::Scalar(typed) => (vec![(String::from("value"), typed.value)], typed.dimension, None, None),
             Quantity::Vector(vector) => {
-                let name = |axis: usize| plane::AXES[axis].to_string();
+                let name = |axis: usize| AXES[axis].to_string();
                 let rows = vector
                     .axes
                     .iter()

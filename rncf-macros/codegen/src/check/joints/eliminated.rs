@@ -1,9 +1,10 @@
 //! Conditions of flexible ends that are linear in their nodal vectors, and eliminated (THEORY 6).
 
-use super::joint::{Built, Known};
-use crate::check::frames::place::{Hold, Place, Spot};
-use crate::check::frames::plane::{AXES, normal, plane};
+use super::known::{Built, Known};
+use crate::check::frames::plane::{normal, plane};
+use crate::check::places::place::{Hold, Place, Spot};
 use crate::check::values::repeat::has_index;
+use crate::check::values::words::AXES;
 use crate::check::{Check, Shape, say};
 use crate::errors::Area;
 use crate::joints::{self, Builder, Party};

@@ -1,49 +1,20 @@
 //! Joints: eliminated ones of flexible ends, and those with multipliers from the library.
 
 use super::eliminated::{ENDS, Held};
-use crate::check::bodies::share::SHARES;
-use crate::check::bodies::{body, corner};
-use crate::check::frames::place::{Hold, Spot};
-use crate::check::frames::plane::{self, AXES, is_parallel};
-use crate::check::values::expr::Scope;
+use super::known::{Built, Known};
+use super::share::SHARES;
+use crate::check::bodies::body;
+use crate::check::frames::plane::{self, is_parallel};
+use crate::check::places::place::{Hold, Spot};
 use crate::check::values::quantity::Wanted;
+use crate::check::values::scope::Scope;
+use crate::check::values::words::AXES;
 use crate::check::{Arguments, Check, Shape, fold, say};
 use crate::errors::Area;
-use crate::joints::{self, Axis, Builder, KINDS, Kind, Party, Rows, unit};
-use crate::model::{BodyId, Constraint, ConstraintId, FrameId, JointId, JointKind};
+use crate::joints::{self, Axis, Builder, KINDS, Kind, Rows, unit};
+use crate::model::{BodyId, Constraint, ConstraintId, JointId};
 use crate::parse::tree::{Call, Expr, ExprKind, Item, ItemKind, Keyword, Name};
 use crate::suggest;
-
-/// What other items need to know of a joint; `None`: reported, or not of this sort.
-#[derive(Clone, Debug)]
-pub struct Known {
-    pub id: JointId,
-    /// Of an eliminated one.
-    pub kind: Option<JointKind>,
-    pub body: Option<body::Known>,
-    pub frame: Option<FrameId>,
-    /// Of one with multipliers.
-    pub built: Option<Built>,
-    pub is_repeated: bool,
-    /// Whether it is a shared node, and no condition.
-    pub is_share: bool,
-}
-
-/// A joint with multipliers.
-#[derive(Clone, Debug)]
-pub struct Built {
-    pub constraint: ConstraintId,
-    /// Its word in the language.
-    pub word: String,
-    /// Of the library; `None`: a clamp or drive.
-    pub kind: Option<&'static Kind>,
-    pub parties: [Party; 2],
-    pub normal: Option<usize>,
-    pub axis: [f64; 3],
-    pub has_moment: bool,
-    /// Whether the second party stands first: the first one is prescribed and has no markers.
-    pub is_reversed: bool,
-}
 
 const POINT: Wanted = Wanted {
     what: "the point of a joint",
@@ -129,7 +100,7 @@ impl<'a> Check<'a> {
                     continue;
                 };
                 let frame = frame.as_ref().map_or("inertial", |frame| frame.text.as_str());
-                let (name, piece) = corner::piece(item).unwrap_or((&item.name.text, 0));
+                let (name, piece) = body::piece(item).unwrap_or((&item.name.text, 0));
                 if piece == 0 {
                     self.errors.at(item.name.span, say::floating(name, frame));
                 }

@@ -1,9 +1,9 @@
-//! Joints and constraints, and whether they determine what moves freely.
+//! Joints and constraints, corners and shared nodes.
 
 pub mod constraint;
-pub mod distant;
-pub mod drive;
+pub mod corner;
 pub mod eliminated;
 pub mod joint;
+pub mod known;
 pub mod loose;
-pub mod ties;
+pub mod share;

@@ -1,7 +1,7 @@
 //! Bushings: springs and dampers between two places along and about the axes of the second one.
 
 use super::spring::Acting;
-use crate::check::frames::place::Hold;
+use crate::check::places::place::Hold;
 use crate::check::values::matrix::{Matrix, is_symmetric};
 use crate::check::values::quantity::{Nature, Wanted};
 use crate::check::values::vector::{Quantity, Vectorial};

@@ -3,8 +3,8 @@
 use super::load::GRAVITY;
 use crate::check::bodies::body;
 use crate::check::frames::plane::normal;
-use crate::check::values::expr::Scope;
 use crate::check::values::quantity::{Nature, Vector, Wanted};
+use crate::check::values::scope::Scope;
 use crate::check::values::vector::Vectorial;
 use crate::check::{Arguments, Check, Shape, fold, say};
 use crate::errors::Area;

@@ -3,12 +3,13 @@
 
 use std::collections::HashMap;
 
-use super::load::GRAVITY;
+use super::load::{GRAVITY, mentions};
 use crate::check::bodies::body;
 use crate::check::frames::plane::normal;
-use crate::check::values::expr::Scope;
 use crate::check::values::quantity::{Nature, Vector, Wanted};
+use crate::check::values::scope::Scope;
 use crate::check::values::vector::{Quantity, Vectorial};
+use crate::check::values::words::PARTICLE;
 use crate::check::{Check, fold, say};
 use crate::joints::algebra::{self, cross, divide, dot, normalised, observed};
 use crate::joints::unit;
@@ -30,9 +31,6 @@ const MOMENT: Wanted = Wanted {
 
 const LENGTH: [i8; 6] = [1, 0, 0, 0, 0, 0];
 const SPEED: [i8; 6] = [1, 0, -1, 0, 0, 0];
-
-/// The word that only a particle of a distributed load has.
-pub(in crate::check) const PARTICLE: &str = "velocity";
 
 /// Points of an element where nothing else is asked for: exact for a constant load, and a linear one times a cubic shape.
 const POINTS: usize = 3;
@@ -392,17 +390,5 @@ impl<'a> Check<'a> {
         let words = HashMap::from([("position", position)]);
         let vector = self.with_particle(words, |check| check.field_vector(expr, GRAVITY))?;
         Some(LoadKind::Around(vector.values))
-    }
-}
-
-/// Whether a name stands in an expression.
-pub(in crate::check) fn mentions(expr: &Expr, name: &str) -> bool {
-    match &expr.kind {
-        ExprKind::Name(own) => own.text == name,
-        ExprKind::Member { base, arguments, .. } => {
-            let arguments = arguments.iter().flatten();
-            mentions(base, name) || arguments.into_iter().any(|argument| mentions(&argument.value, name))
-        }
-        _ => expr.parts().into_iter().any(|part| mentions(part, name)),
     }
 }

@@ -1,12 +1,12 @@
 //! Loads: gravity, dead forces and moments; per length and fields in `density`.
 
-use super::distributed::mentions;
-use crate::check::frames::place::Place;
-use crate::check::frames::plane::{AXES, is_parallel, normal, plane};
+use crate::check::frames::plane::{is_parallel, normal, plane};
+use crate::check::places::place::Place;
 use crate::check::values::quantity::{Vector, Wanted};
+use crate::check::values::words::AXES;
 use crate::check::{Check, Shape, fold, say};
 use crate::model::{FrameId, INERTIAL, Load, LoadKind, Space};
-use crate::parse::tree::{Call, Item, ItemKind, Keyword};
+use crate::parse::tree::{Call, Expr, ExprKind, Item, ItemKind, Keyword};
 use crate::suggest;
 
 /// Component of gravity.
@@ -179,5 +179,17 @@ impl<'a> Check<'a> {
         if self.have_same_axes(body_frame, frame) && (0..fold::SAMPLES).all(is_along) {
             self.errors.at(vector.area, say::TORSION);
         }
+    }
+}
+
+/// Whether a name stands in an expression.
+pub(in crate::check) fn mentions(expr: &Expr, name: &str) -> bool {
+    match &expr.kind {
+        ExprKind::Name(own) => own.text == name,
+        ExprKind::Member { base, arguments, .. } => {
+            let arguments = arguments.iter().flatten();
+            mentions(base, name) || arguments.into_iter().any(|argument| mentions(&argument.value, name))
+        }
+        _ => expr.parts().into_iter().any(|part| mentions(part, name)),
     }
 }

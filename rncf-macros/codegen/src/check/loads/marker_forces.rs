@@ -1,10 +1,11 @@
 //! Loads on what moves freely, loads that depend on the motion, and followers: forces on markers.
 
 use super::load::{FORCE, MOMENT};
-use crate::check::frames::place::{Hold, Spot};
-use crate::check::frames::plane::{AXES, normal, plane};
-use crate::check::values::expr::Scope;
+use crate::check::frames::plane::{normal, plane};
+use crate::check::places::place::{Hold, Spot};
 use crate::check::values::quantity::Vector;
+use crate::check::values::scope::Scope;
+use crate::check::values::words::AXES;
 use crate::check::{Arguments, Check, Shape, fold, say};
 use crate::joints::algebra::{self, cross, observed};
 use crate::joints::{Builder, unit};

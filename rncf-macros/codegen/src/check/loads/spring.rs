@@ -2,8 +2,8 @@
 
 use crate::check::observed::members::angular;
 use crate::check::observed::shown::Shown;
-use crate::check::values::expr::Scope;
 use crate::check::values::quantity::{Typed, Wanted};
+use crate::check::values::scope::Scope;
 use crate::check::values::vector::Quantity;
 use crate::check::{Check, Shape, fold, say};
 use crate::joints::algebra::{self, Vector, add, both, divide, dot, multiply, norm, number, observed, subtract};

@@ -2,45 +2,16 @@
 
 use super::members::{self, Thing};
 use crate::check::frames::plane::normal;
-use crate::check::values::expr::Scope;
 use crate::check::values::quantity::{Nature, Typed};
 use crate::check::values::read;
+use crate::check::values::scope::Scope;
 use crate::check::values::vector::{Quantity, Vectorial};
+use crate::check::values::words::{BALANCES, TOTAL, balance_words, is_balance};
 use crate::check::{Check, say};
 use crate::joints::algebra;
 use crate::model::{About, BalanceQuantity, Expr as Value, FrameId, INERTIAL, LoadKind, Observable, Owner, Space};
 use crate::parse::tree::{Argument, Expr, ExprKind, Keyword, Name};
 use crate::units::Dimension;
-
-/// All that moves.
-pub const TOTAL: &str = "total";
-
-const ENERGY: [i8; 6] = [2, 1, -2, 0, 0, 0];
-
-/// Words, what they mean, and their dimension.
-const WORDS: &[(&str, BalanceQuantity, [i8; 6])] = &[
-    ("mass", BalanceQuantity::Mass, [0, 1, 0, 0, 0, 0]),
-    ("momentum", BalanceQuantity::Momentum, [1, 1, -1, 0, 0, 0]),
-    (
-        "angular_momentum",
-        BalanceQuantity::AngularMomentum(About::Origin),
-        [2, 1, -1, 0, 0, 0],
-    ),
-    ("center_of_mass", BalanceQuantity::CenterOfMass, [1, 0, 0, 0, 0, 0]),
-    ("kinetic_energy", BalanceQuantity::KineticEnergy, ENERGY),
-    ("strain_energy", BalanceQuantity::StrainEnergy, ENERGY),
-    ("gravity_energy", BalanceQuantity::GravityEnergy, ENERGY),
-];
-
-/// Whether a word asks for a sum over what moves.
-pub fn is_balance(word: &str) -> bool {
-    WORDS.iter().any(|(known, ..)| *known == word)
-}
-
-/// The words, for suggestions.
-pub fn words() -> impl Iterator<Item = &'static str> {
-    WORDS.iter().map(|(word, ..)| *word)
-}
 
 impl<'a> Check<'a> {
     /// `total.momentum`, `beam.mass`; `None` in the outer option where something else is written.
@@ -53,7 +24,7 @@ impl<'a> Check<'a> {
         };
         if name.text == TOTAL {
             if !is_balance(&field.text) {
-                let message = crate::suggest::unknown("quantity of all that moves", &field.text, words());
+                let message = crate::suggest::unknown("quantity of all that moves", &field.text, balance_words());
                 self.errors.at(field.span, message);
                 return Some(None);
             }
@@ -145,7 +116,7 @@ impl<'a> Check<'a> {
         arguments: Option<&'a [Argument]>,
         scope: Scope,
     ) -> Option<Thing<'a>> {
-        let (_, what, dimension) = *WORDS.iter().find(|(known, ..)| *known == field.text)?;
+        let (_, what, dimension) = *BALANCES.iter().find(|(known, ..)| *known == field.text)?;
         if scope != Scope::Output {
             self.errors.at(field.span, say::only_in_outputs(&field.text));
             return None;

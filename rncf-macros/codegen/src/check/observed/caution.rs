@@ -1,8 +1,8 @@
 //! Cautions: sentences that stand with the results where a condition on the parameters holds.
 
 use crate::check::fold;
-use crate::check::values::expr::Scope;
 use crate::check::values::quantity::Typed;
+use crate::check::values::scope::Scope;
 use crate::check::{Check, say};
 use crate::model::{Caution, Expr as Value};
 use crate::parse::tree::{self, ItemKind, Keyword, Name};

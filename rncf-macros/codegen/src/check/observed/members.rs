@@ -1,14 +1,15 @@
 //! What stands before the dots: frames, places, directions, joints, constraints; and what they show.
 
-use super::balance::{is_balance, words as balance_words};
-use super::section_forces::{is_carried, known_words};
+use super::section_forces::known_words;
 use crate::check::fold;
-use crate::check::frames::place::Spot;
-use crate::check::frames::plane::{self, AXES, plane};
-use crate::check::joints::joint::Built;
-use crate::check::values::expr::Scope;
+use crate::check::frames::plane::{self, plane};
+use crate::check::joints::known::Built;
+use crate::check::places::place::Spot;
 use crate::check::values::quantity::{Nature, Typed, Wanted};
+use crate::check::values::scope::Scope;
 use crate::check::values::vector::{Quantity, Vectorial};
+use crate::check::values::words::AXES;
+use crate::check::values::words::{balance_words, is_balance, is_carried};
 use crate::check::{Check, say};
 use crate::errors::Area;
 use crate::joints::algebra::{self, Vector, divide, norm, number, observed};

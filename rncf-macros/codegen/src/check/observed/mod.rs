@@ -1,7 +1,8 @@
-//! What outputs and laws read of the system.
+//! What outputs, laws and drives read of the system.
 
 pub mod balance;
 pub mod caution;
+pub mod drive;
 pub mod members;
 pub mod observe;
 pub mod output;

@@ -1,12 +1,14 @@
 //! What outputs observe: points of bodies and reactions of joints in their own frames; all else in `members`.
 
-use super::balance::{TOTAL, is_balance};
-use super::section_forces::{is_carried, known_words};
-use crate::check::frames::place::Place;
-use crate::check::frames::plane::{AXES, normal, plane};
-use crate::check::values::expr::{Scope, function};
+use super::section_forces::known_words;
+use crate::check::frames::plane::{normal, plane};
+use crate::check::places::place::Place;
+use crate::check::values::expr::function;
 use crate::check::values::quantity::{Nature, Typed};
+use crate::check::values::scope::Scope;
 use crate::check::values::vector::{Quantity, Vectorial, is_function};
+use crate::check::values::words::AXES;
+use crate::check::values::words::{TOTAL, is_balance, is_carried};
 use crate::check::{Check, say};
 use crate::joints::algebra;
 use crate::model::{self, FrameId, JointKind, Observable, PointQuantity, Space};

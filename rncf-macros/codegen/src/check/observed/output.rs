@@ -1,9 +1,9 @@
 //! Outputs: expressions of what the simulated system does.
 
-use crate::check::frames::plane::AXES;
-use crate::check::values::expr::Scope;
 use crate::check::values::quantity::hertz;
+use crate::check::values::scope::Scope;
 use crate::check::values::vector::Quantity;
+use crate::check::values::words::AXES;
 use crate::check::{Check, say};
 use crate::model::{Binary, Expr as Value, Output};
 use crate::parse::tree::{Expr, ItemKind, Keyword, UnitText};

@@ -1,10 +1,11 @@
 //! What a section of a flexible body shows: its axes, and the forces, moments and stress that it carries.
 
-use crate::check::frames::place::{Place, Spot};
 use crate::check::frames::plane::{normal, plane};
-use crate::check::values::expr::Scope;
+use crate::check::places::place::{Place, Spot};
 use crate::check::values::quantity::{Nature, Typed};
+use crate::check::values::scope::Scope;
 use crate::check::values::vector::{Quantity, Vectorial};
+use crate::check::values::words::CARRIED;
 use crate::check::{Check, say};
 use crate::joints::algebra::observed;
 use crate::model::{
@@ -13,27 +14,6 @@ use crate::model::{
 use crate::parse::tree::{Expr, Name};
 use crate::suggest;
 use crate::units::Dimension;
-
-const FORCE: [i8; 6] = [1, 1, -2, 0, 0, 0];
-const MOMENT: [i8; 6] = [2, 1, -2, 0, 0, 0];
-const STRESS: [i8; 6] = [-1, 1, -2, 0, 0, 0];
-
-/// Words, what they mean, and their dimension.
-const CARRIED: &[(&str, SectionQuantity, [i8; 6])] = &[
-    ("axial_force", SectionQuantity::AxialForce, FORCE),
-    ("shear_y", SectionQuantity::ShearY, FORCE),
-    ("shear_z", SectionQuantity::ShearZ, FORCE),
-    ("torque", SectionQuantity::Torque, MOMENT),
-    ("moment_y", SectionQuantity::MomentY, MOMENT),
-    ("moment_z", SectionQuantity::MomentZ, MOMENT),
-    ("moment", SectionQuantity::Moment, MOMENT),
-    ("stress", SectionQuantity::Stress, STRESS),
-];
-
-/// Whether a word behind a place asks for what its section carries.
-pub fn is_carried(word: &str) -> bool {
-    CARRIED.iter().any(|(known, ..)| *known == word)
-}
 
 /// What sections carry: with axes of their own in space and in a plane, and of a centre line.
 fn words(has_section: bool, space: Space) -> (&'static str, &'static [&'static str]) {
@@ -202,8 +182,7 @@ fn lacks_shape(body: &Body) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::CARRIED;
-    use crate::check::observed::balance;
+    use crate::check::values::words::{CARRIED, balance_words};
     use crate::vocabulary::members::{BALANCES, OF_SECTIONS, words};
 
     #[test]
@@ -211,9 +190,6 @@ mod tests {
         let carried: Vec<&str> = CARRIED.iter().map(|(word, ..)| *word).collect();
         let completed: Vec<&str> = words(OF_SECTIONS).skip(4).collect();
         assert_eq!(completed, carried);
-        assert_eq!(
-            words(BALANCES).collect::<Vec<_>>(),
-            balance::words().collect::<Vec<_>>()
-        );
+        assert_eq!(words(BALANCES).collect::<Vec<_>>(), balance_words().collect::<Vec<_>>());
     }
 }

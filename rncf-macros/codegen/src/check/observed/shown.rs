@@ -1,7 +1,7 @@
 //! What springs show: their forces and moments, and what these depend on.
 
 use super::members::Thing;
-use crate::check::values::expr::Scope;
+use crate::check::values::scope::Scope;
 use crate::check::values::vector::Quantity;
 use crate::check::{Check, say};
 use crate::parse::tree::Name;

@@ -2,8 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::material::Values;
-use super::section::Section;
+use super::known::{Section, Values};
 use crate::check::{Check, fold, say};
 use crate::errors::Area;
 use crate::model::{Column, Expr as Value, Law, TableId};

@@ -2,9 +2,9 @@
 
 use std::collections::{BTreeMap, HashMap};
 
-use super::section::Section;
-use crate::check::values::expr::Scope;
+use super::known::{Section, Values};
 use crate::check::values::quantity::{Typed, Wanted};
+use crate::check::values::scope::Scope;
 use crate::check::{Check, fold, say};
 use crate::elements::{Coefficient, Element};
 use crate::errors::Area;
@@ -44,9 +44,6 @@ pub struct Used<'e> {
     /// Values of its options.
     pub options: &'e [usize],
 }
-
-/// Values of a block's fields by their names, with the places where they stand.
-pub type Values = BTreeMap<&'static str, (Value, Area)>;
 
 /// Components of the strain in the order of [`Value::Strain`], by their names in the language.
 const STRAINS: [&str; 6] = ["E.xx", "E.yy", "E.zz", "E.xy", "E.xz", "E.yz"];

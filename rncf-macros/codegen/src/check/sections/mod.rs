@@ -1,8 +1,7 @@
-//! Sections and materials, and what of them varies along an axis.
+//! Sections and materials.
 
-pub mod along;
+pub mod known;
 pub mod law;
 pub mod material;
 pub mod section;
-pub mod sound_law;
 pub mod undamped;

@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
+use super::known::{Section, Values};
 use super::law::{OF_TABLE, law_property};
-use super::material::Values;
-use crate::check::values::expr::Scope;
 use crate::check::values::quantity::Wanted;
+use crate::check::values::scope::Scope;
 use crate::check::{Arguments, Check, Shape, fold, say};
 use crate::errors::Area;
 use crate::joints::algebra::{add, call, divide, multiply, number, subtract};
@@ -18,17 +18,35 @@ use crate::vocabulary::{BOTH_AXES, LAW, Property, SECTION, SIZES};
 /// Relative size of what counts as round-off of declared properties.
 const ROUND_OFF: f64 = 1e-6;
 
-/// What is known of a section.
-#[derive(Clone, Debug, Default)]
-pub struct Section {
-    pub shape: SectionShape,
-    /// By their vocabulary names; of a circle or tube without shear factors, which depend on the material.
-    pub properties: BTreeMap<&'static str, Value>,
-    /// Stiffness and mass, where it says them by itself.
-    pub law: Option<Law>,
-    /// Whether all of it could be read: only then something can be missing.
-    pub is_whole: bool,
+/// A shape of the language.
+struct Kind {
+    word: &'static str,
+    arguments: &'static [&'static str],
+    /// Names of the arguments as properties.
+    sizes: &'static [&'static str],
+    usage: &'static str,
 }
+
+const KINDS: [Kind; 3] = [
+    Kind {
+        word: "circle",
+        arguments: &["radius"],
+        sizes: &["radius"],
+        usage: "circle(radius = 5 mm)",
+    },
+    Kind {
+        word: "tube",
+        arguments: &["radius", "thickness"],
+        sizes: &["radius", "thickness"],
+        usage: "tube(radius = 50 mm, thickness = 2 mm)",
+    },
+    Kind {
+        word: "rectangle",
+        arguments: &["y", "z"],
+        sizes: &["size_y", "size_z"],
+        usage: "rectangle(y = 20 mm, z = 5 mm)",
+    },
+];
 
 impl Section {
     /// A property of a section of this material; `None` where it is not known.
@@ -64,36 +82,6 @@ impl Section {
         matches!(self.shape, SectionShape::Circle { .. } | SectionShape::Tube { .. })
     }
 }
-
-/// A shape of the language.
-struct Kind {
-    word: &'static str,
-    arguments: &'static [&'static str],
-    /// Names of the arguments as properties.
-    sizes: &'static [&'static str],
-    usage: &'static str,
-}
-
-const KINDS: [Kind; 3] = [
-    Kind {
-        word: "circle",
-        arguments: &["radius"],
-        sizes: &["radius"],
-        usage: "circle(radius = 5 mm)",
-    },
-    Kind {
-        word: "tube",
-        arguments: &["radius", "thickness"],
-        sizes: &["radius", "thickness"],
-        usage: "tube(radius = 50 mm, thickness = 2 mm)",
-    },
-    Kind {
-        word: "rectangle",
-        arguments: &["y", "z"],
-        sizes: &["size_y", "size_z"],
-        usage: "rectangle(y = 20 mm, z = 5 mm)",
-    },
-];
 
 impl<'a> Check<'a> {
     /// Checks all sections, also those that nothing uses.

@@ -3,8 +3,9 @@
 use crate::check::fold;
 use crate::check::frames::free::SPIN;
 use crate::check::frames::plane::{self, normal};
-use crate::check::values::expr::Scope;
 use crate::check::values::quantity;
+use crate::check::values::scope::Scope;
+use crate::check::values::words::AXES;
 use crate::check::{Check, Shape, say};
 use crate::model::{Fidelity, FrameId, INERTIAL, Start};
 use crate::parse::tree::{Call, ItemKind, Keyword};
@@ -96,7 +97,7 @@ impl<'a> Check<'a> {
         let Some(normal) = normal(space) else { return };
         for axis in (0..3).filter(|&axis| axis != normal) {
             if fold::constant(&spin.values[axis]).is_some_and(|value| value != 0.0) {
-                let message = say::start_out_of_plane(plane::plane(normal), plane::AXES[normal]);
+                let message = say::start_out_of_plane(plane::plane(normal), AXES[normal]);
                 self.errors.at(spin.areas[axis], message);
                 return;
             }

@@ -1,20 +1,16 @@
 //! The system at t = 0 with the defaults of the parameters: poses, places, markers.
 
 use crate::check::bodies::curve::Curve;
+use crate::check::values::arithmetic::{Matrix, Vector, add, cross, dot, norm, scale, subtract, unit};
 use crate::model::fold::{self, of_repetition};
 use crate::model::{BodyId, Expr, FrameId, INERTIAL, Line, Location, Marker, MarkerId, Model, Space};
 use crate::symbolic::{along_axis, path_of};
-
-pub type Vector = [f64; 3];
 
 /// Sine of the angle below which two directions count as parallel.
 const PARALLEL: f64 = 1e-6;
 
 /// One plus the cosine of directions that count as opposite.
 const OPPOSITE: f64 = 1e-12;
-
-/// Rotation matrix, rows first.
-pub type Matrix = [[f64; 3]; 3];
 
 /// Where a frame is: rotation to inertial axes, and origin in them.
 #[derive(Clone, Copy)]
@@ -33,40 +29,6 @@ impl Pose {
     pub fn point(&self, at: Vector) -> Vector {
         add(self.origin, self.direction(at))
     }
-}
-
-pub fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-pub fn cross(a: Vector, b: Vector) -> Vector {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
-pub fn add(a: Vector, b: Vector) -> Vector {
-    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
-}
-
-pub fn subtract(a: Vector, b: Vector) -> Vector {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-pub fn scale(factor: f64, a: Vector) -> Vector {
-    a.map(|x| factor * x)
-}
-
-pub fn norm(a: Vector) -> f64 {
-    dot(a, a).sqrt()
-}
-
-/// Unit vector; `None` where there is no direction.
-pub fn unit(a: Vector) -> Option<Vector> {
-    let size = norm(a);
-    (size > 0.0 && size.is_finite()).then(|| scale(1.0 / size, a))
 }
 
 /// Unit vector of the part of a direction across a unit vector; `None` where there is none.

@@ -1,7 +1,7 @@
 //! Free frames, rigid bodies and fixtures: what they become.
 
 use super::model;
-use crate::check::joints::ties::{self, Untied};
+use crate::check::starts::ties::{self, Untied};
 use crate::elements::Library;
 use crate::model::{
     BodyId, Constraint, Expr, Fidelity, FrameId, FrameTie, Free, Held, INERTIAL, Joint, JointKind, Location, Marker,

@@ -3,8 +3,9 @@
 use std::f64::consts::PI;
 
 use super::{model, run};
-use crate::check::joints::ties::{self, Untied};
-use crate::check::starts::start::{Start, Vector, cross, dot, norm, subtract};
+use crate::check::starts::start::Start;
+use crate::check::starts::ties::{self, Untied};
+use crate::check::values::arithmetic::{Vector, cross, dot, norm, subtract};
 use crate::elements::Library;
 use crate::model::fold::with_defaults;
 use crate::model::{BodyId, Expr, FrameId, Line, Location, Marker, MarkerId, Model, SectionShape};

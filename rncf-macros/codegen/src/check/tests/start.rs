@@ -1,7 +1,8 @@
 //! Where things are at t = 0.
 
 use super::model;
-use crate::check::starts::start::{Start, Vector, cross, dot, norm, normals, subtract};
+use crate::check::starts::start::{Start, normals};
+use crate::check::values::arithmetic::{Vector, cross, dot, norm, subtract};
 use crate::model::{BodyId, Expr, Location, Marker, MarkerId, Model};
 
 fn near(found: Vector, want: Vector) {

@@ -1,7 +1,7 @@
 //! Constants, and quantities that are derived from params.
 
-use super::expr::Scope;
 use super::quantity::{Typed, Wanted, bare_literal};
+use super::scope::Scope;
 use crate::check::{Check, fold, say};
 use crate::model::Expr as Value;
 use crate::parse::tree::{Expr, Given, Item, ItemKind, Keyword, Name, ParameterKind};

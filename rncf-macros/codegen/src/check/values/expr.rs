@@ -1,6 +1,7 @@
 //! Expressions: names, dimensions, functions.
 
 use super::quantity::{self, Nature, Typed, bare_literal, behind_number, hertz};
+use super::scope::Scope;
 use super::vector::{Quantity, is_function};
 use crate::check::{Check, fold, say};
 use crate::model::{self, Binary, Function, ParamId};
@@ -8,23 +9,6 @@ use crate::parse::ascii;
 use crate::parse::tree::{Call, Expr, ExprKind, If, Keyword, Name};
 use crate::suggest;
 use crate::units::{self, Compound, Dimension, Fraction};
-
-/// What an expression may refer to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Scope {
-    /// Known at build time: constants.
-    Constant,
-    /// Known when a model is built: parameters, too.
-    Parameter,
-    /// Prescribed: time and motions, too; smooth.
-    Prescribed,
-    /// Positions and directions, too; smooth.
-    Constraint,
-    /// Velocities, too; smooth.
-    Force,
-    /// Everything, bodies and joints included.
-    Output,
-}
 
 /// Functions of the language.
 #[rustfmt::skip]

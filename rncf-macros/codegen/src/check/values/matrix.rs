@@ -1,7 +1,7 @@
 //! Matrices of three rows: `[a, b, c] unit` is a diagonal, `[[a, b, c], [d, e, f], [g, h, i]] unit` all of them.
 
-use super::expr::Scope;
 use super::quantity::Wanted;
+use super::scope::Scope;
 use crate::check::{Check, fold, say};
 use crate::model::Expr as Value;
 use crate::parse::tree::{Expr, ExprKind};

@@ -1,7 +1,7 @@
 //! Parameters, constants, and the defaults of a run.
 
-use super::expr::Scope;
 use super::quantity::{Nature, Typed, Wanted};
+use super::scope::Scope;
 use crate::check::{Check, fold, say};
 use crate::model::{Binary, Expr as Value, Param, ParamId};
 use crate::parse::tree::{Expr, ExprKind, Item, ItemKind, UnitText};

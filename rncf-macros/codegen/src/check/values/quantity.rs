@@ -1,6 +1,6 @@
 //! Values of expressions with their dimensions, and fields that ask for a certain one.
 
-use super::expr::Scope;
+use super::scope::Scope;
 use crate::check::{Check, fold, say};
 use crate::errors::Area;
 use crate::model;

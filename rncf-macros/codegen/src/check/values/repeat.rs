@@ -1,10 +1,10 @@
 //! Repetition: loops and their indices, numbers of repetitions, and values over all of them.
 
-use super::expr::{self, Scope};
+use super::expr;
 use super::quantity::Typed;
+use super::scope::Scope;
 use super::vector;
-use crate::check::bodies::body;
-use crate::check::frames::plane::AXES;
+use crate::check::values::words::AXES;
 use crate::check::{Check, RESERVED, fold, say};
 use crate::model::{self, Binary, Expr as Value, Function, Location, Observable, Repeat, RepeatId};
 use crate::parse::tree::{Expr, ExprKind, Item, ItemKind, Keyword, Name, Reduced};
@@ -103,36 +103,6 @@ impl<'a> Check<'a> {
         self.turn.is_some_and(|turn| turn.name.is_none())
     }
 
-    /// The body that stands before a dot, `main[a]` or `beam`, and the number of the repetition.
-    pub(in crate::check) fn named_body(&mut self, expr: &'a Expr) -> Option<(body::Known, Option<Value>)> {
-        match &expr.kind {
-            ExprKind::Name(name) => {
-                let item = self.item(name, Keyword::Body)?;
-                let body = *self.bodies.get(item.name.text.as_str())?;
-                if body.repeat.is_some() {
-                    let message = self.say_repeated(name);
-                    self.errors.at(name.span, message);
-                    return None;
-                }
-                Some((body, None))
-            }
-            ExprKind::Indexed { base, index } => {
-                let item = self.item(base, Keyword::Body)?;
-                let body = *self.bodies.get(item.name.text.as_str())?;
-                let Some(repeat) = body.repeat else {
-                    self.errors.at(index.area, say::not_repeated(&base.text));
-                    return None;
-                };
-                let number = self.repetition(base, index, repeat)?;
-                Some((body, Some(number)))
-            }
-            _ => {
-                self.errors.at(expr.area, say::PLACE_EXPECTED);
-                None
-            }
-        }
-    }
-
     /// Whether the number behind something of the loop `repeat` is that of the repetition that is looked at; else what is said.
     pub(in crate::check) fn own_repetition(
         &self,
@@ -152,7 +122,7 @@ impl<'a> Check<'a> {
         }
     }
 
-    fn say_repeated(&self, name: &Name) -> String {
+    pub(in crate::check) fn say_repeated(&self, name: &Name) -> String {
         let text = name.text.as_str();
         match self.turn.and_then(|turn| turn.name) {
             Some(index) => say::repeated_inside(text, index),
@@ -190,7 +160,7 @@ impl<'a> Check<'a> {
     }
 
     /// Number of a repetition of something.
-    fn repetition(&mut self, name: &Name, expr: &'a Expr, of: RepeatId) -> Option<Value> {
+    pub(in crate::check) fn repetition(&mut self, name: &Name, expr: &'a Expr, of: RepeatId) -> Option<Value> {
         let value = self.number_of(expr)?;
         let count = fold::constant(&self.model.repeats[of.0].count);
         let Some(number) = fold::constant(&value) else {

@@ -4,9 +4,9 @@ use std::collections::HashSet;
 
 use proc_macro2::TokenStream;
 
-use super::expr::Scope;
 use super::quantity::Typed;
-use crate::check::loads::distributed::PARTICLE;
+use super::scope::Scope;
+use super::words::PARTICLE;
 use crate::check::{Check, fold, say};
 use crate::errors::Area;
 use crate::import::rows::{Disorder, Head, Rows, chords, in_order, text};

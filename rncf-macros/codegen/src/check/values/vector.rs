@@ -1,8 +1,8 @@
 //! Vectors in expressions: components with one dimension, in the axes of one frame.
 
-use super::expr::Scope;
 use super::quantity::{Nature, Typed, Vector, Wanted, bare_literal, hertz, is_bare_zero};
-use crate::check::frames::plane::AXES;
+use super::scope::Scope;
+use crate::check::values::words::AXES;
 use crate::check::{Check, fold, say};
 use crate::joints::algebra;
 use crate::model::{self, Binary, FrameId};

@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
-use super::tensor::Integrals;
-use super::{Law, Split};
+use super::integrals::Integrals;
+use super::law::{Law, Split};
 use crate::lower::quadratic::{base_vector, is_position, relative_shapes};
 use crate::symbolic::{Graph, Id, linear::Vector};
 

@@ -3,19 +3,22 @@
 //! degree, or by constant tensors, whichever takes fewer operations; gravity fields as functions of markers.
 
 mod element;
+mod integrals;
+mod law;
 mod tensor;
 
 use super::kernel::{Kernel, block, derivatives, values};
 use super::markers::{Marked, describe, function_name, localise};
 use super::quadratic::relative_shapes;
 use super::variant::Variant;
-use crate::elements::{Interpolant, Library, NodalVector};
-use crate::model::fold;
-use crate::model::{Binary, Density, Expr, LoadKind, Model};
+use crate::elements::{Interpolant, Library};
+use crate::model::{Binary, Density, Expr, LoadKind, Model, fold};
 use crate::symbolic::{Array, Graph, Id, Node, linear::Vector};
 use crate::tensors::{Polynomial, gauss_rule};
 use element::{Element, Point, Rule};
-use tensor::{Integrals, is_quadratic};
+use integrals::Integrals;
+use law::{Law, Split};
+use tensor::is_quadratic;
 
 /// The functions of one density.
 #[derive(Clone, Debug)]
@@ -113,35 +116,6 @@ pub fn field_kernels(model: &Model) -> Vec<FieldKernels> {
         })
     });
     fields.collect()
-}
-
-/// A density on its way to functions.
-struct Law<'m> {
-    model: &'m Model,
-    density: &'m Density,
-    name: String,
-    variant: Variant,
-    vectors: Vec<&'m NodalVector>,
-    /// Frame axes of the components of a nodal vector.
-    axes: &'static [usize],
-    /// Components along those, with markers counted in the density's own list.
-    components: Vec<Expr>,
-    library: &'m Library,
-}
-
-/// The polynomial with symbols.
-struct Split<'m> {
-    marked: Marked<'m>,
-    /// What is the same along the body.
-    values: Vec<Id>,
-    /// Their symbols.
-    symbols: Vec<Id>,
-    /// Components of the density over [`Split::factor`] as polynomials of [`Split::locals`] and [`Split::symbols`].
-    force: Vector,
-    /// What all components are multiplied with, the same along the body; it is multiplied with the integrals.
-    factor: Id,
-    /// Symbols of position and slope.
-    locals: [Vector; 2],
 }
 
 impl<'m> Law<'m> {

@@ -12,10 +12,10 @@
 //! vectors turn together, so that F has no moment about the mean positions: angular momentum stays, too (Simo and
 //! Tarnow 1992 for St. Venant-Kirchhoff's material; Gonzalez 2000 for the discrete derivative).
 
-use super::fields::{FieldBlocks, FieldKernels, Groups};
-use super::{Builder, Form, Quantity, rules};
+use super::builder::Builder;
 use crate::elements::field_invariants;
 use crate::elements::{Density, Library};
+use crate::lower::form::{FieldBlocks, FieldKernels, Form, Groups, Quantity, rules};
 use crate::lower::kernel::Kernel;
 use crate::lower::signature::Signature;
 use crate::lower::variant::Variant;

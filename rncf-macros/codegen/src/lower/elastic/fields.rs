@@ -1,108 +1,19 @@
 //! Elastic kernels of elements with many nodal vectors: for each integration rule one straight-line
 //! kernel of the fields at a point; the runtime carries nodal vectors there and back (`emitted/points.rs`).
 
+use super::builder::{Builder, State};
+use super::particles::Point;
 use super::particles::section_point;
-use super::{Builder, Form, Quantity, State, rules};
-use crate::elements::{Interpolant, Library, NodalVector};
+use crate::elements::Library;
+use crate::lower::form::{FieldBlocks, FieldKernels, FieldRule, Form, Groups, Quantity, rules};
 use crate::lower::invariants::{Blocks, Response};
 use crate::lower::kernel::Kernel;
-use crate::lower::quadratic::{base_vector, is_position, length_power, relative_shapes};
+use crate::lower::quadratic::{length_power, relative_shapes};
 use crate::lower::signature::{PointInputs, Signature};
 use crate::lower::variant::Variant;
 use crate::symbolic::Invariant;
 use crate::symbolic::{Cost, Id, linear::Vector};
 use crate::tensors::Sampling;
-
-/// Nodal vectors by what they interpolate.
-#[derive(Clone, Debug)]
-pub struct Groups {
-    /// Interpolants, one a group.
-    pub of: Vec<Interpolant>,
-    /// Nodal vectors of each group, the base left out.
-    pub nodal: Vec<Vec<usize>>,
-    /// The vector that positions are relative to.
-    pub base: usize,
-    /// Whether a nodal vector is a position.
-    pub positions: Vec<bool>,
-}
-
-impl Groups {
-    pub(super) fn of(vectors: &[&NodalVector]) -> Self {
-        let base = base_vector(vectors);
-        let mut groups = Self {
-            of: Vec::new(),
-            nodal: Vec::new(),
-            base,
-            positions: vectors.iter().map(|vector| is_position(vector)).collect(),
-        };
-        for (index, vector) in vectors.iter().enumerate() {
-            if index == base {
-                continue;
-            }
-            let group = groups.of.iter().position(|&of| of == vector.of).unwrap_or_else(|| {
-                groups.of.push(vector.of);
-                groups.nodal.push(Vec::new());
-                groups.of.len() - 1
-            });
-            groups.nodal[group].push(index);
-        }
-        groups
-    }
-
-    /// Relative vectors of a group, the shorter ones filled up.
-    pub fn size(&self) -> usize {
-        self.nodal.iter().map(Vec::len).max().unwrap_or(0)
-    }
-
-    pub(super) fn group(&self, of: Interpolant) -> usize {
-        self.of.iter().position(|&group| group == of).unwrap_or(0)
-    }
-}
-
-/// Blocks of a tangent on fields that a kernel writes, in the order of its output.
-#[derive(Clone, Debug)]
-pub struct FieldBlocks {
-    /// Fields of each block, as indices into [`FieldRule::fields`].
-    pub pairs: Vec<(usize, usize)>,
-    /// Blocks `from..to` of each tile (pair of groups): `(tile, from, to)`.
-    pub tiles: Vec<(usize, usize, usize)>,
-}
-
-/// The terms of an energy that are integrated by one rule.
-#[derive(Clone, Debug)]
-pub struct FieldRule {
-    /// Its points.
-    pub points: Sampling,
-    /// Fields that the terms depend on, as indices into the element's fields.
-    pub fields: Vec<usize>,
-    /// Group of each field.
-    pub groups: Vec<usize>,
-    /// Weights, and `[point][field][vector of its group]` derivatives of the shape functions.
-    pub weights: Vec<f64>,
-    /// See [`FieldRule::weights`].
-    pub shapes: Vec<Vec<Vec<f64>>>,
-    /// Kernels at a point: force, tangent, energy.
-    pub kernels: [Kernel; 3],
-    /// Derivatives of the energy of a material that is given by it: response, and rate of the stiffness where damped.
-    pub particles: Vec<Kernel>,
-    /// Blocks of the stiffness.
-    pub stiffness: FieldBlocks,
-    /// Blocks of the damping matrix, where damped.
-    pub damping: Option<FieldBlocks>,
-    /// Values in the stress-free shape at a point.
-    pub references: usize,
-}
-
-/// Everything that the form by fields consists of.
-#[derive(Clone, Debug)]
-pub struct FieldKernels {
-    /// Nodal vectors by what they interpolate.
-    pub groups: Groups,
-    /// One entry for each rule.
-    pub rules: Vec<FieldRule>,
-    /// Particles of a section, of a material given by its energy, those on the axis included; otherwise 0.
-    pub particles: usize,
-}
 
 /// Derives the kernels at a point.
 pub fn field_kernels(variant: &Variant, library: &Library) -> FieldKernels {
@@ -184,18 +95,6 @@ pub(super) struct OnFields {
 
 /// Places and values.
 type Outputs = Vec<(String, Id)>;
-
-/// One kernel and what it turned out to depend on.
-pub(super) struct Point {
-    pub kernel: Kernel,
-    /// What is called at every particle of the section.
-    pub particle: Option<Kernel>,
-    pub fields: Vec<usize>,
-    pub groups: Vec<usize>,
-    pub stiffness: Option<FieldBlocks>,
-    pub damping: Option<FieldBlocks>,
-    pub references: usize,
-}
 
 impl Builder<'_> {
     /// The kernel of one quantity at a point of the rule.

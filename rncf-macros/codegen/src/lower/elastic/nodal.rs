@@ -1,6 +1,6 @@
 //! From relative vectors back to nodal ones.
 
-use super::Builder;
+use super::builder::Builder;
 use crate::lower::invariants::Blocks;
 use crate::lower::quadratic::{base_vector, is_position};
 use crate::symbolic::Id;

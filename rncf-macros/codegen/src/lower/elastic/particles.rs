@@ -3,9 +3,8 @@
 
 use std::collections::HashMap;
 
-use super::Quantity;
-use super::fields::{FieldBlocks, Groups, Point};
 use crate::elements::{Field, Library};
+use crate::lower::form::{FieldBlocks, Groups, Quantity};
 use crate::lower::kernel::Kernel;
 use crate::lower::material::{Density, Material};
 use crate::lower::quadratic::length_power;
@@ -13,6 +12,18 @@ use crate::lower::signature::{PointInputs, Signature, camel_case};
 use crate::lower::variant::Variant;
 use crate::symbolic::Id;
 use crate::tensors::Sampling;
+
+/// One kernel and what it turned out to depend on.
+pub(super) struct Point {
+    pub kernel: Kernel,
+    /// What is called at every particle of the section.
+    pub particle: Option<Kernel>,
+    pub fields: Vec<usize>,
+    pub groups: Vec<usize>,
+    pub stiffness: Option<FieldBlocks>,
+    pub damping: Option<FieldBlocks>,
+    pub references: usize,
+}
 
 /// Blocks of all pairs of fields, ordered by tile; of a symmetric tangent those of tiles on and above the diagonal.
 fn all_blocks(group_of: &[usize], groups: usize, symmetric: bool) -> FieldBlocks {

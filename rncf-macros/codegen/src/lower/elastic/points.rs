@@ -2,7 +2,8 @@
 
 use std::collections::HashMap;
 
-use super::{Builder, Form, Quantity, rules};
+use super::builder::Builder;
+use crate::lower::form::{Form, Quantity, rules};
 use crate::lower::invariants::{Blocks, Response, mirror, zero_blocks};
 use crate::lower::kernel::PointLoop;
 use crate::lower::quadratic::{length_power, relative_shapes};

@@ -3,9 +3,10 @@
 
 use std::collections::HashMap;
 
+use super::builder::{Builder, State, kept_at_point};
 use super::conserving::averaged_value;
-use super::{Builder, Form, Quantity, State, kept_at_point, points};
 use crate::elements::{Density, Term, at_rest, field_invariants};
+use crate::lower::form::{Form, Quantity, points};
 use crate::symbolic::Invariant;
 use crate::symbolic::{Graph, Id, linear::Vector};
 

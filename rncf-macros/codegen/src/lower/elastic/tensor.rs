@@ -1,7 +1,8 @@
 //! Elastic kernels as constant tensors (Eq. 7).
 
+use super::builder::{Builder, State};
 use super::conserving::averaged_value;
-use super::{Builder, Quantity, State};
+use crate::lower::form::Quantity;
 use crate::lower::invariants::Response;
 use crate::lower::quadratic::{TensorTerm, tensor_terms};
 use crate::symbolic::{Array, Id, Invariant, invariants};

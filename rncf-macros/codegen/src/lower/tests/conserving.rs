@@ -3,7 +3,8 @@
 use super::model::base;
 use super::{Inputs, Random, evaluate, fill, slope};
 use crate::elements::Library;
-use crate::lower::elastic::{Form, Quantity, conserving_kernels, conserving_obstacle, kernel};
+use crate::lower::elastic::{conserving_kernels, conserving_obstacle, kernel};
+use crate::lower::form::{Form, Quantity};
 use crate::lower::{Kernel, Variant};
 use crate::model::Evaluation;
 

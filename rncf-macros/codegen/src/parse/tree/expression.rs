@@ -1,7 +1,38 @@
 //! Expressions as they are written.
 
-use super::Name;
+use proc_macro2::Span;
+
 use crate::errors::Area;
+
+/// A word of the user.
+#[derive(Clone, Debug)]
+pub struct Name {
+    /// The word.
+    pub text: String,
+    /// Where it is.
+    pub span: Span,
+    /// All of it, where it goes on behind the first word: `rod[2]`, `blade[1].rod`.
+    pub path: Option<Box<Expr>>,
+}
+
+impl Name {
+    /// A single word.
+    pub fn new(text: impl Into<String>, span: Span) -> Self {
+        let text = text.into();
+        Self { text, span, path: None }
+    }
+
+    /// Line of the text, counted from 1 (0 where unknown).
+    pub fn line(&self) -> usize {
+        self.span.start().line
+    }
+
+    /// The word as it stands in its declaration, without the numbers of repetitions and the part that it belongs to.
+    pub fn word(&self) -> &str {
+        let last = self.text.rsplit('.').next().unwrap_or_default();
+        last.split('[').next().unwrap_or_default()
+    }
+}
 
 /// `name(arguments)`
 #[derive(Clone, Debug)]

@@ -1,6 +1,6 @@
 //! Statements of bodies, as they are written.
 
-use super::{Call, Expr, Name};
+use super::expression::{Call, Expr, Name};
 use crate::errors::Area;
 
 /// A statement of a body.

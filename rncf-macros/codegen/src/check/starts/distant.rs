@@ -1,8 +1,9 @@
 //! Axes that go through a place which was not meant: no mistake, but a warning at the joint. Of two frames or rigid bodies without a
 //! point the origin of the first is the place of the joint; where that of the second is elsewhere, either may have been meant.
 
+use super::start::Start;
 use crate::check::messages as say;
-use crate::check::starts::start::{Start, norm, subtract};
+use crate::check::values::arithmetic::{norm, subtract};
 use crate::errors::{Area, Mistake};
 use crate::model::{FrameId, INERTIAL, Model};
 use crate::parse::tree::{Expr, ExprKind, Item, ItemKind, Keyword, Tree};

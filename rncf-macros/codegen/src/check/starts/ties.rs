@@ -5,10 +5,11 @@
 //! The conditions are differentiated with respect to the motions of the frame alone, its bodies
 //! staying where they are, at t = 0 with the parameters' defaults.
 
+use super::start::{Pose, Start, normals};
 use crate::check::fold::with_defaults;
-use crate::check::frames::plane;
-use crate::check::starts::start::{Pose, Start, Vector, add, cross, dot, norm, normals, scale, subtract};
+use crate::check::values::arithmetic::{Vector, add, cross, dot, norm, scale, subtract};
 use crate::check::values::eigen::symmetric;
+use crate::check::values::words::AXES;
 use crate::check::{Check, say};
 use crate::elements::Library;
 use crate::errors::Area;
@@ -528,7 +529,7 @@ fn say_mode(mode: &Mode) -> String {
     };
     let vector = scale(1.0 / norm(vector), vector);
     match (0..3).find(|&axis| vector[axis].abs() > WHOLE) {
-        Some(axis) => format!("{word} the {} axis", plane::AXES[axis]),
+        Some(axis) => format!("{word} the {} axis", AXES[axis]),
         None => {
             let [x, y, z] = vector.map(|x| (x * 100.0).round() / 100.0 + 0.0);
             format!("{word} the direction [{x}, {y}, {z}]")

@@ -2,7 +2,7 @@
 //! what some distribution of mass has. With params the program checks the same (`SectionLaw` in the runtime).
 
 use super::along;
-use super::material::Values;
+use crate::check::sections::known::Values;
 use crate::check::values::eigen;
 use crate::check::{Check, fold, say};
 use crate::errors::Area;

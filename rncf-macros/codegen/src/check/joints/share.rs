@@ -1,8 +1,8 @@
 //! Ends of bodies that are one node: assembly, no condition.
 
-use crate::check::frames::place::Place;
-use crate::check::joints::eliminated::Held;
-use crate::check::joints::joint::Known;
+use super::eliminated::Held;
+use super::known::Known;
+use crate::check::places::place::Place;
 use crate::check::values::repeat::has_index;
 use crate::check::{Check, Shape, fold, say};
 use crate::errors::Area;

@@ -1,7 +1,7 @@
 //! Nodes where something acts on a body. Within an element a cubic has no step of its moment: a disc, a weld or a moment there
 //! converges with the first power of the elements' length, and with nodes as the rest does.
 
-use crate::check::starts::start::Start;
+use super::start::Start;
 use crate::model::{Body, BodyId, Expr, Fidelity, Line, LoadKind, Location, Model, NodeAt, Stations, fold};
 
 /// Part of an element by which a place may miss a node for round-off.

@@ -1,11 +1,11 @@
 //! Rigid corners of a body: joints between its straight pieces that nobody writes.
 
-use crate::check::frames::place::{Hold, Spot};
-use crate::check::joints::joint::Known;
+use super::known::Known;
+use crate::check::places::place::{Hold, Spot};
 use crate::check::{Check, Shape, say};
 use crate::joints::KINDS;
 use crate::model::Space;
-use crate::parse::tree::{Call, Item, ItemKind, Statement};
+use crate::parse::tree::{Call, Item};
 
 impl<'a> Check<'a> {
     /// A corner between two pieces; what it cannot keep is told at the first corner of the body.
@@ -40,17 +40,4 @@ impl<'a> Check<'a> {
         let weld = KINDS.iter().find(|kind| kind.name == "weld");
         self.with_multipliers(item, &call.name, weld, &arguments, [first, second], known)
     }
-}
-
-/// What a piece is called in words about the whole body, and which one it is; `None` of other bodies.
-pub(in crate::check) fn piece(item: &Item) -> Option<(&str, usize)> {
-    let ItemKind::Body { statements, .. } = &item.kind else {
-        return None;
-    };
-    let number = statements.iter().find_map(|statement| match statement {
-        Statement::Piece { number, .. } => Some(*number),
-        _ => None,
-    })?;
-    let (whole, _) = item.name.text.rsplit_once('[')?;
-    Some((whole, number))
 }

@@ -1,7 +1,7 @@
 //! Vectors that move with the system, and their components in the axes of frames.
 
 use super::place::Spot;
-use super::plane::normal;
+use crate::check::frames::plane::normal;
 use crate::check::{Check, fold, say};
 use crate::errors::{Area, Errors};
 use crate::joints::algebra::{self, Vector, add, both, dot, intern, observed, subtract};

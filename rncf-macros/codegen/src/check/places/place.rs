@@ -1,12 +1,12 @@
 //! Places: on flexible bodies, on frames and rigid bodies.
 
-use super::plane::{AXES, normal};
 use crate::check::bodies::body;
-use crate::check::observed::balance::words as balance_words;
-use crate::check::observed::section_forces::is_carried;
-use crate::check::values::expr::Scope;
+use crate::check::frames::plane::normal;
 use crate::check::values::quantity::Wanted;
 use crate::check::values::repeat::place_of;
+use crate::check::values::scope::Scope;
+use crate::check::values::words::AXES;
+use crate::check::values::words::{balance_words, is_carried};
 use crate::check::{Check, fold, say};
 use crate::errors::Area;
 use crate::joints::{Party, algebra};

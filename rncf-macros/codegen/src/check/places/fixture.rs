@@ -1,10 +1,10 @@
 //! Fixtures: rigid parts glued to frames or to places of flexible bodies (THEORY 5.4).
 
 use super::place::Place;
-use super::plane::normal;
-use super::rigid::zeros;
-use crate::check::values::expr::Scope;
+use crate::check::frames::plane::normal;
+use crate::check::frames::rigid::zeros;
 use crate::check::values::quantity::{self, Wanted};
+use crate::check::values::scope::Scope;
 use crate::check::{Check, fold, say};
 use crate::joints::algebra;
 use crate::model::{Expr as Value, Fixture, FrameId, FrameTie, Motions, RepeatId, RigidPart};

@@ -1,14 +1,15 @@
 //! What varies along an axis and is known when the model is built: tables cover the axis, and values are in their ranges.
 //! With params the program checks the same when it builds the scene.
 
-use crate::check::bodies::corner;
 use std::collections::HashSet;
 
-use crate::check::bodies::curve::Curve;
+use super::body;
+use super::curve::Curve;
 use crate::check::{Check, fold, say};
 use crate::errors::Area;
 use crate::model::{Body, Expr as Value, Line, Model, SectionShape, Space, Stations, Table};
 use crate::parse::tree::{Fields, Item, ItemKind, Keyword, Name, Statement};
+use crate::suggest;
 use crate::symbolic::path_of;
 use crate::vocabulary::{BOTH_AXES, LAW, MATERIAL, Range, SECTION};
 
@@ -326,11 +327,11 @@ fn uncovered(table: &Table, item: &Item, axis: &Axis) -> Option<String> {
     }
     // A measured length in the digits that say something.
     let end = if axis.round_off == MEASURED {
-        written(end).parse().unwrap_or(end)
+        suggest::written(end).parse().unwrap_or(end)
     } else {
         end
     };
-    let body = corner::piece(item).map_or(item.name.text.as_str(), |(whole, _)| whole);
+    let body = body::piece(item).map_or(item.name.text.as_str(), |(whole, _)| whole);
     Some(say::not_covered(&table.name, [first, last], body, end, unit))
 }
 
@@ -370,16 +371,5 @@ fn words(range: Range) -> &'static str {
         Range::Part => "greater than zero and at most 1",
         Range::Poisson => "between -1 and 0.5",
         Range::Any => "finite",
-    }
-}
-
-/// A computed number in six digits.
-pub(in crate::check) fn written(value: f64) -> String {
-    let short: f64 = format!("{value:.5e}").parse().unwrap_or(value);
-    let size = short.abs();
-    if size == 0.0 || (1e-4..1e6).contains(&size) {
-        format!("{short}")
-    } else {
-        format!("{short:e}")
     }
 }

@@ -1,11 +1,12 @@
 //! Coordinates of joints and frames, and their drives.
 
-use super::joint::{Built, Known};
 use crate::check::frames::plane;
+use crate::check::joints::known::{Built, Known};
 use crate::check::observed::members::{Thing, angular};
-use crate::check::values::expr::Scope;
 use crate::check::values::quantity::{self, Typed, Wanted};
+use crate::check::values::scope::Scope;
 use crate::check::values::vector::{Quantity, Vectorial};
+use crate::check::values::words::AXES;
 use crate::check::{Check, Shape, say};
 use crate::errors::Area;
 use crate::joints::{Angle, Party, Rows, Slide, Turned, algebra};
@@ -256,7 +257,7 @@ impl<'a> Check<'a> {
                 frame: known.frame,
             };
             for (axis, observable) in seen.components {
-                let axis = plane::AXES.iter().position(|name| *name == axis)?;
+                let axis = AXES.iter().position(|name| *name == axis)?;
                 vector.values[axis] = Value::Observed(observable);
                 vector.axes.push(axis);
             }
