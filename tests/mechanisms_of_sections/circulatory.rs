@@ -1,6 +1,9 @@
 //! Diagrams of what forces that come from no energy act on: closed forms.
 
-use rncf::app::{Campbell, EquilibriumSettings, Range, campbell};
+use std::ops::ControlFlow;
+
+use rncf::app::{Campbell, EquilibriumSettings, Range, campbell, equilibria};
+use rncf::equilibrium::Kind;
 
 rncf::model! {
     /// A controlled mass on a table that turns; `det K = (5 N/m - m w^2) (a - m w^2) + 12 N^2/m^2` in its axes.
@@ -42,6 +45,60 @@ fn a_real_root_that_passes_zero_is_found_at_rest_and_on_what_turns() {
             let at: Vec<usize> = (0..values.len()).filter(|&index| found.standing[index]).collect();
             assert_eq!(at.len(), 1, "{spin} {from}: {values:?} {:?}", found.standing);
             assert!((values[at[0]] - expected).abs() < 1e-6, "{spin} {from}: {values:?}");
+        }
+    }
+}
+
+rncf::model! {
+    /// Three directions of a mass, one of them a million times as stiff. On the others `K = [1 N/m - a, b; -b, 3 N/m - a]`, of which the values are
+    /// `2 N/m - a` plus and minus the root of `1 N^2/m^2 - b^2`.
+    pub model Meeting {
+        param a = 0 N/m;
+        param slope = 0.4;
+        let b = 2 [N/m] - slope * a;
+        rigid p { mass = 1 kg; }
+        load springs = force(p, [
+            (a - 1 [N/m]) * p.x - b * p.y,
+            b * p.x + (a - 3 [N/m]) * p.y,
+            -1 [MN/m] * p.z]);
+        output x = p.x;
+    }
+}
+
+/// A vibration that grows becomes two directions that diverge where its two values meet, below zero: the stiffness is singular nowhere. Where they meet
+/// above, one passes zero later.
+#[test]
+fn values_that_meet_below_zero_are_no_critical_ones() {
+    let told = |slope: f64, from: f64, to: f64| -> Vec<(f64, isize)> {
+        let model = Meeting {
+            slope,
+            ..Meeting::default()
+        };
+        let settings = EquilibriumSettings {
+            range: Some(Range { param: 0, from, to }),
+            steps: 7,
+            ..EquilibriumSettings::default()
+        };
+        let found = equilibria(&model, Kind::Static, &settings, |_| ControlFlow::Continue(())).unwrap();
+        found
+            .critical
+            .iter()
+            .map(|critical| (critical.value, critical.change))
+            .collect()
+    };
+    assert_eq!(told(0.4, 0.0, 3.5), []);
+    assert_eq!(told(0.4, 3.5, 0.0), []);
+    // det = 2 a^2 - 8 a + 7, in N/m.
+    let half = std::f64::consts::FRAC_1_SQRT_2;
+    for (from, to) in [(0.0, 3.4), (3.4, 0.0)] {
+        let mut found = told(1.0, from, to);
+        found.sort_by(|one, other| one.0.total_cmp(&other.0));
+        assert_eq!(found.len(), 2, "{found:?}");
+        for (found, expected) in found.iter().zip([2.0 - half, 2.0 + half]) {
+            assert!(
+                (found.0 - expected).abs() < 1e-6 && found.1 == 1,
+                "{found:?} {expected}"
+            );
         }
     }
 }

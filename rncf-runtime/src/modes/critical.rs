@@ -11,6 +11,9 @@ pub struct Critical {
     /// By how many the number of negative directions rises there; negative where it falls, and 2 where two
     /// directions become critical together, as those of a round shaft do.
     pub change: isize,
+    /// Whether forces that come from no energy act: the stiffness is then singular in `change` directions, and which ones are negative on either
+    /// side would depend on the mass.
+    pub circulates: bool,
     /// How far off the value may be.
     pub within: f64,
     /// The interval around it in which no equilibrium was found, as next to a critical speed of an unbalanced shaft,
@@ -44,6 +47,7 @@ pub fn critical(
             found.push(Critical {
                 value: middle,
                 change: after as isize - before as isize,
+                circulates: false,
                 within: 0.5 * (high - low).abs(),
                 open: None,
             });

@@ -20,6 +20,9 @@ pub(in crate::app) struct Measured {
     pub negative: usize,
     /// The values next to zero, ascending, with all negative ones; none where they are not known.
     pub values: Vec<f64>,
+    /// Whether forces that come from no energy act: which directions are negative then depends on the mass, and only where the stiffness is
+    /// singular does not.
+    pub circulates: bool,
 }
 
 impl Measured {
@@ -28,6 +31,7 @@ impl Measured {
         Self {
             negative,
             values: Vec::new(),
+            circulates: false,
         }
     }
 
@@ -35,6 +39,7 @@ impl Measured {
         Self {
             negative: values.iter().filter(|&&value| value < 0.0).count(),
             values,
+            circulates: false,
         }
     }
 }
@@ -60,7 +65,12 @@ pub(in crate::app) fn at_rest(
 
 /// Of the whole stiffness, where circulatory forces act or there are many unknowns.
 pub(in crate::app) fn whole(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Result<Measured, SolveError> {
-    modes::stiffness_values(scene, at, state, NEXT_TO_ZERO, Stiffness::Whole).map(Measured::of)
+    let circulates = modes::is_circulatory(scene, at, state);
+    let values = modes::stiffness_values(scene, at, state, NEXT_TO_ZERO, Stiffness::Whole)?;
+    Ok(Measured {
+        circulates,
+        ..Measured::of(values)
+    })
 }
 
 /// Of the symmetric part of the co-rotating stiffness; whether with its values, which otherwise are known only where they tell the number.
@@ -80,5 +90,9 @@ pub(in crate::app) fn turning(
         return Ok(Measured::of(values));
     }
     let negative = modes::unstable_directions(scene, at, state)?;
-    Ok(Measured { negative, values })
+    Ok(Measured {
+        negative,
+        values,
+        circulates: false,
+    })
 }

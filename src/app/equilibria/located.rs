@@ -7,8 +7,10 @@ use crate::modes::Critical;
 
 /// Width to which critical values are bracketed, part of the way.
 const WIDTH: f64 = 1e-7;
-/// Part of the values of the stiffness at the ends of a step that counts as zero where one passes it.
-const ZERO: f64 = 1e-2;
+/// Distance, part of the way, from a place where values change their sign, at which they are looked at once more; and the part of them by which they
+/// have fallen from there if it is zero that they pass.
+const AWAY: f64 = 1e3 * WIDTH;
+const FALLEN: f64 = 0.1;
 /// Distance from the expected place, part of the bracket, at which it is looked at: it then lies on one side.
 const ASIDE: f64 = 0.01;
 /// Of so many looks one halves the bracket whatever is expected.
@@ -28,8 +30,7 @@ impl Line<'_> {
             state: found.state.clone(),
             measured,
         };
-        let sizes = before.values.iter().chain(&after.values);
-        let zero = ZERO * sizes.fold(0.0, |largest: f64, value| largest.max(value.abs()));
+        let ends = [low.share, high.share];
         let mut found = Vec::new();
         let mut open = vec![([end(low, before), end(high, after)], 1)];
         while let Some(([low, high], looks)) = open.pop() {
@@ -37,7 +38,7 @@ impl Line<'_> {
                 continue;
             }
             if high.share - low.share <= WIDTH {
-                if passes_zero(&low.measured, &high.measured, zero) {
+                if self.passes_zero([&low, &high], ends, measure) {
                     found.push(self.bracketed(&low, &high));
                 }
                 continue;
@@ -79,15 +80,33 @@ impl Line<'_> {
         found
     }
 
+    /// Whether values that change their sign between two equilibria next to each other do so at zero: two negative ones that become a vibration
+    /// which grows do not, and are as large a little away from there.
+    fn passes_zero(&mut self, [low, high]: [&Looked; 2], [first, last]: [f64; 2], measure: &mut Measure<'_>) -> bool {
+        let counts = [low, high].map(|end| end.measured.negative);
+        let changing = counts[0].min(counts[1])..counts[0].max(counts[1]);
+        let largest = |looked: &Looked| {
+            let values = looked.measured.values.get(changing.clone())?;
+            values.iter().map(|value| value.abs()).reduce(f64::max)
+        };
+        let (Some(before), Some(after)) = (largest(low), largest(high)) else {
+            return true;
+        };
+        let (place, from) = if low.share - AWAY >= first {
+            (low.share - AWAY, low)
+        } else {
+            ((high.share + AWAY).min(last), high)
+        };
+        let away = self.looked_at(place, &from.state, true, measure);
+        away.filter(|away| away.measured.negative == from.measured.negative)
+            .and_then(|away| largest(&away))
+            .is_none_or(|away| before.max(after) <= FALLEN * away)
+    }
+
     /// The critical value between two equilibria next to each other.
     fn bracketed(&self, low: &Looked, high: &Looked) -> Critical {
         let [first, last] = [low, high].map(|end| self.key(end.share));
-        Critical {
-            value: 0.5 * (first + last),
-            change: high.measured.negative as isize - low.measured.negative as isize,
-            within: 0.5 * (last - first).abs(),
-            open: None,
-        }
+        singular([low, high], 0.5 * (first + last), 0.5 * (last - first).abs())
     }
 
     /// The last equilibrium on the way from `from` towards a part of the way at which none was found.
@@ -145,23 +164,22 @@ impl Line<'_> {
         let (least, most) = (least?, most?);
         let is_inside = near.share - error <= least && most <= beyond.share + error;
         let [first, last] = [least - error, most + error].map(|share| self.key(share));
-        is_inside.then(|| Critical {
-            value: self.key(0.5 * (least + most)),
-            change: after as isize - before as isize,
-            within: 0.5 * (last - first).abs(),
-            open: None,
-        })
+        let within = 0.5 * (last - first).abs();
+        is_inside.then(|| singular([left, right], self.key(0.5 * (least + most)), within))
     }
 }
 
-/// Whether values that change their sign between two equilibria next to each other do so at zero: two negative ones that become a vibration
-/// which grows do not.
-fn passes_zero(low: &Measured, high: &Measured, zero: f64) -> bool {
-    let changing = low.negative.min(high.negative)..low.negative.max(high.negative);
-    let more = if low.negative > high.negative { low } else { high };
-    more.values
-        .get(changing)
-        .is_none_or(|values| values.iter().all(|value| value.abs() <= zero))
+/// What of the stiffness becomes singular between two equilibria, at a value and how far off that may be.
+fn singular([low, high]: [&Looked; 2], value: f64, within: f64) -> Critical {
+    let rise = high.measured.negative as isize - low.measured.negative as isize;
+    let circulates = low.measured.circulates || high.measured.circulates;
+    Critical {
+        value,
+        change: if circulates { rise.abs() } else { rise },
+        circulates,
+        within,
+        open: None,
+    }
 }
 
 /// Where the value that changes its sign between two equilibria is expected to be zero, a little aside to either side by turns.

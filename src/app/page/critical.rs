@@ -24,10 +24,12 @@ pub(in crate::app) fn critical_lines(key: &Column, critical: &[Critical], what: 
         } else {
             directions.into()
         };
-        let mut line = format!(
-            "{what} at {}: the stiffness of {directions} {sense}.",
-            key.at(critical.value, 7)
-        );
+        let happens = if critical.circulates {
+            format!("the stiffness is singular in {directions}")
+        } else {
+            format!("the stiffness of {directions} {sense}")
+        };
+        let mut line = format!("{what} at {}: {happens}.", key.at(critical.value, 7));
         if critical.within > EXACT * critical.value.abs() {
             let _ = write!(line, " It lies there within {}.", key.quantity(critical.within, 2));
         }
