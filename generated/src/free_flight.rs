@@ -2206,7 +2206,12 @@ pub mod free_flight_equations {
         ) -> ::std::vec::Vec<&'static ::rncf::emitted::Table> {
             ::std::vec::Vec::new()
         }
-        fn properties(&self, body: usize, x: f64, length: f64) -> ::std::vec::Vec<f64> {
+        fn properties(
+            &self,
+            body: usize,
+            x: f64,
+            length: f64,
+        ) -> ::std::vec::Vec<(&'static str, f64)> {
             ::std::vec::Vec::new()
         }
         fn mass(&self, body: usize, element: usize, mass: &mut [f64]) {

@@ -87,3 +87,27 @@ fn what_lies_between_points_is_told() {
     let exact = 1e3 * (sum + 2.0 / 10e6);
     assert!((bend / exact - 1.0).abs() < 1e-4, "{bend} {exact}");
 }
+
+rncf::model! {
+    /// A blade whose centre of mass lies on its axis at the root, and beside it from there on.
+    pub model Leaving {
+        param n: count = 8;
+        section s { EA = 1 MN; GAy = 1 MN; GAz = 1 MN; GJ = 1 kN*m^2; EIy = 1 kN*m^2; EIz = 2 kN*m^2; mass = 2 kg/m; mass_y = 15 mm * x / 1 [m]; inertia_y = 0.001 kg*m; inertia_z = 0.02 kg*m; }
+        body b { spatial; line from [0, 0, 0] m to [2, 0, 0] m; mesh n * beam(s); }
+        joint root = clamp(b.start, inertial);
+        load weight = gravity([0, 0, -9.81] m/s^2);
+        output z = b.end.z;
+        output turned = b.start.torque;
+    }
+}
+
+/// Nothing yields by the inverse of an offset, of which "100 % are missed" where it begins at zero.
+#[test]
+fn an_offset_that_begins_at_zero_is_no_gap() {
+    let found = static_equilibria(&Leaving::default(), &EquilibriumSettings::default()).unwrap();
+    assert_eq!(found.warnings, Vec::<String>::new());
+    // The weight turns about the axis: m g y (L^2 / 2), but for how far the section turns.
+    let torque = found.history.column(1).last().unwrap();
+    let exact: f64 = 2.0 * 9.81 * 0.015 * 2.0;
+    assert!((torque.abs() / exact - 1.0).abs() < 1e-3, "{torque} {exact}");
+}

@@ -61,8 +61,9 @@ pub trait Bodies {
     fn varies(&self, body: usize) -> bool;
     /// Tables that a body reads along its axis.
     fn tables(&self, body: usize) -> Vec<&'static Table>;
-    /// Those properties of a body's section and material that vary along its axis, at an arclength, m, of its length, m, in SI; nothing of others.
-    fn properties(&self, body: usize, x: f64, length: f64) -> Vec<f64>;
+    /// Those properties of a body's section and material that vary along its axis, by their words in the language, at an arclength, m, of its length,
+    /// m, in SI; nothing of others.
+    fn properties(&self, body: usize, x: f64, length: f64) -> Vec<(&'static str, f64)>;
     /// Mass matrix of the vectors of an element (scalars, rows first).
     fn mass(&self, body: usize, element: usize, mass: &mut [f64]);
     /// Strain energy of one element, J.
@@ -160,7 +161,7 @@ impl<T: WithoutBodies> Bodies for T {
     fn varies(&self, _body: usize) -> bool {
         false
     }
-    fn properties(&self, _body: usize, _x: f64, _length: f64) -> Vec<f64> {
+    fn properties(&self, _body: usize, _x: f64, _length: f64) -> Vec<(&'static str, f64)> {
         Vec::new()
     }
     fn tables(&self, _body: usize) -> Vec<&'static Table> {

@@ -180,8 +180,22 @@ impl Scalars {
     }
 }
 
+/// The symmetric part of Gamma_i from the momenta of a mode: `tr(S) 1 - S`, where S_ab is half their product with the motion of all nodes
+/// `r_a e_b + r_b e_a`, which turns nothing. What lies between the nodes moves as the mass matrix has it, but for slopes of that motion across a beam.
+fn stretched(body: &Imported, momenta: &[f64]) -> Matrix {
+    let nodes = || {
+        body.elements
+            .nodes
+            .iter()
+            .zip(momenta.chunks_exact(body.elements.per_node))
+    };
+    let products = Matrix::from_fn(|a, b| nodes().map(|(node, momentum)| node[a] * momentum[b]).sum());
+    let symmetric = 0.5 * (products + products.transpose());
+    Matrix::from_diagonal_element(symmetric.trace()) - symmetric
+}
+
 impl Inertia {
-    /// From the mass matrix of all degrees of freedom, and whether products of modes are those of lumped masses.
+    /// From the mass matrix of all degrees of freedom, and whether products of modes, of two of them, are those of lumped masses.
     pub(super) fn of_mass(body: &Imported, mass: &Sparse, shapes: &[Vec<f64>]) -> Result<(Self, bool), String> {
         let motions: Vec<Vec<f64>> = rigid_motions().map(|motion| rigid_motion(body, motion)).to_vec();
         let momenta: Vec<Vec<f64>> = motions.iter().map(|motion| mass.times(motion)).collect();
@@ -220,6 +234,11 @@ impl Inertia {
         let mut own = Self::of_scalars(body, &scalars, shapes);
         own.inner = pairs.map(|(i, j)| dot(&shapes[i], &images[j])).collect();
         (own.mass, own.moment, own.inertia, own.phibar) = (mean, moment.into(), inertia, on(0));
+        if is_lumped {
+            for (shape, first) in shapes.iter().zip(&mut own.first) {
+                *first = stretched(body, &mass.times(shape));
+            }
+        }
         // The skew part of Gamma_i is -[gamma_i]/2.
         for (gamma, first) in on(3).into_iter().zip(&mut own.first) {
             *first = 0.5 * (*first + first.transpose() - gamma.cross_matrix());

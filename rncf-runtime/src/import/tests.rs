@@ -120,6 +120,23 @@ fn invariants_of_a_block_of_bricks_are_sums_over_its_field() {
     );
 }
 
+/// Of a straight beam along x nothing but x stands beside its mass, so that the product of x with a mode's motion across is all of what turns about
+/// the third axis (gamma_i, exact by the mass matrix), and its symmetric half is half of that. Of masses lumped at the nodes it is 12 times as far from that.
+#[test]
+fn a_straight_beam_is_pulled_across_by_half_of_what_turns_it() {
+    let body = Imported::read(&beam(false)).unwrap();
+    let is_straight = body.elements.nodes.iter().all(|node| node[1] == 0.0 && node[2] == 0.0);
+    assert!(is_straight);
+    let found = body.reduced(Wanted::Modes(4), &[[true; 6], [false; 6]]).unwrap();
+    for (gamma, first) in found.inertia.gamma.iter().zip(&found.inertia.first) {
+        for (across, half) in [(1, 0.5 * gamma[2]), (2, -0.5 * gamma[1])] {
+            let symmetric = -0.5 * (first[(0, across)] + first[(across, 0)]);
+            let size = gamma.norm();
+            assert!((symmetric - half).abs() < 3e-3 * size, "{symmetric} {half}");
+        }
+    }
+}
+
 /// Shapes of the natural modes, which `reduced` keeps to itself: of all nodes as interfaces.
 fn shapes(body: &Imported, count: usize) -> Vec<Vec<f64>> {
     body.shapes_of(count)

@@ -2,6 +2,7 @@
 //! moves along it, by the square of the slope, and modes that do not contain this motion stretch the
 //! body instead. They are then far too stiff, from deflections of the section's radius of gyration on.
 
+use std::borrow::Cow;
 use std::fmt;
 
 use super::body::ModalBody;
@@ -96,6 +97,40 @@ fn last_below(s: f64, holds: impl Fn(f64) -> bool) -> f64 {
     low
 }
 
+/// Coordinates of the whole body that are held while all its other motions come into balance: what of a deflection they are, and the motions that
+/// change one of them alone, row by row of the nodal components.
+pub(super) struct Held<'b> {
+    count: usize,
+    momenta: Cow<'b, [f64]>,
+    motions: Cow<'b, [f64]>,
+}
+
+impl Held<'_> {
+    /// Forces on what is held.
+    fn on_motions(&self, force: &[f64]) -> Vec<f64> {
+        let mut held = vec![0.0; self.count];
+        for (value, motions) in force.iter().zip(self.motions.chunks_exact(self.count)) {
+            held.iter_mut()
+                .zip(motions)
+                .for_each(|(sum, motion)| *sum += motion * value);
+        }
+        held
+    }
+
+    /// Forces without what holds.
+    fn without(&self, mut force: Vec<f64>, held: &[f64]) -> Vec<f64> {
+        for (value, momenta) in force.iter_mut().zip(self.momenta.chunks_exact(self.count)) {
+            *value -= dot(momenta, held);
+        }
+        force
+    }
+
+    /// One of the momenta.
+    fn momentum(&self, index: usize) -> Vec<f64> {
+        self.momenta.iter().skip(index).step_by(self.count).copied().collect()
+    }
+}
+
 pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
@@ -110,8 +145,9 @@ impl ModalBody {
         }
         let [q, _] = self.full(p, &vec![0.0; p.len()]);
         let force = self.elastic_forces(elements, &q);
-        let modal = self.on_modes(&force);
-        let left = self.nodal.reduced(&self.without_modes(force, &modal));
+        let held = self.all_modes();
+        let modal = held.on_motions(&force);
+        let left = self.nodal.reduced(&held.without(force, &modal));
         let mut displacement = left.clone();
         self.stiffness.as_ref()?.solve(&mut displacement);
         let (released, work) = (0.5 * dot(&left, &displacement), dot(&modal, p));
@@ -123,7 +159,7 @@ impl ModalBody {
     /// the body in modes swings less far along p than the whole body would.
     pub fn locking(&self, elements: &dyn Elements, [p, v, a]: [&[f64]; 3]) -> Option<Locking> {
         let [q, _] = self.full(p, &vec![0.0; p.len()]);
-        let work = dot(&self.on_modes(&self.elastic_forces(elements, &q)), p);
+        let work = dot(&self.all_modes().on_motions(&self.elastic_forces(elements, &q)), p);
         let hindered = Spring::new(self.linear_energy(p), work);
         let load = work + dot(a, p);
         let speed = dot(v, p);
@@ -155,7 +191,8 @@ impl ModalBody {
         let mut further = vec![0.0; self.nodal.shape.len()];
         self.expand_rate(p, &mut further);
         let [q, _] = self.full(p, &vec![0.0; p.len()]);
-        let (mut q, modal) = self.relaxed(elements, q, RELAXED * work)?;
+        let held = self.all_modes();
+        let (mut q, modal) = self.relaxed(elements, q, RELAXED * work, &held)?;
         let mut force = dot(&modal, p);
         let near = Spring::new(self.linear_energy(p), force);
         // Up to p.
@@ -171,7 +208,7 @@ impl ModalBody {
         for _ in 0..MOST_STEPS {
             let step = STEP * s;
             let tried: Vec<f64> = q.iter().zip(&further).map(|(q, d)| q + step * d).collect();
-            let (next, modal) = self.relaxed(elements, tried, RELAXED * work)?;
+            let (next, modal) = self.relaxed(elements, tried, RELAXED * work, &held)?;
             let reached = dot(&modal, p);
             let rise = step * (0.5 * (force + reached) - load);
             if level.is_none() && reached >= load {
@@ -206,34 +243,39 @@ impl ModalBody {
         sum
     }
 
-    /// `phi_i . F`
-    fn on_modes(&self, force: &[f64]) -> Vec<f64> {
-        let mut modal = vec![0.0; self.modes()];
-        for (component, value) in force.iter().enumerate() {
-            for (sum, mode) in modal.iter_mut().zip(self.mode_row(component)) {
-                *sum += mode * value;
-            }
+    /// All modal coordinates: `M phi_i` and `phi_i`.
+    fn all_modes(&self) -> Held<'_> {
+        Held {
+            count: self.modes(),
+            momenta: Cow::from(&self.momenta),
+            motions: Cow::from(&self.modes),
         }
-        modal
     }
 
-    /// Forces without what the modes balance, M phi_i (phi_i . F).
-    fn without_modes(&self, mut force: Vec<f64>, modal: &[f64]) -> Vec<f64> {
-        for (value, momentum) in force.iter_mut().zip(self.momenta.chunks_exact(self.modes())) {
-            *value -= dot(momentum, modal);
+    /// The work of the linear elastic forces at a deflection p, which is what a load that they balance there holds: the force on it is 1 where the
+    /// whole body resists as they do.
+    pub(super) fn work_along(&self, p: &[f64]) -> Held<'static> {
+        let forces: Vec<f64> = p.iter().zip(&self.frequencies).map(|(p, w)| w * w * p).collect();
+        let momentum = self.momenta.chunks_exact(self.modes()).map(|row| dot(row, &forces));
+        let work = 2.0 * self.linear_energy(p);
+        let motion = (0..self.nodal.shape.len()).map(|component| dot(self.mode_row(component), p) / work);
+        Held {
+            count: 1,
+            momenta: momentum.collect(),
+            motions: motion.collect(),
         }
-        force
     }
 
-    /// The whole body with the modal coordinates of q and all other motions in balance, by Newton's method from q, up to
-    /// an energy (J) that may be left; and its elastic forces on the modes.
+    /// The whole body with what is held of q and all other motions in balance, by Newton's method from q, up to
+    /// an energy (J) that may be left; and its elastic forces on what is held.
     pub(super) fn relaxed(
         &self,
         elements: &dyn Elements,
         mut q: Vec<f64>,
         enough: f64,
+        held: &Held<'_>,
     ) -> Option<(Vec<f64>, Vec<f64>)> {
-        let (nodal, k) = (&self.nodal, self.modes());
+        let nodal = &self.nodal;
         let pairs = nodal.connectivity.components.chunks_exact(nodal.connectivity.size);
         let freedoms = pairs.flat_map(|components| {
             let own = || {
@@ -244,14 +286,14 @@ impl ModalBody {
             own().flat_map(move |row| own().map(move |column| (row, column)))
         });
         let pattern = Pattern::new(nodal.freedoms, nodal.freedoms, freedoms.collect::<Vec<_>>());
-        let momenta: Vec<Vec<f64>> = (0..k)
-            .map(|mode| nodal.reduced(&self.momenta.iter().skip(mode).step_by(k).copied().collect::<Vec<_>>()))
+        let momenta: Vec<Vec<f64>> = (0..held.count)
+            .map(|index| nodal.reduced(&held.momentum(index)))
             .collect();
         let mut factors = Lu::new(&pattern);
         let residual = |q: &[f64]| {
             let force = self.elastic_forces(elements, q);
-            let modal = self.on_modes(&force);
-            (nodal.reduced(&self.without_modes(force, &modal)), modal)
+            let on_held = held.on_motions(&force);
+            (nodal.reduced(&held.without(force, &on_held)), on_held)
         };
         let mut left = residual(&q).0;
         for _ in 0..MOST_ITERATIONS {
@@ -270,44 +312,44 @@ impl ModalBody {
                 }
             });
             factors.factor(&values).ok()?;
-            // K^-1 of what is left and of the modes' momenta, so that modal coordinates stay.
+            // K^-1 of what is left and of the momenta, so that what is held stays.
             let solved = |factors: &mut Lu<f64>, load: &[f64]| {
                 let mut x = load.to_vec();
                 factors.solve(&mut x);
                 x
             };
             let mut step = solved(&mut factors, &left);
-            let held: Vec<Vec<f64>> = momenta.iter().map(|momentum| solved(&mut factors, momentum)).collect();
-            let mut small = Dense::new(k);
+            let kept: Vec<Vec<f64>> = momenta.iter().map(|momentum| solved(&mut factors, momentum)).collect();
+            let mut small = Dense::new(momenta.len());
             small.clear();
             for (row, momentum) in momenta.iter().enumerate() {
-                for (column, held) in held.iter().enumerate() {
-                    let value = dot(momentum, held);
+                for (column, kept) in kept.iter().enumerate() {
+                    let value = dot(momentum, kept);
                     small.add(row, column, value, value.abs());
                 }
             }
             small.factor().ok()?;
             let mut multipliers: Vec<f64> = momenta.iter().map(|momentum| dot(momentum, &step)).collect();
             small.solve(&mut multipliers);
-            for (factor, held) in multipliers.iter().zip(&held) {
-                step.iter_mut().zip(held).for_each(|(x, y)| *x -= factor * y);
+            for (factor, kept) in multipliers.iter().zip(&kept) {
+                step.iter_mut().zip(kept).for_each(|(x, y)| *x -= factor * y);
             }
             let decrement = dot(&left, &step);
             let direction = nodal.expanded(std::slice::from_ref(&step));
             let mut length = 1.0;
             let next = loop {
                 let tried: Vec<f64> = q.iter().zip(&direction).map(|(q, d)| q - length * d).collect();
-                let (left, modal) = residual(&tried);
+                let (left, on_held) = residual(&tried);
                 // Not far beyond the minimum along the step.
                 if dot(&left, &step) > -0.5 * decrement.abs() || length < 1e-3 {
-                    break (tried, left, modal);
+                    break (tried, left, on_held);
                 }
                 length *= 0.5;
             };
-            let modal;
-            (q, left, modal) = next;
+            let on_held;
+            (q, left, on_held) = next;
             if decrement.abs() < enough && length == 1.0 {
-                return Some((q, modal));
+                return Some((q, on_held));
             }
         }
         None

@@ -22,8 +22,8 @@ use crate::modes::Critical;
 const SHARE: f64 = 4.0;
 /// or these.
 const AFFORDED: f64 = 1.5e6;
-/// Part of what an output is made of that Newton's iteration may leave.
-const LEFT: f64 = 1e-9;
+/// Part of what an output is made of that counts as nothing: what Newton's iteration leaves, and any mesh of a zero.
+const LEFT: f64 = 1e-7;
 /// Outputs are measured as those of runs with this tolerance: not by less than a thousandth of their value.
 const RTOL: f64 = 1e-6;
 /// What the equilibria of one mesh are.

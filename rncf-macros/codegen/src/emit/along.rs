@@ -79,10 +79,10 @@ fn repetition(body: &Body) -> &'static str {
     if body.differs() { ", index" } else { "" }
 }
 
-/// The properties of a body's section and material.
-fn given(body: &Body) -> impl Iterator<Item = &Expr> {
-    let fields = body.law.iter().flat_map(|law| law.fields.values());
-    body.properties.values().chain(fields)
+/// The properties of a body's section and material, with their names.
+fn given(body: &Body) -> impl Iterator<Item = (&'static str, &Expr)> {
+    let fields = body.law.iter().flat_map(|law| &law.fields);
+    body.properties.iter().chain(fields).map(|(name, value)| (*name, value))
 }
 
 impl Parts<'_> {
@@ -244,6 +244,7 @@ impl Parts<'_> {
     /// The tables that a body reads.
     fn tables_of(&self, body: &Body) -> Vec<usize> {
         let mut tables: Vec<usize> = given(body)
+            .map(|(_, value)| value)
             .chain([&body.twist])
             .flat_map(fold::tables)
             .map(|table| table.0)
@@ -378,13 +379,15 @@ impl Parts<'_> {
     /// What bodies have at a place of their axes.
     pub(super) fn properties_along(&self) -> String {
         if !self.model.bodies.iter().any(Body::varies) {
-            return "fn properties(&self, body: usize, x: f64, length: f64) -> ::std::vec::Vec<f64> { ::std::vec::Vec::new() }\n"
+            return "fn properties(&self, body: usize, x: f64, length: f64) -> ::std::vec::Vec<(&'static str, f64)> { ::std::vec::Vec::new() }\n"
                 .to_string();
         }
         let kind = self.kind();
         let arms = self.by_body(|_, body| {
-            let along = given(body).filter(|value| fold::has_arclength(value));
-            let along: Vec<String> = along.map(|value| self.expr(value)).collect();
+            let along = given(body).filter(|(_, value)| fold::has_arclength(value));
+            let along: Vec<String> = along
+                .map(|(name, value)| format!("({name:?}, {})", self.expr(value)))
+                .collect();
             if along.is_empty() {
                 return "::std::vec::Vec::new()".to_string();
             }
@@ -396,7 +399,7 @@ impl Parts<'_> {
             )
         });
         format!(
-            "fn properties(&self, body: usize, x: f64, length: f64) -> ::std::vec::Vec<f64> {{\nlet model = &self.model;\n{kind}{arms}}}\n"
+            "fn properties(&self, body: usize, x: f64, length: f64) -> ::std::vec::Vec<(&'static str, f64)> {{\nlet model = &self.model;\n{kind}{arms}}}\n"
         )
     }
 

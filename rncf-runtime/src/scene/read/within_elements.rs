@@ -14,6 +14,33 @@ const LEAST: usize = 8;
 const STEP: f64 = 1e-9;
 /// Part of a property, or of its inverse, summed along the axis, from which on it is told that points miss it.
 const TOLD: f64 = 0.01;
+/// Properties by whose inverse a body yields.
+const RESIST: [&str; 24] = [
+    "young",
+    "area",
+    "second_moment",
+    "second_moment_y",
+    "second_moment_z",
+    "torsion_constant",
+    "shear_factor_y",
+    "shear_factor_z",
+    "radius",
+    "thickness",
+    "size_y",
+    "size_z",
+    "EA",
+    "GAy",
+    "GAz",
+    "GJ",
+    "EIy",
+    "EIz",
+    "K11",
+    "K22",
+    "K33",
+    "K44",
+    "K55",
+    "K66",
+];
 
 impl MeshScene {
     /// Bodies whose elements miss some of their properties.
@@ -23,12 +50,13 @@ impl MeshScene {
             let spec = &self.bodies[body].spec;
             Some(Warning {
                 text: format!(
-                    "body `{}`: its section or material changes between the points at which elements look at it: near x = {:.4} m of {:.4} m, and {:.1} % of a property or of its inverse, summed along the axis, are missed. \
+                    "body `{}`: its section or material changes between the points at which elements look at it: near x = {:.4} m of {:.4} m, and {:.1} % of {}, summed along the axis, are missed. \
                      Take more elements in `mesh`, nodes where it changes (`stations`, `mesh at`), or a `fixture` or body of its own for what is narrow",
                     spec.label(),
                     missed.place,
                     spec.line.length(),
                     100.0 * missed.part,
+                    missed.what,
                 ),
                 weight: missed.part,
             })
@@ -39,7 +67,8 @@ impl MeshScene {
     fn missed_of(&self, body: usize) -> Option<Missed> {
         let spec = &self.bodies[body].spec;
         let length = spec.line.length();
-        let at = |x: f64| self.parts.properties(body, x, length);
+        let named = |x: f64| self.parts.properties(body, x, length);
+        let at = |x: f64| -> Vec<f64> { named(x).into_iter().map(|(_, value)| value).collect() };
         if at(0.0).is_empty() {
             return None;
         }
@@ -69,13 +98,22 @@ impl MeshScene {
                 }
             })
             .collect();
-        let count = elements.first()?.points.first()?.0.len();
-        let found = (0..count).flat_map(|property| {
+        let names = named(0.0).into_iter().map(|(name, _)| name).enumerate();
+        let found = names.flat_map(|(property, name)| {
             let as_it_is: fn(f64) -> f64 = |value| value;
-            [as_it_is, f64::recip].map(|of| missed(&elements, property, of))
+            let inverse: fn(f64) -> f64 = f64::recip;
+            let both = [
+                (as_it_is, format!("`{name}`")),
+                (inverse, format!("the inverse of `{name}`")),
+            ];
+            let asked = if RESIST.contains(&name) { 2 } else { 1 };
+            let elements = &elements;
+            both.into_iter().take(asked).filter_map(move |(of, what)| {
+                let (place, part) = missed(elements, property, of)?;
+                Some(Missed { place, part, what })
+            })
         });
         found
-            .flatten()
             .reduce(|most, other| if other.part > most.part { other } else { most })
             .filter(|missed| missed.part > TOLD)
     }
@@ -97,10 +135,12 @@ struct Missed {
     place: f64,
     /// Of its sum along the axis.
     part: f64,
+    /// Of what.
+    what: String,
 }
 
-/// What the points of all elements miss of a function of a property that is positive everywhere.
-fn missed(elements: &[Element], property: usize, of: fn(f64) -> f64) -> Option<Missed> {
+/// What the points of all elements miss of a function of a property that is positive everywhere: where most, m, and the part of its sum along the axis.
+fn missed(elements: &[Element], property: usize, of: fn(f64) -> f64) -> Option<(f64, f64)> {
     let (mut sum, mut off, mut most, mut place) = (0.0, 0.0, 0.0, 0.0);
     for element in elements {
         if element
@@ -131,5 +171,5 @@ fn missed(elements: &[Element], property: usize, of: fn(f64) -> f64) -> Option<M
         }
     }
     let part = off / sum;
-    part.is_finite().then_some(Missed { place, part })
+    part.is_finite().then_some((place, part))
 }

@@ -282,7 +282,7 @@ impl Bodies for Hand {
     fn varies(&self, _body: usize) -> bool {
         false
     }
-    fn properties(&self, _body: usize, _x: f64, _length: f64) -> Vec<f64> {
+    fn properties(&self, _body: usize, _x: f64, _length: f64) -> Vec<(&'static str, f64)> {
         Vec::new()
     }
     fn tables(&self, _body: usize) -> Vec<&'static Table> {
