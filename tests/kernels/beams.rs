@@ -5,7 +5,8 @@ use std::collections::HashMap;
 
 use rncf_codegen::elements::Library;
 use rncf_codegen::lower::Variant;
-use rncf_codegen::lower::elastic::{Form, Quantity, kernel};
+use rncf_codegen::lower::elastic::kernel;
+use rncf_codegen::lower::form::{Form, Quantity};
 use rncf_codegen::model::{Evaluation, Quadrature};
 use rncf_reference::section_beam::{Element, Properties, Section, residual_and_jacobian};
 

@@ -4,7 +4,8 @@ use std::collections::HashMap;
 
 use rncf_codegen::elements::Library;
 use rncf_codegen::errors::Errors;
-use rncf_codegen::lower::elastic::{Form, Quantity, kernel};
+use rncf_codegen::lower::elastic::kernel;
+use rncf_codegen::lower::form::{Form, Quantity};
 use rncf_codegen::lower::{Variant, elastic_kernels};
 use rncf_codegen::model::{ElementId, Evaluation, Quadrature};
 use rncf_codegen::{check, expand, parse};
@@ -36,7 +37,7 @@ fn with_rope() -> Library {
     let mut errors = Errors::new();
     let tokens = format!("model Ropes {{ {PER_DEFORMED_LENGTH} }}").parse().unwrap();
     let tree = parse::parse(tokens, &mut errors).unwrap();
-    let library = check::elements(&tree, &Library::standard(), &mut errors);
+    let library = check::element::elements(&tree, &Library::standard(), &mut errors);
     assert!(errors.finish().is_empty());
     library
 }

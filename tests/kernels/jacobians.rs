@@ -4,7 +4,8 @@
 use std::collections::HashMap;
 
 use rncf_codegen::elements::Library;
-use rncf_codegen::lower::elastic::{Form, Quantity, kernel};
+use rncf_codegen::lower::elastic::kernel;
+use rncf_codegen::lower::form::{Form, Quantity};
 use rncf_codegen::lower::{Kernel, Variant};
 use rncf_codegen::model::{ElementId, Evaluation, Quadrature};
 use rncf_codegen::symbolic::{Id, Node};
