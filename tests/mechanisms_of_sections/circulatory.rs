@@ -102,3 +102,40 @@ fn values_that_meet_below_zero_are_no_critical_ones() {
         }
     }
 }
+
+rncf::model! {
+    /// A mass that loads alone hold.
+    pub model Carried {
+        param a = 1 N/m;
+        param b = 2 N/m;
+        rigid p { mass = 1 kg; plane xy; }
+        load law = force(p, [1 [N] - a * p.x - b * p.y, b * p.x - a * p.y, 0]);
+        output x = p.x;
+        output y = p.y;
+    }
+}
+
+/// All parts of these loads hold it at one place, which no way leads to. It was "no equilibrium next to those before, the bodies may buckle" over a
+/// range, and was found without one.
+#[test]
+fn what_loads_alone_hold_has_its_equilibrium() {
+    let settings = EquilibriumSettings {
+        range: Some(Range {
+            param: 0,
+            from: 1.0,
+            to: -1.0,
+        }),
+        ..EquilibriumSettings::default()
+    };
+    let found = equilibria(&Carried::default(), Kind::Static, &settings, |_| {
+        ControlFlow::Continue(())
+    })
+    .unwrap();
+    // det = a^2 + b^2 is zero nowhere.
+    assert_eq!(found.critical, []);
+    let last = [0, 1].map(|column| found.history.column(column).last().unwrap());
+    assert!(
+        (last[0] + 0.2).abs() < 1e-12 && (last[1] - 0.4).abs() < 1e-12,
+        "{last:?}"
+    );
+}

@@ -26,6 +26,9 @@ pub(super) const RETURNED: f64 = 1e-6;
 /// Distance over the sizes from where a flow ended that its equilibrium may have.
 const NEAR: f64 = 0.1;
 
+/// Iterations of Newton's method in which what is linear is found: one finds it, others the last digits.
+const LINEAR: u32 = 3;
+
 /// An equilibrium and the way to it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Equilibrium {
@@ -177,7 +180,14 @@ pub(super) fn along(
                         found.path.push(step);
                         return Ok(found);
                     }
-                    return Err(failed(scene, at, &failure, scale));
+                    let is_held = at.kind == Kind::Static && scale < NO_WAY * at.scale;
+                    let held = is_held.then(|| held_by_loads(scene, &mut newton, at, &start));
+                    let Some(step) = held.flatten() else {
+                        return Err(failed(scene, at, &failure, scale));
+                    };
+                    visit(scene, &step);
+                    found.path.push(step);
+                    return Ok(found);
                 }
             }
         }
@@ -220,6 +230,13 @@ fn settled(scene: &mut dyn Scene, newton: &mut Newton, at: &Uniform, start: &Sta
         strayed: false,
         moved_far: true,
     })
+}
+
+/// The equilibrium under all loads where they are linear and hold what nothing else does, as a law of a point's place: growing from zero they would hold it
+/// at one place for all parts of them, and what flows there need not come to rest.
+fn held_by_loads(scene: &mut dyn Scene, newton: &mut Newton, at: &Uniform, start: &State) -> Option<Continued> {
+    let (found, _) = attempt(scene, newton, at, [0.0, at.scale], start, Patience::Strict);
+    found.ok().filter(|step| step.iterations <= LINEAR && !step.strayed)
 }
 
 /// The equilibrium next to the start without loads, if two least loads find as many negative directions of the stiffness there; `None` where they do not, as

@@ -11,9 +11,9 @@ pub const PARTICLE: &str = "velocity";
 /// All that moves.
 pub const TOTAL: &str = "total";
 
-pub const ENERGY: [i8; 6] = [2, 1, -2, 0, 0, 0];
+const ENERGY: [i8; 6] = [2, 1, -2, 0, 0, 0];
 
-/// Words, what they mean, and their dimension.
+/// Sums over what moves: words, what they mean, and their dimension.
 pub const BALANCES: &[(&str, BalanceQuantity, [i8; 6])] = &[
     ("mass", BalanceQuantity::Mass, [0, 1, 0, 0, 0, 0]),
     ("momentum", BalanceQuantity::Momentum, [1, 1, -1, 0, 0, 0]),
@@ -33,7 +33,7 @@ pub fn is_balance(word: &str) -> bool {
     BALANCES.iter().any(|(known, ..)| *known == word)
 }
 
-/// The words, for suggestions.
+/// The words of such sums, for suggestions.
 pub fn balance_words() -> impl Iterator<Item = &'static str> {
     BALANCES.iter().map(|(word, ..)| *word)
 }
@@ -42,7 +42,7 @@ const FORCE: [i8; 6] = [1, 1, -2, 0, 0, 0];
 const MOMENT: [i8; 6] = [2, 1, -2, 0, 0, 0];
 const STRESS: [i8; 6] = [-1, 1, -2, 0, 0, 0];
 
-/// Words, what they mean, and their dimension.
+/// What sections carry: words, what they mean, and their dimension.
 pub const CARRIED: &[(&str, SectionQuantity, [i8; 6])] = &[
     ("axial_force", SectionQuantity::AxialForce, FORCE),
     ("shear_y", SectionQuantity::ShearY, FORCE),

@@ -9,7 +9,7 @@ pub(super) struct Integrals {
     pub(super) constant: Vec<f64>,
     /// Of their products with h_j'.
     pub(super) linear: Vec<Vec<f64>>,
-    /// Of their products with h_j' h_m', by [`Integrals::pairs`].
+    /// Of their products with h_j' h_m', by [`pairs`].
     pub(super) quadratic: Vec<Vec<f64>>,
     /// Number of relative vectors.
     pub(super) count: usize,
