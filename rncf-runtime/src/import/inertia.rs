@@ -235,8 +235,8 @@ impl Inertia {
         own.inner = pairs.map(|(i, j)| dot(&shapes[i], &images[j])).collect();
         (own.mass, own.moment, own.inertia, own.phibar) = (mean, moment.into(), inertia, on(0));
         if is_lumped {
-            for (shape, first) in shapes.iter().zip(&mut own.first) {
-                *first = stretched(body, &mass.times(shape));
+            for (momenta, first) in images.iter().zip(&mut own.first) {
+                *first = stretched(body, momenta);
             }
         }
         // The skew part of Gamma_i is -[gamma_i]/2.

@@ -36,10 +36,10 @@ impl Measured {
     }
 
     fn of(values: Vec<f64>) -> Self {
+        let negative = values.iter().filter(|&&value| value < 0.0).count();
         Self {
-            negative: values.iter().filter(|&&value| value < 0.0).count(),
             values,
-            circulates: false,
+            ..Self::counted(negative)
         }
     }
 }
@@ -53,19 +53,25 @@ pub(in crate::app) fn at_rest(
     match found.negative {
         None => Ok(None),
         Some(Negative::Counted(negative)) => Ok(Some(Measured::counted(negative))),
-        // Without circulatory forces the signature tells as much, and does not mind many equal values, as of the bars of a truss.
-        Some(Negative::Even | Negative::Odd)
-            if found.state.x.len() <= LARGEST_AT_REST && !modes::is_circulatory(scene, at, &found.state) =>
-        {
-            modes::unstable_directions(scene, at, &found.state).map(|negative| Some(Measured::counted(negative)))
+        Some(Negative::Even | Negative::Odd) => {
+            let circulates = modes::is_circulatory(scene, at, &found.state);
+            // Without circulatory forces the signature tells as much, and does not mind many equal values, as of the bars of a truss.
+            if !circulates && found.state.x.len() <= LARGEST_AT_REST {
+                let negative = modes::unstable_directions(scene, at, &found.state)?;
+                return Ok(Some(Measured::counted(negative)));
+            }
+            whole(scene, at, &found.state, circulates).map(Some)
         }
-        Some(Negative::Even | Negative::Odd) => whole(scene, at, &found.state).map(Some),
     }
 }
 
-/// Of the whole stiffness, where circulatory forces act or there are many unknowns.
-pub(in crate::app) fn whole(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Result<Measured, SolveError> {
-    let circulates = modes::is_circulatory(scene, at, state);
+/// Of the whole stiffness, where circulatory forces act, which `circulates` says, or there are many unknowns.
+pub(in crate::app) fn whole(
+    scene: &mut dyn Scene,
+    at: &Uniform,
+    state: &State,
+    circulates: bool,
+) -> Result<Measured, SolveError> {
     let values = modes::stiffness_values(scene, at, state, NEXT_TO_ZERO, Stiffness::Whole)?;
     Ok(Measured {
         circulates,
@@ -91,8 +97,7 @@ pub(in crate::app) fn turning(
     }
     let negative = modes::unstable_directions(scene, at, state)?;
     Ok(Measured {
-        negative,
         values,
-        circulates: false,
+        ..Measured::counted(negative)
     })
 }

@@ -186,7 +186,7 @@ fn lowest_and_growing(
     let beyond = if unknowns <= FEW {
         modes::modes(scene, at, state, Wanted { count: unknowns })
     } else if way::spin(scene, at) == 0.0 {
-        let negative = directions::whole(scene, at, state).map_or(0, |measured| measured.negative);
+        let negative = directions::whole(scene, at, state, false).map_or(0, |measured| measured.negative);
         let known = found.iter().filter(|mode| mode.im == 0.0 && mode.re > 0.0).count();
         if negative <= known {
             return Ok(found);

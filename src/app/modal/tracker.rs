@@ -56,9 +56,9 @@ struct Known {
 /// How they are measured at an equilibrium, with the values of the stiffness or without.
 type Measuring = fn(&mut dyn Scene, &Uniform, &State, bool) -> Result<Measured, SolveError>;
 
-/// Those of the whole stiffness.
+/// Those of the whole stiffness, which are asked where forces that come from no energy act.
 fn whole(scene: &mut dyn Scene, at: &Uniform, state: &State, _: bool) -> Result<Measured, SolveError> {
-    directions::whole(scene, at, state)
+    directions::whole(scene, at, state, true)
 }
 
 impl Known {
@@ -167,7 +167,7 @@ impl Tracker {
         let circulated = self.circulates;
         self.circulates = modes::is_circulatory(station.scene, &at, station.state);
         let whole = if self.circulates {
-            directions::whole(station.scene, &at, station.state).ok()
+            directions::whole(station.scene, &at, station.state, true).ok()
         } else {
             Some(symmetric.clone())
         };

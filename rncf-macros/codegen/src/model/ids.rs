@@ -8,15 +8,15 @@ macro_rules! index {
     };
 }
 
-index!(/** Index into [`Model::params`](super::Model::params). */ ParamId);
-index!(/** Index into [`Model::motions`](super::Model::motions). */ MotionId);
-index!(/** Index into [`Model::frames`](super::Model::frames); 0 is the inertial frame. */ FrameId);
-index!(/** Index into [`Model::bodies`](super::Model::bodies). */ BodyId);
-index!(/** Index into [`Model::joints`](super::Model::joints). */ JointId);
-index!(/** Index into [`Model::markers`](super::Model::markers). */ MarkerId);
-index!(/** Index into [`Model::constraints`](super::Model::constraints). */ ConstraintId);
-index!(/** Index into [`Model::repeats`](super::Model::repeats). */ RepeatId);
-index!(/** Index into [`Model::tables`](super::Model::tables). */ TableId);
+index!(/** Index into `Model::params`. */ ParamId);
+index!(/** Index into `Model::motions`. */ MotionId);
+index!(/** Index into `Model::frames`; 0 is the inertial frame. */ FrameId);
+index!(/** Index into `Model::bodies`. */ BodyId);
+index!(/** Index into `Model::joints`. */ JointId);
+index!(/** Index into `Model::markers`. */ MarkerId);
+index!(/** Index into `Model::constraints`. */ ConstraintId);
+index!(/** Index into `Model::repeats`. */ RepeatId);
+index!(/** Index into `Model::tables`. */ TableId);
 index!(/** Index into the element library's elements. */ ElementId);
 
 /// The inertial frame, always first.
