@@ -80,6 +80,12 @@ fn values_that_meet_below_zero_are_no_critical_ones() {
             ..EquilibriumSettings::default()
         };
         let found = equilibria(&model, Kind::Static, &settings, |_| ControlFlow::Continue(())).unwrap();
+        let told = "is unstable: under forces that come from no energy a disturbance grows";
+        assert!(
+            found.warnings.iter().any(|note| note.contains(told)),
+            "{:?}",
+            found.warnings
+        );
         found
             .critical
             .iter()

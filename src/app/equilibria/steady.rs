@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 
 use super::buckling::buckling;
 use super::continuation::{EquilibriumProgress, Found, Line, Station};
+use super::directions::Measured;
 use super::finer;
 use super::nearer::{EQUILIBRIA, nearer};
 use super::way::at_the_end;
@@ -66,10 +67,15 @@ pub fn static_equilibria(model: &dyn AnyModel, settings: &EquilibriumSettings) -
     equilibria(model, Kind::Static, settings, |_| ControlFlow::Continue(()))
 }
 
-/// That the last equilibria at rest are unstable.
+/// That the last equilibria at rest are unstable, as far as the stiffness tells. Under circulatory forces an odd number of negative directions does, whatever the
+/// mass and damping; of an even one [`flutter`] asks the modes.
 fn unstable(line: &Line) -> Option<String> {
     let (before, last) = line.last_two();
-    let negative = |found: &Found| found.measured.as_ref().map(|measured| measured.negative);
+    let certain = |measured: &Measured| match measured.circulates {
+        true => measured.negative % 2,
+        false => measured.negative,
+    };
+    let negative = |found: &Found| found.measured.as_ref().map(certain);
     let directions = match negative(last)?.min(negative(before?)?) {
         0 => return None,
         1 => "one direction of its stiffness is".to_string(),
