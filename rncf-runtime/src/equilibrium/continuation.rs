@@ -171,18 +171,13 @@ pub(super) fn along(
             Err(failure) => {
                 increment = 0.5 * (target - scale);
                 if increment < SMALLEST {
-                    let is_patient = patience == Patience::Patient && at.kind == Kind::Steady;
-                    if is_patient
-                        && scale < NO_WAY * at.scale
-                        && let Some(step) = settled(scene, &mut newton, at, &start)
-                    {
-                        visit(scene, &step);
-                        found.path.push(step);
-                        return Ok(found);
-                    }
-                    let is_held = at.kind == Kind::Static && scale < NO_WAY * at.scale;
-                    let held = is_held.then(|| held_by_loads(scene, &mut newton, at, &start));
-                    let Some(step) = held.flatten() else {
+                    let elsewhere = match at.kind {
+                        _ if scale >= NO_WAY * at.scale => None,
+                        Kind::Steady if patience == Patience::Patient => settled(scene, &mut newton, at, &start),
+                        Kind::Steady => None,
+                        Kind::Static => held_by_loads(scene, &mut newton, at, &start),
+                    };
+                    let Some(step) = elsewhere else {
                         return Err(failed(scene, at, &failure, scale));
                     };
                     visit(scene, &step);

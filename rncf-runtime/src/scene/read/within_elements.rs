@@ -67,9 +67,13 @@ impl MeshScene {
     fn missed_of(&self, body: usize) -> Option<Missed> {
         let spec = &self.bodies[body].spec;
         let length = spec.line.length();
-        let named = |x: f64| self.parts.properties(body, x, length);
-        let at = |x: f64| -> Vec<f64> { named(x).into_iter().map(|(_, value)| value).collect() };
-        if at(0.0).is_empty() {
+        let at = |x: f64| -> Vec<f64> {
+            let properties = self.parts.properties(body, x, length).into_iter();
+            properties.map(|(_, value)| value).collect()
+        };
+        let properties = self.parts.properties(body, 0.0, length).into_iter();
+        let names: Vec<&str> = properties.map(|(name, _)| name).collect();
+        if names.is_empty() {
             return None;
         }
         let rows = self.parts.tables(body).into_iter().flat_map(|table| {
@@ -98,22 +102,17 @@ impl MeshScene {
                 }
             })
             .collect();
-        let names = named(0.0).into_iter().map(|(name, _)| name).enumerate();
-        let found = names.flat_map(|(property, name)| {
-            let as_it_is: fn(f64) -> f64 = |value| value;
-            let inverse: fn(f64) -> f64 = f64::recip;
-            let both = [
-                (as_it_is, format!("`{name}`")),
-                (inverse, format!("the inverse of `{name}`")),
-            ];
-            let asked = if RESIST.contains(&name) { 2 } else { 1 };
-            let elements = &elements;
-            both.into_iter().take(asked).filter_map(move |(of, what)| {
-                let (place, part) = missed(elements, property, of)?;
-                Some(Missed { place, part, what })
-            })
+        let found = names.iter().enumerate().flat_map(|(property, name)| {
+            let itself = missed(&elements, property, |value| value).map(|missed| (missed, format!("`{name}`")));
+            let inverse = RESIST.contains(name).then(|| missed(&elements, property, f64::recip));
+            let inverse = inverse
+                .flatten()
+                .map(|missed| (missed, format!("the inverse of `{name}`")));
+            [itself, inverse]
         });
         found
+            .flatten()
+            .map(|((place, part), what)| Missed { place, part, what })
             .reduce(|most, other| if other.part > most.part { other } else { most })
             .filter(|missed| missed.part > TOLD)
     }
