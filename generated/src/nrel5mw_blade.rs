@@ -7225,14 +7225,17 @@ pub mod nrel5mw_blade_equations {
         ) -> ::rncf::emitted::SectionSpec {
             let model = &self.model;
             ::rncf::emitted::SectionSpec {
-                shape: ::rncf::emitted::SectionShape::General {
-                    extent: [None, None],
+                shape: ::rncf::emitted::SectionShape::Numbers {
+                    square_of_gyration: f64::max(
+                        TABLE_SECTIONS.at(16, x, length),
+                        TABLE_SECTIONS.at(19, x, length),
+                    ) / (TABLE_SECTIONS.at(12, x, length)),
                 },
                 area: 0.0,
                 second_moments: [0.0, 0.0],
                 torsion_constant: 0.0,
                 young_over_shear: 0.0,
-                softness_of_curves: 2.0,
+                softness_of_curves: 0.0,
                 yield_stress: None,
                 material: "",
             }

@@ -446,6 +446,11 @@ pub trait System {
         format!("angle {index}")
     }
 
+    /// Whether a branch is of a constraint, whose rate a kink changes at once.
+    fn is_branch_of_constraint(&self, _index: usize) -> bool {
+        false
+    }
+
     /// What moves faster than light at the state, and how fast, in the user's words: a motion that has grown beyond all
     /// meaning.
     fn too_fast(&mut self, _state: &State) -> Option<String> {

@@ -11,6 +11,7 @@ mod motor;
 mod motor_runs;
 mod narrow_properties;
 mod nodes;
+mod numbers;
 mod own_curves;
 mod partial_loads;
 mod roll_up;

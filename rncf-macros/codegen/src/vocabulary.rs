@@ -5,8 +5,8 @@ pub mod members;
 mod property;
 
 pub use law::{
-    CENTRES, DAMPINGS, LAW, MASS_ENTRIES, MASSES, PIVOTS, PIVOTS_OF_RATES, STIFFNESS_ENTRIES, from_beamdyn,
-    of_either_triangle, pivot_dimension,
+    ALIKE, CENTRES, DAMPINGS, LAW, MASS_ENTRIES, MASSES, PIVOTS, PIVOTS_OF_RATES, PRODUCTS, STIFFNESS_ENTRIES,
+    from_beamdyn, of_either_triangle, pivot_dimension, product_of,
 };
 pub use property::{Property, Range};
 
@@ -56,7 +56,19 @@ pub const SIZES: &[&str] = &["radius", "thickness", "inner_radius", "size_y", "s
 pub const BOTH_AXES: &[(&str, [&str; 2])] = &[
     ("second_moment", ["second_moment_y", "second_moment_z"]),
     ("shear_factor", ["shear_factor_y", "shear_factor_z"]),
+    ("GA", ["GAy", "GAz"]),
+    ("EI", ["EIy", "EIz"]),
 ];
+
+/// A field of a list, or of those that stand for both axes that of the first one; with the word that is looked for.
+pub fn field_of(list: &'static [Property], word: &str) -> Option<(&'static str, &'static Property)> {
+    let named = |name: &str| list.iter().find(|property| property.name == name);
+    if let Some(property) = named(word) {
+        return Some((property.name, property));
+    }
+    let (both, [first, _]) = BOTH_AXES.iter().find(|(both, _)| *both == word)?;
+    Some((both, named(first)?))
+}
 
 /// Properties of a section. `second_moment` is that of elements which bend alike in all directions.
 pub const SECTION: &[Property] = &[

@@ -46,6 +46,11 @@ pub enum SectionShape {
         /// Sizes along y and z, m.
         sizes: [f64; 2],
     },
+    /// None: the section says its stiffness and mass by itself, and its stress is not known.
+    Numbers {
+        /// The larger stiffness of bending over that of the axis, m^2: the square of the radius of gyration.
+        square_of_gyration: f64,
+    },
 }
 
 /// What stresses of a body's section follow from.

@@ -240,17 +240,27 @@ impl Bordered {
         self.replace_constrained(system, (level, measure), state, &state.v, change, statistics)
     }
 
-    /// The change of the state's velocity at an impact, in which a `jolt` (N s or N m s) meets the mass and the constraints: afterwards it satisfies their
-    /// first time derivative; the border must be there.
+    /// What the velocity of a state leaves of the first time derivative of the constraints.
+    pub(super) fn constraint_rates(&mut self, system: &mut dyn System, state: &State) -> Vec<f64> {
+        self.approach(system, state);
+        self.fetch_constrained(system, ConstraintLevel::Velocity, state, &state.v);
+        self.given.1.clone()
+    }
+
+    /// The change of the state's velocity at an impact, in which a `jolt` (N s or N m s) meets the mass and the constraints: afterwards it leaves what is
+    /// `left` of their first time derivative; the border must be there.
     pub(super) fn impact(
         &mut self,
         system: &mut dyn System,
         state: &State,
-        jolt: &[f64],
+        (jolt, left): (&[f64], &[f64]),
         change: &mut [f64],
         statistics: &mut Statistics,
     ) -> Result<(), Singular> {
         self.fetch_constrained(system, ConstraintLevel::Velocity, state, &state.v);
+        for (rate, left) in self.given.1.iter_mut().zip(left) {
+            *rate -= left;
+        }
         self.fetch_mass(system, state);
         self.given.0.copy_from_slice(jolt);
         negate(&mut self.given.0);

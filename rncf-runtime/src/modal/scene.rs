@@ -499,6 +499,10 @@ impl System for ModalScene {
         self.scene.describe_branch(index)
     }
 
+    fn is_branch_of_constraint(&self, index: usize) -> bool {
+        self.scene.is_branch_of_constraint(index)
+    }
+
     fn jumps(&mut self, state: &State, behind: f64) -> Vec<Jump> {
         self.expand(state);
         self.scene.jumps(&self.full, behind)

@@ -195,6 +195,10 @@ impl System for MeshScene {
         self.law_of_branch(index)
     }
 
+    fn is_branch_of_constraint(&self, index: usize) -> bool {
+        self.is_constrained_by_branch(index)
+    }
+
     fn jumps(&mut self, state: &State, behind: f64) -> Vec<Jump> {
         self.jumps_between(state, behind)
     }

@@ -18,7 +18,7 @@ use crate::elements::{Element, Library};
 use crate::errors::Mistake;
 use crate::model::{Body, Model, SectionShape, Space};
 use crate::parse::tree::{Call, Expr, Field, Fields, Item, ItemKind, Keyword, Tree};
-use crate::vocabulary::{BOTH_AXES, DERIVED, LAW};
+use crate::vocabulary::{ALIKE, BOTH_AXES, DERIVED, LAW, product_of};
 
 /// Warnings about a model without mistakes: items in the order of the declaration, then properties of materials and
 /// sections. A leading underscore silences them.
@@ -309,6 +309,14 @@ fn reads(body: &Body, space: Space, library: &Library) -> Vec<&'static str> {
         return LAW.iter().map(|property| property.name).collect();
     }
     let element = &library.elements[body.element.0];
+    let coefficients = element.coefficients_in(space.dimension(), &body.options);
+    if body.has_own_stiffness() {
+        let mut read: Vec<&str> = coefficients.iter().filter_map(|one| product_of(&one.factors)).collect();
+        let is_alike = coefficients.iter().any(|one| one.factors.contains(&ALIKE));
+        read.extend((is_alike && space == Space::Spatial).then_some("EIy"));
+        read.extend(body.fidelity.deforms().then_some(element.damping));
+        return read;
+    }
     let is_planar = space != Space::Spatial;
     // `yield` and the extents are read by reports of stresses.
     let mut read = vec!["density", "area", "yield", "energy", "extent_y"];
@@ -318,7 +326,7 @@ fn reads(body: &Body, space: Space, library: &Library) -> Vec<&'static str> {
     if body.fidelity.deforms() {
         read.push(element.damping);
     }
-    for coefficient in element.coefficients_in(space.dimension(), &body.options) {
+    for coefficient in coefficients {
         for factor in &coefficient.factors {
             let derived = DERIVED.iter().find(|derived| derived.name == *factor);
             read.extend(derived.map_or(vec![*factor], |derived| derived.from.to_vec()));

@@ -367,7 +367,7 @@ messages! {
     start_out_of_plane(plane, axis) = "a body of this frame moves in the {plane} plane: the angular velocity has a {axis} component only";
     unused(kind, name) = "nothing uses the {kind} `{name}`: leave it out, or call it `_{name}`";
     unseen(name, others, place) = "no output, caution or start sees `{name}`{others}: observe it (e.g. `output of_{name} = {place};`), leave it out, or call it `_{name}`";
-    undamped(part, body, place, element, cure, material) = "this does not damp the {part} of `{body}`: {place} `{element}` has no strain of it, whose rate could be damped; {cure} where that should die away, or call the material `_{material}`";
+    undamped(part, body, place, element, cure, kind, name) = "this does not damp the {part} of `{body}`: {place} `{element}` has no strain of it, whose rate could be damped; {cure} where that should die away, or call the {kind} `_{name}`";
     unread_property(property, kind, name, why) = "nothing reads the {property} of {kind} `{name}`, for {why}: leave it out, or call the {kind} `_{name}`";
     spring_stiffness(word, unit) = "`{word}` needs a stiffness: for a damper alone write `stiffness = 0 [{unit}]`";
 }

@@ -17,7 +17,6 @@ pub const CURVE_WITHOUT_TIME: &str = "the axis of a body is the same at all time
 pub const ENERGY_OF_REPETITION: &str = "an `energy` is the same in all repetitions of a loop over a param: leave out the index, or make the number of the loop a `const n = 3;`";
 pub const VARYING_ENERGY: &str =
     "a material with an `energy` has one section along the whole body: leave out `x` and columns of tables";
-pub const LAW_IN_PLANE: &str = "a section with its own stiffness bends and twists in space: write `spatial;`";
 
 pub fn rows_differ(column: &str, count: usize, first: &str, rows: usize) -> String {
     format!("`{column}` has {count} values, and `{first}` has {rows}: give every column one value for each row")
@@ -173,9 +172,40 @@ pub fn material_of_law(section: &str, element: &str) -> String {
     format!("section `{section}` says stiffness and mass by itself: leave the material out, `{element}({section})`")
 }
 
-pub fn no_law_element(element: &str, section: &str) -> String {
+/// Numbers that an element needs of a section that says its stiffness by itself.
+pub fn lacks_numbers(section: &str, missing: &[&str], element: &str, is_spatial: bool) -> String {
+    let quoted: Vec<String> = missing.iter().map(|field| format!("`{field}`")).collect();
+    let place = if is_spatial { "in space" } else { "in a plane" };
     format!(
-        "`{element}` takes a section and a material, and section `{section}` says its stiffness by itself: take `beam({section})`"
+        "section `{section}` says its stiffness by itself and lacks {}, which `{element}` needs {place}",
+        quoted.join(", ")
+    )
+}
+
+/// A product of properties that is no field of a section that says its stiffness by itself.
+pub fn no_number(section: &str, product: &str, element: &str) -> String {
+    format!(
+        "`{element}` needs {product}, and section `{section}` says its stiffness and mass by itself, where no field is this product: give it a section and a material"
+    )
+}
+
+/// What an element with its stiffness and mass on the axis does not know.
+pub fn number_elsewhere(section: &str, field: &str, element: &str) -> String {
+    format!(
+        "`{element}` has its stiffness and mass on the axis, and one `damping`, so that nothing reads `{field}` of section `{section}`: leave it out, write `EA`, `EI`, `mass` and so on, or take `beam({section})`"
+    )
+}
+
+pub fn unequal_stiffness(section: &str, element: &str) -> String {
+    format!(
+        "in space `{element}` bends alike in all directions, but section `{section}` has two different `EIy` and `EIz`: take `beam({section})`, or a planar body"
+    )
+}
+
+/// What would drive a body out of the plane that it stays in.
+pub fn leaves_plane(section: &str, field: &str) -> String {
+    format!(
+        "`{field}` of section `{section}` couples what a body does in its plane with what leaves the plane: leave it out, or write `spatial;`"
     )
 }
 

@@ -52,7 +52,11 @@ pub fn notes(model: &Model, library: &Library, equations: &Equations) -> Vec<Str
 fn plain(body: &Body, variant: &VariantKernels) -> Option<String> {
     let mut without = Vec::new();
     if !variant.variant.damped {
-        let owner = if body.law.is_some() { "section" } else { "material" };
+        let owner = if body.has_own_stiffness() {
+            "section"
+        } else {
+            "material"
+        };
         without.push(format!(
             "its {owner} has no damping: no rates of strain and no damping matrix"
         ));

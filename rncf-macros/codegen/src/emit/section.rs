@@ -1,5 +1,6 @@
 //! The methods of `Parts` for cross-sections: properties of bodies, and the forces on their fields.
 
+use std::borrow::Cow;
 use std::fmt::Write;
 
 use super::number::number;
@@ -7,7 +8,7 @@ use super::parts::Parts;
 use crate::elements::{Coefficient, Interpolant};
 use crate::model::fold;
 use crate::model::{Body, Expr, SectionShape, Space};
-use crate::vocabulary::{DERIVED, Derived, MATERIAL, Property, Range, SECTION};
+use crate::vocabulary::{DERIVED, Derived, LAW, MATERIAL, Property, Range, SECTION, product_of};
 
 /// Variable with a property's value.
 fn variable(name: &str) -> &str {
@@ -36,6 +37,16 @@ fn is_factor(coefficients: &[&Coefficient], name: &str) -> bool {
     factors.into_iter().any(|factor| *factor == name || follows(factor))
 }
 
+/// The properties whose product a coefficient is: of material and section, or the one number of a section that says its stiffness by itself. `None`: the
+/// body's material has an energy in their place.
+fn factors<'c>(body: &Body, coefficient: &'c Coefficient) -> Option<Cow<'c, [&'static str]>> {
+    if coefficient.factors.iter().all(|factor| has(body, factor)) {
+        return Some(Cow::Borrowed(&coefficient.factors));
+    }
+    let number = product_of(&coefficient.factors).filter(|number| body.properties.contains_key(number))?;
+    Some(Cow::Owned(vec![number]))
+}
+
 /// Whether a body has a property, or those that it follows from.
 fn has(body: &Body, name: &str) -> bool {
     let derived = DERIVED.iter().find(|derived| derived.name == name);
@@ -46,11 +57,11 @@ fn has(body: &Body, name: &str) -> bool {
 impl Parts<'_> {
     /// A coefficient of an element; zero where the body's material has other properties instead.
     pub fn coefficient(&self, body: &Body, coefficient: &Coefficient) -> String {
-        if !coefficient.factors.iter().all(|factor| has(body, factor)) {
+        let Some(factors) = factors(body, coefficient) else {
             return "0.0".to_string();
-        }
+        };
         let scale = coefficient.scale.as_ref().map(|scale| self.expr(scale));
-        let factors = coefficient.factors.iter().map(ToString::to_string);
+        let factors = factors.iter().map(ToString::to_string);
         let list: Vec<String> = scale.into_iter().chain(factors).collect();
         if list.is_empty() {
             "1.0".to_string()
@@ -64,12 +75,14 @@ impl Parts<'_> {
         let mut text = String::new();
         let element = &self.library.elements[body.element.0];
         let coefficients = element.coefficients_in(body.space.dimension(), &body.options);
-        let vocabularies = [
-            (MATERIAL, "material", &body.material_name),
-            (SECTION, "section", &body.section_name),
-        ];
-        for (vocabulary, kind, owner) in vocabularies {
-            for property in vocabulary {
+        let (of_section, of_material) = (("section", &body.section_name), ("material", &body.material_name));
+        let vocabularies: &[(&[Property], _)] = if body.has_own_stiffness() {
+            &[(&LAW, of_section)]
+        } else {
+            &[(MATERIAL, of_material), (SECTION, of_section)]
+        };
+        for (vocabulary, (kind, owner)) in vocabularies {
+            for property in *vocabulary {
                 // What is not given is no more than its default, and nothing reads it.
                 let default = property.default.map(Expr::Number);
                 let is_read = !ELASTIC.contains(&property.name) || is_factor(&coefficients, property.name);
@@ -195,10 +208,26 @@ impl Parts<'_> {
         };
         let has_section = element.vectors.iter().any(|vector| vector.of != Interpolant::Position);
         match chosen("bending") {
-            // Of a section in numbers second moments are not known, and nothing is told.
-            _ if has_section => 2.0,
+            _ if has_section && !element.of_stiffness => 2.0,
             Some("polynomial") if element.is_of_library => 4.0,
             _ => 0.0,
+        }
+    }
+
+    /// The larger stiffness of bending of a section that says it by itself over that of the axis.
+    fn square_of_gyration(&self, body: &Body) -> String {
+        let fields = body.law.as_ref().map_or(&body.properties, |law| &law.fields);
+        let value = |names: [&str; 2]| {
+            names
+                .iter()
+                .find_map(|name| fields.get(name))
+                .map(|value| self.expr(value))
+        };
+        let bending = [["EIy", "K55"], ["EIz", "K66"]].map(value);
+        match (bending, value(["EA", "K11"])) {
+            ([Some(y), Some(z)], Some(axial)) if y != z => format!("f64::max({y}, {z}) / ({axial})"),
+            ([_, Some(bending)] | [Some(bending), _], Some(axial)) => format!("({bending}) / ({axial})"),
+            _ => "0.0".to_string(),
         }
     }
 
@@ -215,6 +244,9 @@ impl Parts<'_> {
             None => "None".to_string(),
         };
         let shape = match &body.shape {
+            _ if body.has_own_stiffness() => {
+                format!("Numbers {{ square_of_gyration: {} }}", self.square_of_gyration(body))
+            }
             SectionShape::General { extent: [y, z] } => {
                 format!("General {{ extent: [{}, {}] }}", option(y), option(z))
             }

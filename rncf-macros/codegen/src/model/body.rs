@@ -94,6 +94,11 @@ pub struct Body {
 }
 
 impl Body {
+    /// Whether its section says stiffness and mass by itself, so that it names no material.
+    pub fn has_own_stiffness(&self) -> bool {
+        self.material_name.is_empty() && !matches!(self.line, Line::Imported(_))
+    }
+
     /// Its name in identifiers of generated code.
     pub fn identifier(&self) -> String {
         identifier(&self.name)

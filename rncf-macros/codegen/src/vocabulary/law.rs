@@ -35,6 +35,33 @@ pub const MASS_ENTRIES: &[&str] = &[
     "M45", "M46", "M55", "M56", "M66",
 ];
 
+/// What products of a material's and a section's properties are of a section that says its stiffness by itself: what an element without axes in its
+/// section, or one of a model's own, reads of it.
+pub const PRODUCTS: &[(&str, &[&str])] = &[
+    ("EA", &["area", "young"]),
+    // Of an element that bends alike in all directions, [`ALIKE`].
+    ("EIz", &["second_moment", "young"]),
+    ("EIy", &["second_moment_y", "young"]),
+    ("EIz", &["second_moment_z", "young"]),
+    ("GAy", &["area", "shear_factor_y", "shear_modulus"]),
+    ("GAz", &["area", "shear_factor_z", "shear_modulus"]),
+    ("GJ", &["shear_modulus", "torsion_constant"]),
+    ("mass", &["area", "density"]),
+    ("inertia_y", &["density", "second_moment_y"]),
+    ("inertia_z", &["density", "second_moment_z"]),
+];
+
+/// The second moment of an element that bends alike in all directions: that about z, and in space about y, too.
+pub const ALIKE: &str = "second_moment";
+
+/// The field that a product of properties is.
+pub fn product_of(factors: &[&str]) -> Option<&'static str> {
+    let mut sorted = factors.to_vec();
+    sorted.sort_unstable();
+    let found = PRODUCTS.iter().find(|(_, product)| *product == sorted.as_slice());
+    found.map(|(name, _)| *name)
+}
+
 /// A damping of its own for each strain.
 pub const DAMPINGS: &[&str] = &["damping1", "damping2", "damping3", "damping4", "damping5", "damping6"];
 

@@ -39,6 +39,7 @@ impl Driver {
             strays: None,
             wanted: 0.0,
             at_kink: false,
+            at_corner: false,
             previous_time: 0.0,
             statistics: Statistics::default(),
             watch: Watch::default(),
@@ -89,6 +90,7 @@ impl Driver {
             bordered,
             wanted,
             at_kink,
+            at_corner,
             previous_time,
             statistics,
             watch,
@@ -98,6 +100,7 @@ impl Driver {
         segments.keep(archive);
         wanted.keep(archive);
         at_kink.keep(archive);
+        at_corner.keep(archive);
         previous_time.keep(archive);
         statistics.keep(archive);
         watch.keep(archive);

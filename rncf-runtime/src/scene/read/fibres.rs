@@ -111,7 +111,10 @@ fn added(section: &SectionSpec, strain: f64, [twist, free]: [f64; 2]) -> f64 {
     let polar: f64 = section.second_moments.iter().sum();
     let beyond = match section.shape {
         // Of a shape that is not known, at least nothing; of what is round, next to nothing.
-        SectionShape::General { .. } | SectionShape::Circle { .. } | SectionShape::Tube { .. } => 0.0,
+        SectionShape::General { .. }
+        | SectionShape::Numbers { .. }
+        | SectionShape::Circle { .. }
+        | SectionShape::Tube { .. } => 0.0,
         SectionShape::Rectangle { sizes: [b, t] } => section.area * (b.powi(4) + t.powi(4)) / 180.0,
     };
     let fibres = polar * strain + 0.5 * beyond * (twist * twist - free * free);

@@ -31,6 +31,7 @@ pub fn largest_stress(section: &Section, is_planar: bool, forces: [f64; 3], mome
             let z = if is_planar { Some(z.unwrap_or(0.0)) } else { z };
             loaded.general([y?, z?])
         }
+        SectionShape::Numbers { .. } => return None,
     };
     stress.filter(|stress| stress.is_finite())
 }

@@ -46,6 +46,9 @@ impl MeshScene {
 
 /// The larger second moment of a section over its area, m^2; no number where one of them is unknown.
 fn square_of_gyration(section: &SectionSpec) -> f64 {
+    if let SectionShape::Numbers { square_of_gyration } = section.shape {
+        return square_of_gyration;
+    }
     section.second_moments.iter().copied().fold(0.0, f64::max) / section.area
 }
 
@@ -57,9 +60,13 @@ fn is_slender(body: &BodySpec, section: &SectionSpec) -> bool {
 /// A section whose radius of gyration is longer than the body.
 fn too_thick(body: &BodySpec, section: &SectionSpec) -> Option<Warning> {
     let (radius, length) = (square_of_gyration(section).sqrt(), body.line.length());
+    let (ratio, words) = match section.shape {
+        SectionShape::Numbers { .. } => ("EI / EA", "its stiffness"),
+        _ => ("second_moment / area", "`second_moment` and `area`"),
+    };
     (radius.is_finite() && radius > length).then(|| Warning {
         text: format!(
-            "body `{}`: the radius of gyration of its section, sqrt(second_moment / area) = {radius:.3e} m, is longer than the body ({length:.3e} m), which no slender body has: are these the units of `second_moment` and `area`?",
+            "body `{}`: the radius of gyration of its section, sqrt({ratio}) = {radius:.3e} m, is longer than the body ({length:.3e} m), which no slender body has: are these the units of {words}?",
             body.name
         ),
         weight: radius / length,
@@ -118,6 +125,7 @@ fn outermost(body: &BodySpec, shape: SectionShape) -> Option<[f64; 2]> {
     Some(match shape {
         SectionShape::Circle { radius } | SectionShape::Tube { radius, .. } => [radius; 2],
         SectionShape::Rectangle { sizes } => sizes.map(|size| 0.5 * size),
+        SectionShape::Numbers { .. } => return None,
         SectionShape::General { extent: [y, z] } => [y?, if body.dimension() == 2 { 0.0 } else { z? }],
     })
 }

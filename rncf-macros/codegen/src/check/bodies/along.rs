@@ -341,6 +341,7 @@ pub(in crate::check) fn area_in(item: &Item, name: &str) -> Option<Area> {
         .iter()
         .find(|(_, axes)| axes.contains(&name))
         .map(|(word, _)| *word);
+    let axes = BOTH_AXES.iter().find(|(both, _)| *both == name).map(|(_, axes)| axes);
     let argument = match name {
         "size_y" => "y",
         "size_z" => "z",
@@ -348,8 +349,7 @@ pub(in crate::check) fn area_in(item: &Item, name: &str) -> Option<Area> {
         other => other,
     };
     let of_fields = |fields: &Fields| -> Option<Area> {
-        let is_it =
-            |word: &str| word == name || Some(word) == both || name == "second_moment" && word.starts_with(name);
+        let is_it = |word: &str| word == name || Some(word) == both || axes.is_some_and(|axes| axes.contains(&word));
         let field = fields.fields.iter().find(|field| is_it(&field.name.text))?;
         Some(field.value.area)
     };

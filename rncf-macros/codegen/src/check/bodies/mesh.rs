@@ -6,10 +6,9 @@ use crate::check::sections::material::{Stuff, Used};
 use crate::check::{Check, say};
 use crate::elements::{BETWEEN_INTERFACES, Element};
 use crate::joints::algebra::multiply;
-use crate::model::{ElementId, Evaluation, Expr as Value, Law, Quadrature, SectionShape, Space, Stations, TableId};
+use crate::model::{ElementId, Evaluation, Expr as Value, Law, Quadrature, Space, Stations, TableId};
 use crate::parse::tree::{Argument, Call, Expr, ExprKind, Item, Keyword, Name, Statement};
 use crate::suggest;
-use crate::vocabulary::DAMPINGS;
 
 /// What a mesh statement says.
 pub struct Mesh {
@@ -71,7 +70,7 @@ impl<'a> Check<'a> {
             return None;
         };
         if let Some(section) = self.lawful_section(call) {
-            let mesh = self.mesh_of_law(call, section, space?)?;
+            let mesh = self.mesh_of_law((call, id), section, statements, space?)?;
             return Some(self.at_stations(mesh, count?, stations));
         }
         let library = Arc::clone(&self.library);
@@ -119,17 +118,9 @@ impl<'a> Check<'a> {
         }
     }
 
-    /// The first argument, where it is a section that says its stiffness by itself.
-    fn lawful_section(&mut self, call: &'a Call) -> Option<&'a Name> {
-        let first = call.arguments.iter().find(|argument| argument.name.is_none())?;
-        let name = named(&first.value)?;
-        let has_law = self.sections.get(name.text.as_str())?.law.is_some();
-        (has_law && self.own(&first.value, Keyword::Section).is_some()).then_some(name)
-    }
-
     /// The section or material that is named: `tube`, and of one that stands in a loop over a param that of the same repetition,
     /// `tube[i]`.
-    fn own(&mut self, expr: &'a Expr, keyword: Keyword) -> Option<&'a Name> {
+    pub(super) fn own(&mut self, expr: &'a Expr, keyword: Keyword) -> Option<&'a Name> {
         let name = named(expr)?;
         let item = self
             .names
@@ -157,62 +148,9 @@ impl<'a> Check<'a> {
         }
     }
 
-    /// `beam(section)` of such a section.
-    fn mesh_of_law(&mut self, call: &'a Call, section: &Name, space: Space) -> Option<Mesh> {
-        let (word, name) = (call.name.text.as_str(), section.text.as_str());
-        let law = self.sections.get(name).filter(|section| section.is_whole);
-        let is_viscous = law
-            .and_then(|section| section.law.as_ref())
-            .is_some_and(Law::is_viscous);
-        let Some(id) = self.library.find_of_stiffness(word, is_viscous) else {
-            self.errors.at(call.name.span, say::no_law_element(word, name));
-            return None;
-        };
-        if let Some(other) = call.arguments.iter().find(|argument| !is_name(&argument.value, name)) {
-            let message = match &other.name {
-                Some(option) => say::no_options(&option.text, word, name),
-                None => say::material_of_law(name, word),
-            };
-            self.errors.at(other.value.area, message);
-            return None;
-        }
-        if space != Space::Spatial {
-            self.errors.at(call.area, say::LAW_IN_PLANE);
-            return None;
-        }
-        let law = self
-            .sections
-            .get(name)
-            .filter(|section| section.is_whole)?
-            .law
-            .clone()?;
-        // With dampings of strains that of all is read by what holds the section alone.
-        let damping = match law.fields.get("damping") {
-            Some(damping) => damping.clone(),
-            None if is_viscous => law.fields[DAMPINGS.iter().find(|own| law.fields.contains_key(**own))?].clone(),
-            None => Value::Number(0.0),
-        };
-        Some(Mesh {
-            count: Value::Number(1.0),
-            stations: None,
-            element: ElementId(id),
-            options: Vec::new(),
-            material_name: String::new(),
-            section_name: name.to_string(),
-            stuff: Stuff {
-                properties: [("damping", damping)].into(),
-                energy: None,
-                shape: SectionShape::default(),
-            },
-            law: Some(law),
-            quadrature: Quadrature::Exact,
-            evaluation: Evaluation::Automatic,
-        })
-    }
-
     /// Options of the element, integration rule, form of the kernels.
     #[allow(clippy::type_complexity)]
-    fn options(
+    pub(super) fn options(
         &mut self,
         element: &Element,
         space: Option<Space>,
@@ -351,14 +289,9 @@ impl<'a> Check<'a> {
 }
 
 /// The name that an expression is, or what is before the number of a repetition.
-fn named(expr: &Expr) -> Option<&Name> {
+pub(super) fn named(expr: &Expr) -> Option<&Name> {
     match &expr.kind {
         ExprKind::Name(name) | ExprKind::Indexed { base: name, .. } => Some(name),
         _ => None,
     }
-}
-
-/// Whether an expression is this name, or a repetition of it.
-fn is_name(expr: &Expr, name: &str) -> bool {
-    named(expr).is_some_and(|word| word.text == name)
 }

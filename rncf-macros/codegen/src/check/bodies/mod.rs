@@ -8,4 +8,5 @@ pub mod import;
 pub mod initial;
 pub mod line;
 pub mod mesh;
+mod mesh_of_law;
 pub mod sound_law;

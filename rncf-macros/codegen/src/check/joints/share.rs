@@ -98,7 +98,16 @@ impl<'a> Check<'a> {
 }
 
 /// Properties that no strain hangs on: what two bodies of one node may have of their own.
-const UNSTRAINED: &[&str] = &["density", "damping", "yield", "extent_y", "extent_z"];
+const UNSTRAINED: &[&str] = &[
+    "density",
+    "damping",
+    "yield",
+    "extent_y",
+    "extent_z",
+    "mass",
+    "inertia_y",
+    "inertia_z",
+];
 
 /// Whether two bodies have different stiffnesses where they meet, so that their strains differ there; of what varies along them nothing is known.
 fn strains_jump(first: &Body, second: &Body) -> bool {

@@ -170,7 +170,7 @@ fn lacks_shape(body: &Body) -> Option<String> {
         return None;
     };
     let name = &body.section_name;
-    if body.law.is_some() {
+    if body.has_own_stiffness() {
         return Some(say::stress_of_stiffness(name));
     }
     match (y, z, body.space) {

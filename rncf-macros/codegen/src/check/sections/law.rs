@@ -9,15 +9,23 @@ use crate::model::{Column, Expr as Value, Law, TableId};
 use crate::parse::tree::{Call, ExprKind};
 use crate::suggest;
 use crate::vocabulary::{
-    CENTRES, DAMPINGS, LAW, MASS_ENTRIES, MASSES, Property, STIFFNESS_ENTRIES, from_beamdyn, of_either_triangle,
+    BOTH_AXES, CENTRES, DAMPINGS, LAW, MASS_ENTRIES, MASSES, Property, STIFFNESS_ENTRIES, field_of, from_beamdyn,
+    of_either_triangle,
 };
 
 /// Words before parentheses that make a section of a table.
 pub const OF_TABLE: [&str; 2] = ["columns", "beamdyn"];
 
-/// A field of such a section.
-pub fn law_property(name: &str) -> Option<&'static Property> {
-    LAW.iter().find(|property| property.name == name)
+/// A field of such a section, or one that stands for both axes.
+pub fn law_property(word: &str) -> Option<&'static Property> {
+    field_of(&LAW, word).map(|(_, property)| property)
+}
+
+/// Words for these fields.
+pub fn law_words() -> impl Iterator<Item = &'static str> {
+    let both = BOTH_AXES.iter().map(|(both, _)| *both);
+    let both = both.filter(|both| law_property(both).is_some());
+    LAW.iter().map(|property| property.name).chain(both)
 }
 
 impl<'a> Check<'a> {
@@ -29,14 +37,13 @@ impl<'a> Check<'a> {
             match (&argument.name, &argument.value.kind) {
                 (None, ExprKind::Name(word)) if table.is_none() => table = Some(self.table(word)?),
                 (Some(word), _) => {
-                    let Some(property) = law_property(&word.text) else {
-                        let known = LAW.iter().map(|property| property.name);
-                        let message = suggest::unknown("field of `section`", &word.text, known);
+                    let Some((field, property)) = field_of(&LAW, &word.text) else {
+                        let message = suggest::unknown("field of `section`", &word.text, law_words());
                         self.errors.at(word.span, message);
                         return None;
                     };
-                    let value = self.along_axis(|check| check.field_value(property.name, &argument.value, property));
-                    values.insert(property.name, (value?, argument.value.area));
+                    let value = self.along_axis(|check| check.field_value(field, &argument.value, property));
+                    values.insert(field, (value?, argument.value.area));
                 }
                 _ => {
                     let usage = format!("{}(blade, damping = 2 ms)", call.name.text);
@@ -65,8 +72,8 @@ impl<'a> Check<'a> {
             } else {
                 of_either_triangle(&column.name).or(Some(column.name.as_str()))
             };
-            let own = name.and_then(law_property);
-            let Some(property) = own else {
+            let own = name.and_then(|name| field_of(&LAW, name));
+            let Some((field, property)) = own else {
                 // Places, and what a name with an underscore tells to be spare, are nobody's field.
                 if !self.model.tables[table.0].is_place(at) && !column.name.starts_with('_') {
                     self.spare_columns.push((table, at, call));
@@ -74,7 +81,7 @@ impl<'a> Check<'a> {
                 continue;
             };
             if column.dimension != property.dimension {
-                let message = say::column_dimension(&column.name, property.name, property.unit);
+                let message = say::column_dimension(&column.name, field, property.unit);
                 self.errors.at(call.area, message);
                 return None;
             }
@@ -87,7 +94,7 @@ impl<'a> Check<'a> {
                 }
             }
             // Both triangles of a symmetric matrix may stand in a table, where they are one matrix.
-            if let Some(other) = taken.insert(property.name, column) {
+            if let Some(other) = taken.insert(field, column) {
                 let differ = |row: &usize| other.values[*row] != column.values[*row];
                 if let Some(row) = (0..column.values.len()).find(differ) {
                     let message = say::not_symmetric(&other.name, &column.name, row + 1);
@@ -98,13 +105,12 @@ impl<'a> Check<'a> {
                 self.model.tables[table.0].alike.extend(other.map(|other| [other, at]));
                 continue;
             }
-            if let Some((_, area)) = values.get(property.name) {
-                self.errors
-                    .at(*area, say::field_and_column(property.name, &column.name));
+            if let Some((_, area)) = values.get(field) {
+                self.errors.at(*area, say::field_and_column(field, &column.name));
                 return None;
             }
             let value = self.column_at(table, at).value;
-            values.insert(property.name, (value, call.area));
+            values.insert(field, (value, call.area));
         }
         Some(())
     }
@@ -118,7 +124,7 @@ impl<'a> Check<'a> {
             let known: Vec<&str> = if call.name.text == OF_TABLE[1] {
                 [STIFFNESS_ENTRIES, MASS_ENTRIES].concat()
             } else {
-                LAW.iter().map(|property| property.name).collect()
+                law_words().collect()
             };
             let table = &self.model.tables[table.0];
             let column = table.columns[at].name.as_str();
@@ -127,8 +133,9 @@ impl<'a> Check<'a> {
         }
     }
 
-    /// The law that fields are, checked for what is missing and what contradicts.
+    /// The law that fields are, checked for what contradicts, and for what a matrix lacks: of constants an element needs its own.
     pub(in crate::check) fn stiffness_law(&mut self, name: &str, values: Values, area: Area) -> Option<Section> {
+        let values = self.on_each_axis(values).ok()?;
         let has = |list: &[&str]| list.iter().any(|field| values.contains_key(field));
         let mut fields: BTreeMap<&'static str, Value> = BTreeMap::new();
         for (field, (value, area)) in &values {
@@ -158,26 +165,18 @@ impl<'a> Check<'a> {
             self.errors.at(*area, say::two_dampings(own));
             return None;
         }
-        let needed = [
-            if is_matrix { STIFFNESS_ENTRIES } else { CENTRES },
-            if has_mass_matrix { MASS_ENTRIES } else { MASSES },
-        ];
-        let missing: Vec<&str> = needed
-            .into_iter()
-            .flatten()
-            .copied()
-            .filter(|field| !fields.contains_key(field))
-            .filter(|field| law_property(field).is_some_and(|property| property.default.is_none()))
-            .collect();
-        if !missing.is_empty() {
-            self.errors.at(area, say::missing_of_law(name, &missing));
-            return None;
-        }
         let law = Law {
             is_matrix,
             has_mass_matrix,
             fields,
         };
+        let matrices = [(is_matrix, STIFFNESS_ENTRIES), (has_mass_matrix, MASS_ENTRIES)];
+        let given = matrices.into_iter().filter(|(is_given, _)| *is_given);
+        let missing = lacking(&law, given.flat_map(|(_, entries)| entries));
+        if !missing.is_empty() {
+            self.errors.at(area, say::missing_of_law(name, &missing));
+            return None;
+        }
         if !self.is_sound(name, &law, &values, area) {
             return None;
         }
@@ -187,4 +186,11 @@ impl<'a> Check<'a> {
             ..Section::default()
         })
     }
+}
+
+/// Which of some fields without defaults a law does not have.
+pub fn lacking<'f>(law: &Law, fields: impl IntoIterator<Item = &'f &'static str>) -> Vec<&'static str> {
+    let is_needed = |field: &&str| law_property(field).is_some_and(|property| property.default.is_none());
+    let fields = fields.into_iter().copied().filter(is_needed);
+    fields.filter(|field| !law.fields.contains_key(field)).collect()
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 use super::known::{Section, Values};
-use super::law::{OF_TABLE, law_property};
+use super::law::{OF_TABLE, law_property, law_words};
 use crate::check::values::quantity::Wanted;
 use crate::check::values::scope::Scope;
 use crate::check::{Arguments, Check, Shape, fold, say};
@@ -13,7 +13,7 @@ use crate::joints::algebra::{add, call, divide, multiply, number, subtract};
 use crate::model::{Binary, Comparison, Expr as Value, Function, Law, SectionShape};
 use crate::parse::tree::{Call, Fields, Item, ItemKind, Keyword};
 use crate::suggest;
-use crate::vocabulary::{BOTH_AXES, LAW, Property, SECTION, SIZES};
+use crate::vocabulary::{BOTH_AXES, Property, SECTION, SIZES, field_of};
 
 /// Relative size of what counts as round-off of declared properties.
 const ROUND_OFF: f64 = 1e-6;
@@ -114,29 +114,22 @@ impl<'a> Check<'a> {
                 self.errors.at(size.name.span, message);
                 return Section::broken_law();
             }
-            let words = LAW.iter().map(|property| property.name);
-            let (values, is_whole) = self.property_fields(item, fields, words.collect(), law_property);
+            let (values, is_whole) = self.property_fields(item, fields, law_words().collect(), law_property);
             let section = is_whole.then(|| self.stiffness_law(&item.name.text, values, item.name.span.into()));
             return section.flatten().unwrap_or_else(Section::broken_law);
         }
         let words = vocabulary().map(|property| property.name).chain(["shear_factor"]);
-        let (values, is_whole) = self.property_fields(item, fields, words.collect(), property);
+        let (values, mut is_whole) = self.property_fields(item, fields, words.collect(), property);
+        let values = self.on_each_axis(values).unwrap_or_else(|values| {
+            is_whole = false;
+            values
+        });
+        let properties = values.iter().map(|(name, (value, _))| (*name, value.clone()));
         let mut section = Section {
+            properties: properties.collect(),
             is_whole,
             ..Section::default()
         };
-        for (name, (value, area)) in &values {
-            match BOTH_AXES.iter().find(|(word, _)| *word == *name) {
-                Some((_, axes)) => {
-                    if let Some(other) = axes.iter().find(|axis| values.contains_key(*axis)) {
-                        self.errors.at(*area, say::sets_both(name, other));
-                        section.is_whole = false;
-                    }
-                    section.properties.extend(axes.map(|axis| (axis, value.clone())));
-                }
-                None => drop(section.properties.insert(name, value.clone())),
-            }
-        }
         section.is_whole &= self.is_possible(&section, &values, item);
         let extent = |name| section.properties.get(name).cloned();
         section.shape = SectionShape::General {
@@ -145,19 +138,30 @@ impl<'a> Check<'a> {
         section
     }
 
+    /// Fields with those that stand for both axes as two; the same as an error where an axis has two values, which is reported.
+    pub(super) fn on_each_axis(&mut self, values: Values) -> Result<Values, Values> {
+        let mut each = Values::new();
+        let mut is_right = true;
+        for (name, (value, area)) in &values {
+            let Some((_, axes)) = BOTH_AXES.iter().find(|(word, _)| *word == *name) else {
+                each.insert(name, (value.clone(), *area));
+                continue;
+            };
+            if let Some(other) = axes.iter().find(|axis| values.contains_key(*axis)) {
+                self.errors.at(*area, say::sets_both(name, other));
+                is_right = false;
+            }
+            each.extend(axes.map(|axis| (axis, (value.clone(), *area))));
+        }
+        if is_right { Ok(each) } else { Err(each) }
+    }
+
     /// Whether some section has these properties, with the defaults of the params; reports where none has.
     fn is_possible(&mut self, section: &Section, values: &Values, item: &Item) -> bool {
         let number = |name: &str| {
             Some(self.default(section.properties.get(name)?)).filter(|value| value.is_finite() && *value > 0.0)
         };
-        let area_of = |name: &str| {
-            let both = BOTH_AXES
-                .iter()
-                .find(|(_, axes)| axes.contains(&name))
-                .map(|(word, _)| *word);
-            let given = values.get(name).or_else(|| values.get(both?));
-            given.map_or(item.name.span.into(), |(_, area)| *area)
-        };
+        let area_of = |name: &str| values.get(name).map_or(item.name.span.into(), |(_, area)| *area);
         let moments = ["second_moment_y", "second_moment_z"].map(number);
         let mut mistakes = Vec::new();
         if let (Some(torsion), [Some(y), Some(z)]) = (number("torsion_constant"), moments)
@@ -290,11 +294,7 @@ impl<'a> Check<'a> {
 
 /// A property of a section, or one that stands for both axes.
 fn property(word: &str) -> Option<&'static Property> {
-    let axis = BOTH_AXES.iter().find(|(name, _)| *name == word).map(|(_, [y, _])| *y);
-    SECTION
-        .iter()
-        .find(|property| property.name == word)
-        .or_else(|| SECTION.iter().find(|property| Some(property.name) == axis))
+    field_of(SECTION, word).map(|(_, property)| property)
 }
 
 /// A number where it is one.

@@ -11,15 +11,21 @@ use crate::parse::tree::{ItemKind, Keyword, Tree};
 /// What the compiler says to be deprecated where such a warning stands.
 pub const WARNING: &str = "not_damped";
 
-/// Warnings about a model without mistakes, one for a material. A leading underscore of its name silences them.
-pub fn undamped_parts(tree: &Tree, model: &Model, library: &Library) -> Vec<Mistake> {
+/// Warnings about a model without mistakes, one for a material, or for a section that says its stiffness by itself. A leading underscore of its name
+/// silences them.
+pub fn undamped_parts<'a>(tree: &Tree, model: &'a Model, library: &Library) -> Vec<Mistake> {
     let mut warnings = Vec::new();
-    for item in tree.items.iter().filter(|item| item.keyword == Keyword::Material) {
-        let (ItemKind::Material(fields), name) = (&item.kind, &item.name.text) else {
+    for item in &tree.items {
+        let (ItemKind::Material(fields) | ItemKind::Section(fields)) = &item.kind else {
             continue;
         };
+        let (name, kind) = (&item.name.text, item.keyword.word());
         let field = fields.fields.iter().find(|field| field.name.text == "damping");
-        let mut bodies = model.bodies.iter().filter(|body| body.material_name == *name);
+        let owner = |body: &'a Body| match item.keyword {
+            Keyword::Material => &body.material_name,
+            _ => &body.section_name,
+        };
+        let mut bodies = model.bodies.iter().filter(|body| owner(body) == name);
         let found = bodies.find_map(|body| Some((body, undamped(body, library)?)));
         let (Some(field), Some((body, part))) = (field, found) else {
             continue;
@@ -38,7 +44,7 @@ pub fn undamped_parts(tree: &Tree, model: &Model, library: &Library) -> Vec<Mist
         } else {
             "write its energy as that of a `strain`"
         };
-        let message = say::undamped(&part, &body.name, place, element.names[0], cure, name);
+        let message = say::undamped(&part, &body.name, place, element.names[0], cure, kind, name);
         warnings.push(Mistake::new(field.name.span, message).called(WARNING));
     }
     warnings

@@ -10,9 +10,18 @@ const KINK: f64 = -1.0;
 impl MeshScene {
     /// Number of these angles, kinks and peaks.
     pub(crate) fn angles_read(&self) -> usize {
-        let of_forces: usize = self.links.forces.iter().map(|push| push.branches).sum();
         let of_constraints: usize = self.links.constraints.iter().map(|linked| linked.spec.branches).sum();
-        of_forces + of_constraints
+        self.branches_of_forces() + of_constraints
+    }
+
+    /// Those of forces, which stand before those of constraints.
+    fn branches_of_forces(&self) -> usize {
+        self.links.forces.iter().map(|push| push.branches).sum()
+    }
+
+    /// Whether a branch is of a constraint.
+    pub(in crate::scene) fn is_constrained_by_branch(&self, index: usize) -> bool {
+        index >= self.branches_of_forces()
     }
 
     /// Of all forces, then of all constraints.
