@@ -168,16 +168,14 @@ impl<const S: usize> Radau<S> {
                 Err(failure) => failure,
             };
             self.newton.restart();
-            if self.tangent == Age::Kept {
-                self.tangent = Age::Stale;
+            // The middle of a shorter step is elsewhere, too: a frame may have turned by a radian to that of this one.
+            let is_kept = std::mem::replace(&mut self.tangent, Age::Stale) == Age::Kept;
+            if is_kept {
                 continue;
             }
             return Err(match failure {
                 Failure::Slow { worst, ratio } => (ratio, Cause::Newton { worst }),
-                Failure::NotFinite => {
-                    self.tangent = Age::Stale;
-                    (0.25, Cause::NotFinite)
-                }
+                Failure::NotFinite => (0.25, Cause::NotFinite),
             });
         }
     }
@@ -288,10 +286,12 @@ impl<const S: usize> Scheme for Radau<S> {
             return Outcome::Rejected { next, cause };
         }
         if error > 1.0 {
-            if S > 3 && self.controller.is_new() {
-                // Refused again: the middle of so much shorter a step is elsewhere. Steps of three stages are short enough for the old one.
-                self.tangent = Age::Stale;
-            }
+            // The middle of a shorter step is elsewhere. Steps of three stages are short enough for the old one to be tried.
+            self.tangent = if S > 3 && self.controller.is_new() {
+                Age::Stale
+            } else {
+                Age::Kept
+            };
             let mut next = self.controller.reject(h, error);
             if self.last.is_none() {
                 next = FIRST_RETRY * h;
