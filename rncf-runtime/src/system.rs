@@ -451,6 +451,11 @@ pub trait System {
         false
     }
 
+    /// Whether flexible bodies may turn in the axes of their unknowns.
+    fn turns_in_unknowns(&self) -> bool {
+        false
+    }
+
     /// What moves faster than light at the state, and how fast, in the user's words: a motion that has grown beyond all
     /// meaning.
     fn too_fast(&mut self, _state: &State) -> Option<String> {

@@ -503,6 +503,10 @@ impl System for ModalScene {
         self.scene.is_branch_of_constraint(index)
     }
 
+    fn turns_in_unknowns(&self) -> bool {
+        self.scene.turns_in_unknowns()
+    }
+
     fn jumps(&mut self, state: &State, behind: f64) -> Vec<Jump> {
         self.expand(state);
         self.scene.jumps(&self.full, behind)

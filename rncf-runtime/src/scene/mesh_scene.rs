@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use crate::emitted::{JointSpec, LoadKind, LoadSpec, ObservedSpec, Parts, Place, label};
+use crate::emitted::{Fidelity, JointKind, JointSpec, LoadKind, LoadSpec, ObservedSpec, Parts, Place, label};
 use crate::error::ModelError;
 use crate::model::{Formulation, Joints, Warning};
 use crate::scene::bodies::mesh_body::MeshBody;
@@ -62,6 +62,16 @@ impl MeshScene {
         }
         self.set_normals([&mut shape, &mut Vec::new()]);
         shape
+    }
+
+    /// Whether a body may turn in the axes of its unknowns: neither do they follow it, nor does a joint clamp it to them.
+    pub(crate) fn may_turn_in_its_axes(&self, index: usize) -> bool {
+        let body = &self.bodies[index];
+        let is_followed = body.frame != 0 && self.frames.free_of[body.frame].is_some();
+        let clamps = |joint: &&JointSpec| matches!(joint.kind, JointKind::Clamp | JointKind::ClampFull);
+        let mut clamps = self.joints.iter().filter(clamps);
+        let is_clamped = clamps.any(|joint| joint.body == index && joint.frame == body.frame);
+        body.spec.fidelity == Fidelity::Full && !is_followed && !is_clamped
     }
 
     /// Name of a joint for messages.
