@@ -127,7 +127,7 @@ fn whole(
         options,
         most,
     };
-    let (rows, _) = again(scene, start, how, marks, goes_on);
+    let rows = again(scene, start, how, marks, goes_on).rows;
     (rows.len() == marks.rows.len()).then_some(rows)
 }
 

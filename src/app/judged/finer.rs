@@ -6,7 +6,7 @@
 //! the same is done on the meshes of the run: what differs between both is the error of the mesh, and what differs between this and the run that
 //! of its steps.
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 
 use super::accumulated::Ended;
 use super::compared::{Off, TOLD, count};
@@ -311,6 +311,7 @@ pub(in crate::app) fn compare(
         _ => AFFORDED.max(share * run.iterations as f64 * unknowns(of)),
     };
     let (left, last) = (Cell::new(afforded(SHARE, &own)), Cell::new(0.0));
+    let failed = RefCell::new(None);
     let mut rows = |of: &mut Begun<'_>, rtol: f64, share: f64, marks: &Marks| {
         let how = Again {
             t_end: run.t_end,
@@ -326,10 +327,13 @@ pub(in crate::app) fn compare(
             // Of infinitely many there are u64::MAX.
             most: (share * left.get() / unknowns(of)).max(0.0) as u64,
         };
-        let (rows, iterations) = again(of.scene, of.start.clone(), how, marks, goes_on);
-        last.set(iterations as f64 * unknowns(of));
+        let gone = again(of.scene, of.start.clone(), how, marks, goes_on);
+        last.set(gone.iterations as f64 * unknowns(of));
         left.set(left.get() - last.get());
-        rows
+        if let Some(error) = gone.failed {
+            failed.replace(Some((rtol, error)));
+        }
+        gone.rows
     };
     let mut kinds = [true, false].map(|is_motion| Kind::new(run, outputs, is_motion));
     let mut found_so_far = Sets::new(run, outputs);
@@ -379,7 +383,7 @@ pub(in crate::app) fn compare(
         }
         let meshes = there.map_or(Vec::new(), |there| {
             run.marks
-                .between(outputs, &seen.rows, &there, &found_so_far.known, rtol)
+                .between_meshes(outputs, &seen.rows, &there, &found_so_far.known, rtol)
         });
         kinds
             .iter_mut()
@@ -435,7 +439,13 @@ pub(in crate::app) fn compare(
             break;
         }
     }
-    found(own.scene, &run, outputs, (judging, finer.is_some()), kinds)
+    found(
+        own.scene,
+        &run,
+        outputs,
+        (judging, finer.is_some(), failed.take()),
+        kinds,
+    )
 }
 
 /// The sentences.
@@ -443,7 +453,7 @@ fn found(
     scene: &dyn Scene,
     run: &Ended<'_>,
     outputs: &[Output],
-    (judging, has_meshes): (Judging, bool),
+    (judging, has_meshes, failed): (Judging, bool, Option<(f64, String)>),
     kinds: [Kind<'_>; 2],
 ) -> Found {
     let there = || {
@@ -451,9 +461,12 @@ fn found(
             .iter()
             .filter(|kind| outputs.iter().any(|output| is_of_motion(output) == kind.is_of_motion))
     };
-    let until = there()
-        .map(|kind| kind.until.min(kind.stepped))
-        .fold(f64::INFINITY, f64::min);
+    // What differs for the mesh is told as far as it was seen.
+    let until = |kind: &Kind<'_>| match kind.mesh.is_empty() {
+        true => kind.until.min(kind.stepped),
+        false => kind.until,
+    };
+    let until = there().map(until).fold(f64::INFINITY, f64::min);
     let until = if until.is_finite() { until } else { 0.0 };
     let whole = run.marks.until();
     let meshes = sorted(kinds.iter().flat_map(|kind| kind.mesh.clone()).collect());
@@ -471,7 +484,9 @@ fn found(
         until,
         is_whole: until >= whole,
         has_meshes,
-        rest: (until < whole && judging == Judging::Affordable).then(|| not_compared(until, whole)),
+        rest: (until < whole)
+            .then(|| not_compared([until, whole], !meshes.is_empty(), judging, failed))
+            .flatten(),
         mesh: told(outputs, &meshes).map(|names| on_meshes(&scene.bodies(), ("this motion", seen), &names)),
         steps: sentence_on_steps(run, rtol, outputs, &steps),
         off,
@@ -540,10 +555,34 @@ fn is_exact(run: &Ended<'_>) -> bool {
     run.method.is_radau() && run.options.step == StepSize::Adaptive
 }
 
-fn not_compared(until: f64, end: f64) -> String {
-    format!(
-        "Outputs were compared with those of finer meshes and other steps until {} s, which took about the time of the run; from there to {} s nothing is known of their errors. `--thorough` compares all of it, `--unjudged` nothing.",
-        time(until),
-        time(end)
-    )
+/// What is said of the rest of a run, behind what was compared; some of it may be told of its mesh.
+fn not_compared(
+    [until, end]: [f64; 2],
+    is_told: bool,
+    judging: Judging,
+    failed: Option<(f64, String)>,
+) -> Option<String> {
+    const MORE: &str = "`--thorough` compares all of it, `--unjudged` nothing";
+    if until == 0.0 && failed.is_none() && judging == Judging::Affordable {
+        let head = if is_told {
+            "Beyond what is told here, outputs"
+        } else {
+            "Outputs"
+        };
+        return Some(format!(
+            "{head} were not compared with those of finer meshes and other steps, which takes longer than the run: nothing is known of their errors. {MORE}."
+        ));
+    }
+    let (until, end) = (time(until), time(end));
+    let compared = format!("Outputs were compared with those of finer meshes and other steps until {until} s");
+    if let Some((rtol, error)) = failed {
+        return Some(format!(
+            "{compared}: Radau with a tolerance of {rtol:.0e} came no further, {error}. From there to {end} s nothing is known of their errors."
+        ));
+    }
+    (judging == Judging::Affordable).then(|| {
+        format!(
+            "{compared}, which took about the time of the run; from there to {end} s nothing is known of their errors. {MORE}."
+        )
+    })
 }

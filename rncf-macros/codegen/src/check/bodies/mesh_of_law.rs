@@ -48,7 +48,7 @@ impl<'a> Check<'a> {
         let law = self.sections.get(name).filter(|section| section.is_whole);
         let law = law.and_then(|section| section.law.clone());
         let is_viscous = law.as_ref().is_some_and(Law::is_viscous);
-        let material = |expr: &&Expr| !named(expr).is_some_and(|word| word.text == name);
+        let material = |expr: &&Expr| named(expr).is_none_or(|word| word.text != name);
         let unnamed = call.arguments.iter().filter(|argument| argument.name.is_none());
         if let Some(other) = unnamed.map(|argument| &argument.value).find(material) {
             self.errors.at(other.area, say::material_of_law(name, word));
