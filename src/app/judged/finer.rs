@@ -11,7 +11,8 @@ use std::cell::{Cell, RefCell};
 use super::accumulated::Ended;
 use super::compared::{Off, TOLD, count};
 use super::marks::{Again, Marks, again, is_of_motion, largest, sorted, told};
-use super::meshes::{on_meshes, time};
+use super::meshes::on_meshes;
+use super::rest::not_compared;
 use crate::{Method, Options, Output, Scene, State, StepSize};
 
 /// Elements for each one of the run.
@@ -485,7 +486,7 @@ fn found(
         is_whole: until >= whole,
         has_meshes,
         rest: (until < whole)
-            .then(|| not_compared([until, whole], !meshes.is_empty(), judging, failed))
+            .then(|| not_compared([until, whole], !meshes.is_empty(), judging == Judging::Whole, failed))
             .flatten(),
         mesh: told(outputs, &meshes).map(|names| on_meshes(&scene.bodies(), ("this motion", seen), &names)),
         steps: sentence_on_steps(run, rtol, outputs, &steps),
@@ -553,36 +554,4 @@ fn sentence_on_steps(run: &Ended<'_>, rtol: f64, outputs: &[Output], parts: &[Of
 /// Whether the steps of a run are those of the second one, but for the tolerance.
 fn is_exact(run: &Ended<'_>) -> bool {
     run.method.is_radau() && run.options.step == StepSize::Adaptive
-}
-
-/// What is said of the rest of a run, behind what was compared; some of it may be told of its mesh.
-fn not_compared(
-    [until, end]: [f64; 2],
-    is_told: bool,
-    judging: Judging,
-    failed: Option<(f64, String)>,
-) -> Option<String> {
-    const MORE: &str = "`--thorough` compares all of it, `--unjudged` nothing";
-    if until == 0.0 && failed.is_none() && judging == Judging::Affordable {
-        let head = if is_told {
-            "Beyond what is told here, outputs"
-        } else {
-            "Outputs"
-        };
-        return Some(format!(
-            "{head} were not compared with those of finer meshes and other steps, which takes longer than the run: nothing is known of their errors. {MORE}."
-        ));
-    }
-    let (until, end) = (time(until), time(end));
-    let compared = format!("Outputs were compared with those of finer meshes and other steps until {until} s");
-    if let Some((rtol, error)) = failed {
-        return Some(format!(
-            "{compared}: Radau with a tolerance of {rtol:.0e} came no further, {error}. From there to {end} s nothing is known of their errors."
-        ));
-    }
-    (judging == Judging::Affordable).then(|| {
-        format!(
-            "{compared}, which took about the time of the run; from there to {end} s nothing is known of their errors. {MORE}."
-        )
-    })
 }

@@ -11,4 +11,5 @@ pub(super) mod finer_model;
 pub(super) mod finer_modes;
 pub(super) mod marks;
 pub(super) mod meshes;
+mod rest;
 pub(super) mod unfollowed;
