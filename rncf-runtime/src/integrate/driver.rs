@@ -289,12 +289,14 @@ impl Driver {
         }
         state.t = behind;
         self.bordered.move_to(system, &state);
-        let mut change = vec![0.0; state.v.len()];
-        let (bordered, statistics) = (&mut self.bordered, &mut self.statistics);
-        bordered
-            .impact(system, &state, (&jolt, &left), &mut change, statistics)
-            .map_err(|pivot| singular(system, state.t, pivot))?;
-        add(&mut state.v, &change);
+        if is_jolted || !left.is_empty() {
+            let mut change = vec![0.0; state.v.len()];
+            let (bordered, statistics) = (&mut self.bordered, &mut self.statistics);
+            bordered
+                .impact(system, &state, (&jolt, &left), &mut change, statistics)
+                .map_err(|pivot| singular(system, state.t, pivot))?;
+            add(&mut state.v, &change);
+        }
         self.segments.pass_kink();
         if let Err(error) = self.begin(system, state) {
             self.segments.return_to_kink();

@@ -14,16 +14,13 @@ use crate::model::{ElementId, Evaluation, Expr as Value, Law, Quadrature, Sectio
 use crate::parse::tree::{Call, Expr, Keyword, Name, Statement};
 use crate::vocabulary::{ALIKE, CENTRES, DAMPINGS, MASS_ENTRIES, MASSES, STIFFNESS_ENTRIES, product_of};
 
-/// Fields that a `beam` reads in a plane where they are constants; the others get these values, which nothing feels there.
-const IN_PLANE: [(&str, &str); 9] = [
-    ("EA", "EA"),
-    ("GAy", "GAy"),
-    ("EIz", "EIz"),
+/// Constants that a `beam` needs in a plane.
+const IN_PLANE: [&str; 5] = ["EA", "GAy", "EIz", "mass", "inertia_z"];
+/// Those that nothing feels there, and which of the others they get the value of where they are not given: a section has all of them.
+const BESIDE_PLANE: [(&str, &str); 4] = [
     ("GAz", "GAy"),
     ("EIy", "EIz"),
     ("GJ", "EIz"),
-    ("mass", "mass"),
-    ("inertia_z", "inertia_z"),
     ("inertia_y", "inertia_z"),
 ];
 
@@ -73,20 +70,8 @@ impl<'a> Check<'a> {
             None => Value::Number(0.0),
         };
         Some(Mesh {
-            count: Value::Number(1.0),
-            stations: None,
-            element: ElementId(id),
-            options: Vec::new(),
-            material_name: String::new(),
-            section_name: name.to_string(),
-            stuff: Stuff {
-                properties: [("damping", damping)].into(),
-                energy: None,
-                shape: SectionShape::default(),
-            },
             law: Some(law),
-            quadrature: Quadrature::Exact,
-            evaluation: Evaluation::Automatic,
+            ..without_material(id, section, [("damping", damping)].into())
         })
     }
 
@@ -97,8 +82,8 @@ impl<'a> Check<'a> {
             .into_iter()
             .filter(|(is_matrix, _)| !is_matrix)
             .flat_map(|(_, fields)| fields);
-        let in_plane = |field: &&&str| space == Space::Spatial || IN_PLANE.contains(&(**field, **field));
-        let missing = lacking(&law, read.clone().filter(in_plane));
+        let in_plane = |field: &&&str| space == Space::Spatial || IN_PLANE.contains(*field);
+        let missing = lacking(&law, read.filter(in_plane));
         if !missing.is_empty() {
             let message = say::lacks_numbers(&section.text, &missing, element, space == Space::Spatial);
             self.errors.at(section.span, message);
@@ -114,9 +99,9 @@ impl<'a> Check<'a> {
             return None;
         }
         law.fields.retain(|field, _| !leaves_plane(field));
-        let read: Vec<&'static str> = read.copied().collect();
-        for (field, like) in IN_PLANE {
-            if let Some(like) = law.fields.get(like).filter(|_| read.contains(&field)).cloned() {
+        for (field, like) in BESIDE_PLANE {
+            // Of a matrix neither is there.
+            if let Some(like) = law.fields.get(like).cloned() {
                 law.fields.entry(field).or_insert(like);
             }
         }
@@ -174,20 +159,10 @@ impl<'a> Check<'a> {
         self.curved(element, &options, statements, Some(space));
         let properties = self.numbers(element, (section, word), law, &options, space)?;
         Some(Mesh {
-            count: Value::Number(1.0),
-            stations: None,
-            element: ElementId(id),
             options,
-            material_name: String::new(),
-            section_name: name.to_string(),
-            stuff: Stuff {
-                properties,
-                energy: None,
-                shape: SectionShape::default(),
-            },
-            law: None,
             quadrature: quadrature?,
             evaluation: evaluation?,
+            ..without_material(id, section, properties)
         })
     }
 
@@ -231,6 +206,26 @@ impl<'a> Check<'a> {
             return None;
         }
         Some(properties)
+    }
+}
+
+/// A mesh of one element, without options, of a section that names no material.
+fn without_material(element: usize, section: &Name, properties: BTreeMap<&'static str, Value>) -> Mesh {
+    Mesh {
+        count: Value::Number(1.0),
+        stations: None,
+        element: ElementId(element),
+        options: Vec::new(),
+        material_name: String::new(),
+        section_name: section.text.clone(),
+        stuff: Stuff {
+            properties,
+            energy: None,
+            shape: SectionShape::default(),
+        },
+        law: None,
+        quadrature: Quadrature::Exact,
+        evaluation: Evaluation::Automatic,
     }
 }
 
