@@ -259,3 +259,47 @@ fn a_panel_on_a_vertical_hinge_lies_in_the_wind() {
         found.warnings
     );
 }
+
+rncf::model! {
+    /// A mooring line that lies straight between two points as far apart as it is long.
+    model Moored {
+        param weight = 12 kg/m;
+        section rope { EA = 2 MN; EI = 300 N*m^2; mass = weight; }
+        body line { planar xy; line from [0, 0, 0] m to [100, 0, 0] m; mesh 40 * cable(rope, axial = engineering, bending = exact); }
+        joint left = pin(line.start, inertial);
+        joint right = pin(line.end, inertial);
+        load down = gravity([0, -9.81, 0] m/s^2);
+        output middle = line.at(50 m).y;
+        output pull = line.start.axial_force;
+    }
+}
+
+/// Without tension it has next to no stiffness across, so that no step of its load is short enough. The elastic catenary: `H L/EA + 2 H/w asinh(w L/2H)` is
+/// the span, `w L^2/8 EA + H/w (sqrt(1 + (w L/2H)^2) - 1)` the sag.
+#[test]
+fn a_straight_mooring_line_sags() {
+    for weight in [1.0, 12.0, 300.0] {
+        let found = static_equilibria(&Moored { weight }, &EquilibriumSettings::default()).unwrap();
+        let [sag, pull] = [0, 1].map(|column| found.history.column(column).last().unwrap());
+        let (w, length, stiff) = (9.81 * weight, 100.0, 2e6);
+        let span = |h: f64| h * length / stiff + 2.0 * h / w * (0.5 * w * length / h).asinh();
+        let (mut low, mut high) = (1.0, 1e7);
+        for _ in 0..200 {
+            let middle = f64::sqrt(low * high);
+            if span(middle) > length {
+                high = middle
+            } else {
+                low = middle
+            }
+        }
+        let half = 0.5 * w * length;
+        let exact = w * length * length / (8.0 * stiff) + low / w * ((1.0 + (half / low).powi(2)).sqrt() - 1.0);
+        println!(
+            "{weight} kg/m: {sag} for {} m, {pull} for {} N",
+            -exact,
+            low.hypot(half)
+        );
+        assert!((sag / -exact - 1.0).abs() < 2e-4, "{sag} for {} m", -exact);
+        assert!((pull / low.hypot(half) - 1.0).abs() < 1e-3, "{pull}");
+    }
+}

@@ -28,6 +28,8 @@ const NEAR: f64 = 0.1;
 
 /// Iterations of Newton's method in which what is linear is found: one finds it, others the last digits.
 const LINEAR: u32 = 3;
+/// Up to how many times doubled loads are tried from which one is followed back.
+const DOUBLINGS: i32 = 8;
 
 /// An equilibrium and the way to it.
 #[derive(Clone, Debug, PartialEq)]
@@ -302,6 +304,38 @@ pub fn settle(scene: &mut dyn Scene, at: &Uniform) -> Result<Continued, SolveErr
     found.flatten().ok_or_else(|| {
         let row = newton.farthest();
         failed(scene, at, &Failure::Slow(row), at.scale)
+    })
+}
+
+/// The stable equilibrium that is followed back from one under greater loads, by halves of them, where none is found from the start on: a rope that lies
+/// straight between its ends has next to no stiffness across, and the more it sags, the sooner its iteration ends.
+pub fn sagged(scene: &mut dyn Scene, at: &Uniform) -> Option<Continued> {
+    let start = assembled(scene, at);
+    check(scene, at, &start).ok()?;
+    let (mut newton, mut iterations) = (Newton::new(scene), 0);
+    let mut solve = |doublings: i32, state: &mut State, patience| {
+        let at = at.scaled(2f64.powi(doublings) * at.scale);
+        let (result, more) = newton.solve(scene, &at, state, patience);
+        iterations += more;
+        let negative = newton.count(&at);
+        (result.is_ok() && !negative.is_some_and(Negative::is_any)).then_some(negative)
+    };
+    let (greater, mut state) = (1..=DOUBLINGS).find_map(|doublings| {
+        let mut state = start.clone();
+        solve(doublings, &mut state, Patience::Patient)?;
+        Some((doublings, state))
+    })?;
+    let mut negative = None;
+    for doublings in (0..greater).rev() {
+        negative = solve(doublings, &mut state, Patience::Strict)?;
+    }
+    Some(Continued {
+        scale: at.scale,
+        state,
+        iterations,
+        negative,
+        strayed: false,
+        moved_far: true,
     })
 }
 

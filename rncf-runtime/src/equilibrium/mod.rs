@@ -15,7 +15,8 @@ mod untied;
 pub use crate::model::{Kind, Spin, Uniform};
 pub use assembled::assembled;
 pub use continuation::{
-    CUTS, Continued, Equilibrium, continue_from, follow, goes_back, is_nearer, settle, static_load, steady, unloaded,
+    CUTS, Continued, Equilibrium, continue_from, follow, goes_back, is_nearer, sagged, settle, static_load, steady,
+    unloaded,
 };
 pub use critical::{Critical, critical_factor};
 pub use negative::Negative;

@@ -9,7 +9,7 @@ use crate::app::results::error::RunError;
 use crate::app::results::history::Column;
 use crate::app::writing::numbers::in_unit;
 use crate::equilibrium::{
-    CUTS, Continued, Equilibrium, Kind, Uniform, assembled, continue_from, follow, goes_back, settle, unloaded,
+    CUTS, Continued, Equilibrium, Kind, Uniform, assembled, continue_from, follow, goes_back, sagged, settle, unloaded,
 };
 use crate::error::SolveErrorKind;
 use crate::{AnyModel, Scene, SolveError, State};
@@ -285,7 +285,7 @@ impl<'m> Line<'m> {
                     }
                     return Ok(());
                 }
-                Err(_) if self.increment == 1 && self.leap_far() => return Ok(()),
+                Err(_) if self.increment == 1 && (self.leap_far() || self.sags()) => return Ok(()),
                 Err(text) if self.increment == 1 => {
                     let last = self.column().at(self.key(self.last.share), 7);
                     return Err(format!("beyond {last}: {text}"));
@@ -361,6 +361,28 @@ impl<'m> Line<'m> {
             steps *= 2;
         }
         false
+    }
+
+    /// Whether the first static equilibrium, to which no step is short enough, is found from greater loads.
+    fn sags(&mut self) -> bool {
+        if self.kind != Kind::Static || self.place > 0 || self.settings.range.is_some() {
+            return false;
+        }
+        let share = PARTS as f64 / self.total() as f64;
+        let Ok((mut scene, at)) = self.placed(share) else {
+            return false;
+        };
+        match sagged(scene.as_mut(), &at) {
+            Some(found) => {
+                self.keep(scene, at, share, found);
+                (self.place, self.increment) = (PARTS, PARTS);
+                true
+            }
+            None => {
+                self.give_back(scene);
+                false
+            }
+        }
     }
 
     fn land(&mut self, scene: Box<dyn Scene>, at: Uniform, target: u64, found: Continued) {
