@@ -58,6 +58,20 @@ pub struct Continued {
     pub moved_far: bool,
 }
 
+impl Continued {
+    /// One that lies far from where its iteration began.
+    fn far(at: &Uniform, state: State, iterations: u32, negative: Option<Negative>) -> Self {
+        Self {
+            scale: at.scale,
+            state,
+            iterations,
+            negative,
+            strayed: false,
+            moved_far: true,
+        }
+    }
+}
+
 impl Equilibrium {
     /// The equilibrium at the full angular velocity or load.
     pub fn state(&self) -> Option<&State> {
@@ -219,14 +233,7 @@ fn settled(scene: &mut dyn Scene, newton: &mut Newton, at: &Uniform, start: &Sta
         }
     }
     result.ok()?;
-    Some(Continued {
-        scale: at.scale,
-        state,
-        iterations,
-        negative,
-        strayed: false,
-        moved_far: true,
-    })
+    Some(Continued::far(at, state, iterations, negative))
 }
 
 /// The equilibrium under all loads where they are linear and hold what nothing else does, as a law of a point's place: growing from zero they would hold it
@@ -329,14 +336,7 @@ pub fn sagged(scene: &mut dyn Scene, at: &Uniform) -> Option<Continued> {
     for doublings in (0..greater).rev() {
         negative = solve(doublings, &mut state, Patience::Strict)?;
     }
-    Some(Continued {
-        scale: at.scale,
-        state,
-        iterations,
-        negative,
-        strayed: false,
-        moved_far: true,
-    })
+    Some(Continued::far(at, state, iterations, negative))
 }
 
 /// The equilibrium at the whole spin that grows out of that at rest under the same loads.
@@ -348,14 +348,7 @@ fn grown_from_rest(scene: &mut dyn Scene, at: &Uniform) -> Option<Continued> {
         iterations,
         negative,
     } = from_rest(scene, at, rest.state()?.clone())?;
-    Some(Continued {
-        scale: at.scale,
-        state,
-        iterations: rest.iterations() + iterations,
-        negative,
-        strayed: false,
-        moved_far: true,
-    })
+    Some(Continued::far(at, state, rest.iterations() + iterations, negative))
 }
 
 /// Whether the first of two equilibria is nearer to a start than the second.

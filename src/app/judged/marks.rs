@@ -107,9 +107,7 @@ impl Marks {
         known: &[bool],
         rtol: f64,
     ) -> Vec<Off> {
-        let compared = compared(self.run(), outputs, here, there);
-        let all = compared.iter().zip(known);
-        sorted(of_outputs(all.map(|(of, &is_known)| of.off(is_known, rtol))))
+        self.apart(outputs, (here, there), known, [rtol, 0.0])
     }
 
     /// [`Marks::between`] of runs on other meshes: of a number that hardly changes, such as a momentum, no part is told that steps of both with their
@@ -122,12 +120,21 @@ impl Marks {
         known: &[bool],
         rtol: f64,
     ) -> Vec<Off> {
+        self.apart(outputs, (here, there), known, [rtol, DRIFT * rtol])
+    }
+
+    /// How far two runs are apart, and for a number that hardly changes by more than a part of its value.
+    fn apart(
+        &self,
+        outputs: &[Output],
+        (here, there): (&[(f64, Vec<f64>)], &[Vec<f64>]),
+        known: &[bool],
+        [rtol, drift]: [f64; 2],
+    ) -> Vec<Off> {
         let compared = compared(self.run(), outputs, here, there);
         let all = compared.iter().zip(known);
         let off = all.map(|(of, &is_known)| match of.off(is_known, rtol) {
-            off if off.nothing.is_some() && of.away <= DRIFT * rtol * of.value.max(of.operands) => {
-                Off { part: 0.0, ..off }
-            }
+            off if off.nothing.is_some() && of.away <= drift * of.value.max(of.operands) => Off { part: 0.0, ..off },
             off => off,
         });
         sorted(of_outputs(off))
