@@ -5,7 +5,7 @@ pub mod members;
 mod property;
 
 pub use law::{
-    ALIKE, CENTRES, DAMPINGS, LAW, MASS_ENTRIES, MASSES, PIVOTS, PIVOTS_OF_RATES, PRODUCTS, STIFFNESS_ENTRIES,
+    CENTRES, DAMPINGS, LAW, MASS_ENTRIES, MASSES, PIVOTS, PIVOTS_OF_RATES, STIFFNESS_ENTRIES, fields_of_product,
     from_beamdyn, of_either_triangle, pivot_dimension, product_of,
 };
 pub use property::{Property, Range};

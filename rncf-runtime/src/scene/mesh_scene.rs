@@ -69,9 +69,10 @@ impl MeshScene {
         let body = &self.bodies[index];
         let is_followed = body.frame != 0 && self.frames.free_of[body.frame].is_some();
         let clamps = |joint: &&JointSpec| matches!(joint.kind, JointKind::Clamp | JointKind::ClampFull);
+        // Joints, of which there are as many as bodies, are asked last.
         let mut clamps = self.joints.iter().filter(clamps);
-        let is_clamped = clamps.any(|joint| joint.body == index && joint.frame == body.frame);
-        body.spec.fidelity == Fidelity::Full && !is_followed && !is_clamped
+        let mut is_clamped = || clamps.any(|joint| joint.body == index && joint.frame == body.frame);
+        body.spec.fidelity == Fidelity::Full && !is_followed && !is_clamped()
     }
 
     /// Name of a joint for messages.

@@ -14,11 +14,11 @@ use crate::check::sections::undamped::undamped_parts;
 use crate::check::starts::distant::distant_axes;
 use crate::check::values::read::{self, mentioned};
 use crate::check::values::words::TOTAL;
-use crate::elements::{Element, Library};
+use crate::elements::{Coefficient, Element, Library};
 use crate::errors::Mistake;
 use crate::model::{Body, Model, SectionShape, Space};
 use crate::parse::tree::{Call, Expr, Field, Fields, Item, ItemKind, Keyword, Tree};
-use crate::vocabulary::{ALIKE, BOTH_AXES, DERIVED, LAW, product_of};
+use crate::vocabulary::{BOTH_AXES, DERIVED, LAW, fields_of_product};
 
 /// Warnings about a model without mistakes: items in the order of the declaration, then properties of materials and
 /// sections. A leading underscore silences them.
@@ -311,9 +311,8 @@ fn reads(body: &Body, space: Space, library: &Library) -> Vec<&'static str> {
     let element = &library.elements[body.element.0];
     let coefficients = element.coefficients_in(space.dimension(), &body.options);
     if body.has_own_stiffness() {
-        let mut read: Vec<&str> = coefficients.iter().filter_map(|one| product_of(&one.factors)).collect();
-        let is_alike = coefficients.iter().any(|one| one.factors.contains(&ALIKE));
-        read.extend((is_alike && space == Space::Spatial).then_some("EIy"));
+        let fields = |one: &&Coefficient| fields_of_product(&one.factors, space == Space::Spatial);
+        let mut read: Vec<&str> = coefficients.iter().filter_map(fields).flatten().collect();
         read.extend(body.fidelity.deforms().then_some(element.damping));
         return read;
     }

@@ -37,7 +37,7 @@ pub const MASS_ENTRIES: &[&str] = &[
 
 /// What products of a material's and a section's properties are of a section that says its stiffness by itself: what an element without axes in its
 /// section, or one of a model's own, reads of it.
-pub const PRODUCTS: &[(&str, &[&str])] = &[
+const PRODUCTS: &[(&str, &[&str])] = &[
     ("EA", &["area", "young"]),
     // Of an element that bends alike in all directions, [`ALIKE`].
     ("EIz", &["second_moment", "young"]),
@@ -52,7 +52,14 @@ pub const PRODUCTS: &[(&str, &[&str])] = &[
 ];
 
 /// The second moment of an element that bends alike in all directions: that about z, and in space about y, too.
-pub const ALIKE: &str = "second_moment";
+const ALIKE: &str = "second_moment";
+
+/// The fields that a product of properties reads, first the one that it is: bending alike in all directions is in space about both axes.
+pub fn fields_of_product(factors: &[&str], is_spatial: bool) -> Option<Vec<&'static str>> {
+    let is_alike = is_spatial && factors.contains(&ALIKE);
+    let other = is_alike.then_some("EIy");
+    Some(std::iter::once(product_of(factors)?).chain(other).collect())
+}
 
 /// The field that a product of properties is.
 pub fn product_of(factors: &[&str]) -> Option<&'static str> {

@@ -12,7 +12,7 @@ use crate::elements::Element;
 use crate::errors::Area;
 use crate::model::{ElementId, Evaluation, Expr as Value, Law, Quadrature, SectionShape, Space, Table};
 use crate::parse::tree::{Call, Expr, Keyword, Name, Statement};
-use crate::vocabulary::{ALIKE, CENTRES, DAMPINGS, MASS_ENTRIES, MASSES, STIFFNESS_ENTRIES, product_of};
+use crate::vocabulary::{CENTRES, DAMPINGS, MASS_ENTRIES, MASSES, STIFFNESS_ENTRIES, fields_of_product};
 
 /// Constants that a `beam` needs in a plane.
 const IN_PLANE: [&str; 5] = ["EA", "GAy", "EIz", "mass", "inertia_z"];
@@ -181,15 +181,13 @@ impl<'a> Check<'a> {
         let mut missing: Vec<&'static str> = Vec::new();
         let coefficients = element.coefficients_in(space.dimension(), options).into_iter();
         for coefficient in coefficients.filter(|coefficient| !coefficient.factors.is_empty()) {
-            let Some(number) = product_of(&coefficient.factors) else {
+            let Some(about) = fields_of_product(&coefficient.factors, space == Space::Spatial) else {
                 let product = format!("{} = {}", coefficient.name, coefficient.factors.join(" * "));
                 self.errors
                     .at(section.span, say::no_number(&section.text, &product, word));
                 return None;
             };
-            let is_alike = space == Space::Spatial && coefficient.factors.contains(&ALIKE);
-            let about: &[&str] = if is_alike { &["EIz", "EIy"] } else { &[number] };
-            missing.extend(lacking(law, about));
+            missing.extend(lacking(law, &about));
             let mut values = about.iter().filter_map(|about| law.fields.get(about));
             let Some(value) = values.next() else { continue };
             if values.any(|other| other != value) {
@@ -197,7 +195,7 @@ impl<'a> Check<'a> {
                     .at(section.span, say::unequal_stiffness(&section.text, word));
                 return None;
             }
-            properties.insert(number, value.clone());
+            properties.insert(about[0], value.clone());
         }
         if !missing.is_empty() {
             missing.dedup();
