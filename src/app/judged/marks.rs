@@ -107,7 +107,7 @@ impl Marks {
         known: &[bool],
         rtol: f64,
     ) -> Vec<Off> {
-        self.apart(outputs, (here, there), known, [rtol, 0.0])
+        apart(&compared(self.run(), outputs, here, there), known, [rtol, 0.0])
     }
 
     /// [`Marks::between`] of runs on other meshes: of a number that hardly changes, such as a momentum, no part is told that steps of both with their
@@ -120,24 +120,7 @@ impl Marks {
         known: &[bool],
         rtol: f64,
     ) -> Vec<Off> {
-        self.apart(outputs, (here, there), known, [rtol, DRIFT * rtol])
-    }
-
-    /// How far two runs are apart, and for a number that hardly changes by more than a part of its value.
-    fn apart(
-        &self,
-        outputs: &[Output],
-        (here, there): (&[(f64, Vec<f64>)], &[Vec<f64>]),
-        known: &[bool],
-        [rtol, drift]: [f64; 2],
-    ) -> Vec<Off> {
-        let compared = compared(self.run(), outputs, here, there);
-        let all = compared.iter().zip(known);
-        let off = all.map(|(of, &is_known)| match of.off(is_known, rtol) {
-            off if off.nothing.is_some() && of.away <= drift * of.value.max(of.operands) => Off { part: 0.0, ..off },
-            off => off,
-        });
-        sorted(of_outputs(off))
+        apart(&compared(self.run(), outputs, here, there), known, [rtol, DRIFT * rtol])
     }
 
     /// Which outputs, and components of them, two runs with different steps find alike.
@@ -215,6 +198,17 @@ pub(in crate::app) fn is_of_motion(output: &Output) -> bool {
 /// The largest part.
 pub(in crate::app) fn largest(found: &[Off]) -> f64 {
     found.first().map_or(0.0, |off| off.part)
+}
+
+/// How far two runs are apart, each by what is known to be there to the first of two tolerances; a number that hardly changes by nothing, where that is
+/// within a second part of its value.
+fn apart(compared: &[Compared], known: &[bool], [rtol, drift]: [f64; 2]) -> Vec<Off> {
+    let all = compared.iter().zip(known);
+    let off = all.map(|(of, &is_known)| match of.off(is_known, rtol) {
+        off if off.nothing.is_some() && of.away <= drift * of.value.max(of.operands) => Off { part: 0.0, ..off },
+        off => off,
+    });
+    sorted(of_outputs(off))
 }
 
 /// The largest first.
