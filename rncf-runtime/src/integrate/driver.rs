@@ -386,6 +386,7 @@ impl Driver {
         };
         let mut state = self.state().clone();
         let Some(first) = passed(system, &state) else {
+            self.segments.pass_none();
             return false;
         };
         let (from, to) = (before.t, state.t);

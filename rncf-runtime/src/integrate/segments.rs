@@ -26,6 +26,8 @@ pub(super) struct Segments {
     passed: usize,
     /// Kinks of laws that were found in steps.
     met: u64,
+    /// Steps of late that passed none, less the kinks that were found meanwhile.
+    quiet: u64,
     end: f64,
 }
 
@@ -37,6 +39,7 @@ impl Keep for Segments {
             kinks,
             passed,
             met,
+            quiet,
             end,
         } = self;
         start.keep(archive);
@@ -44,6 +47,7 @@ impl Keep for Segments {
         kinks.keep(archive);
         passed.keep(archive);
         met.keep(archive);
+        quiet.keep(archive);
         end.keep(archive);
         if *passed > kinks.len() {
             archive.misfit();
@@ -69,6 +73,7 @@ impl Segments {
             kinks: Vec::new(),
             passed: 0,
             met: 0,
+            quiet: 0,
             end,
         };
         for kink in times {
@@ -107,12 +112,19 @@ impl Segments {
     pub(super) fn meet(&mut self, kink: f64) -> bool {
         let is_new = self.insert(kink, kink);
         self.met += u64::from(is_new);
+        self.quiet = self.quiet.saturating_sub(1);
         is_new
     }
 
-    /// Whether something rattles: there is a kink of a law every few of so many steps.
+    /// Notes a step that passes no kink of a law.
+    pub(super) fn pass_none(&mut self) {
+        self.quiet = (self.quiet + 1).min(FIRST_KINKS);
+    }
+
+    /// Whether something rattles: there is a kink of a law every few of so many steps, and of late, too. What bounces at first, and then rests, is to
+    /// leave at a kink again.
     pub(super) fn rattles(&self, steps: u64) -> bool {
-        self.met > FIRST_KINKS && self.met * STEPS_A_KINK > steps
+        self.met > FIRST_KINKS && self.met * STEPS_A_KINK > steps && self.quiet == 0
     }
 
     /// Whether two times (s) count as one kink.
