@@ -451,6 +451,11 @@ pub trait System {
         false
     }
 
+    /// Whether somebody reads multipliers: between the ends of steps they may cost an iteration of Newton.
+    fn reads_multipliers(&self) -> bool {
+        true
+    }
+
     /// Whether flexible bodies may turn in the axes of their unknowns.
     fn turns_in_unknowns(&self) -> bool {
         false

@@ -304,10 +304,6 @@ impl Scene for RotorScene {
         3
     }
 
-    fn outputs_need_acceleration(&self) -> bool {
-        false
-    }
-
     fn outputs(&mut self, state: &State, out: &mut [f64]) {
         let (x, v) = self.in_frame(state);
         let force = self.force(x, v);

@@ -1,6 +1,7 @@
 //! Generated models, integrated, against references that were written by hand from THEORY.
 
 mod agreement;
+mod between_steps;
 mod closed_forms;
 mod coarse_meshes;
 mod dense;

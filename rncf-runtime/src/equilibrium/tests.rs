@@ -106,9 +106,6 @@ impl Scene for Arm {
     fn output_columns(&self) -> usize {
         0
     }
-    fn outputs_need_acceleration(&self) -> bool {
-        false
-    }
     fn outputs(&mut self, _state: &State, _out: &mut [f64]) {}
     fn rest(&self, t: f64) -> State {
         let mut state = State::zeros(t, 2, self.constraints());

@@ -107,9 +107,10 @@ impl<'s, S: AsSystem + ?Sized> Integrator<'s, S> {
         self.driver.previous_time
     }
 
-    /// State at `t` within the last accepted step by the method's dense output.
-    pub fn interpolate(&self, t: f64, out: &mut State) {
+    /// State at `t` within the last accepted step by the method's dense output; multipliers of Radau by the equations of motion there.
+    pub fn interpolate(&mut self, t: f64, out: &mut State) {
         self.driver.scheme.interpolate(t, out);
+        self.driver.scheme.balance(self.system.as_system(), out);
     }
 
     /// Counts so far.

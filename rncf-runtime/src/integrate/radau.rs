@@ -7,6 +7,7 @@
 //! Free orientations are integrated in a chart that begins anew with every step, `chart`; with the
 //! stabilised index 2 the velocities are on their constraints, too, `stabilised`.
 
+mod between;
 mod chart;
 mod coefficients;
 mod error;
@@ -24,6 +25,7 @@ use super::statistics::Statistics;
 use crate::archive::{Archive, Keep};
 use crate::error::SolveErrorKind;
 use crate::system::{State, System};
+use between::Between;
 use coefficients::Coefficients;
 use error::Estimate;
 use matrices::Matrices;
@@ -40,6 +42,8 @@ const MULTIPLIED: f64 = 11.76;
 /// Part of the remainders where bodies turn in the axes of their unknowns: a kept matrix grows old by the turn, what it leaves has one sign step after
 /// step, and drives vibrations of stiff elements faster than the method damps them.
 const TURNING: f64 = 0.1;
+/// Roots of the tolerance by which polynomials through multipliers may differ that are kept between the ends of steps.
+const MISSED: f64 = 0.03;
 /// Contraction above which the next step evaluates the tangent anew.
 const AGED: f64 = 0.02;
 /// Iterations up to which a step may grow, and contraction up to which it may after more of them.
@@ -67,6 +71,10 @@ pub(super) struct Radau<const S: usize> {
     low: Low,
     /// Where the tangent is evaluated.
     middle: State,
+    /// Multipliers within the last accepted step, once they are asked for.
+    between: Option<Between>,
+    /// Part of the multipliers that interpolation may miss.
+    missed: f64,
     /// Stages of the last accepted step, none after a start.
     last: Option<Stages<S>>,
     trial: Stages<S>,
@@ -119,6 +127,8 @@ impl<const S: usize> Radau<S> {
             now: State::of(system, 0.0),
             low: Low::zeros(n),
             middle: State::of(system, 0.0),
+            between: None,
+            missed: MISSED * options.rtol.sqrt(),
             last: None,
             trial: Stages::new(n, m, stabilised),
             tangent: Age::Stale,
@@ -234,6 +244,8 @@ impl<const S: usize> Keep for Radau<S> {
             now,
             low,
             middle: _,
+            between: _,
+            missed: _,
             last,
             trial,
             tangent: _,
@@ -339,6 +351,16 @@ impl<const S: usize> Scheme for Radau<S> {
         match &self.last {
             Some(last) => last.interpolate(&self.coefficients, &self.matrices.chart, &self.before, t, out),
             None => out.clone_from(&self.now),
+        }
+    }
+
+    fn balance(&mut self, system: &mut dyn System, state: &mut State) {
+        let is_read = !state.lambda.is_empty() && system.reads_multipliers();
+        if let Some(last) = self.last.as_ref().filter(|_| is_read)
+            && last.misses_multipliers(&self.coefficients, &self.before, state, self.missed)
+        {
+            let between = self.between.get_or_insert_with(|| Between::new(system));
+            between.balance(system, self.coefficients.real / last.h, state);
         }
     }
 

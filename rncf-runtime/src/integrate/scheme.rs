@@ -57,6 +57,9 @@ pub(super) trait Scheme: Keep {
     /// The state at `t` within the last accepted step.
     fn interpolate(&self, t: f64, out: &mut State);
 
+    /// Balances the forces of a state from [`Scheme::interpolate`] by its multipliers, where steps do not follow these.
+    fn balance(&mut self, _system: &mut dyn System, _state: &mut State) {}
+
     /// The unknown with the largest part in the error of the last attempt, if known.
     fn worst_error(&self) -> Option<usize> {
         None

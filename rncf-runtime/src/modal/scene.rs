@@ -503,6 +503,10 @@ impl System for ModalScene {
         self.scene.is_branch_of_constraint(index)
     }
 
+    fn reads_multipliers(&self) -> bool {
+        self.scene.reads_multipliers()
+    }
+
     fn turns_in_unknowns(&self) -> bool {
         self.scene.turns_in_unknowns()
     }

@@ -31,10 +31,6 @@ impl Scene for ModalScene {
         self.scene.output_columns()
     }
 
-    fn outputs_need_acceleration(&self) -> bool {
-        self.scene.outputs_need_acceleration()
-    }
-
     fn outputs(&mut self, state: &State, out: &mut [f64]) {
         self.expand(state);
         self.in_elements(|scene, full| scene.outputs(full, out));

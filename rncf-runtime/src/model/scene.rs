@@ -14,9 +14,6 @@ pub trait Scene: System + Send {
     /// Number of scalar output columns: components of all [`Model::outputs`](super::Model::outputs) in their order.
     fn output_columns(&self) -> usize;
 
-    /// Whether an output needs accelerations (reactions do).
-    fn outputs_need_acceleration(&self) -> bool;
-
     /// Values of all outputs, SI, at a state.
     fn outputs(&mut self, state: &State, out: &mut [f64]);
 

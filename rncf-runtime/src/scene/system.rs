@@ -183,6 +183,10 @@ impl System for MeshScene {
         readers.iter().map(|markers| self.paths_of(markers, state.t)).collect()
     }
 
+    fn reads_multipliers(&self) -> bool {
+        self.observes_multipliers()
+    }
+
     fn turns_in_unknowns(&self) -> bool {
         (0..self.bodies.len()).any(|body| self.may_turn_in_its_axes(body))
     }

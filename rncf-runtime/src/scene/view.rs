@@ -1,7 +1,6 @@
 //! A scene as the application sees it.
 
 use super::mesh_scene::MeshScene;
-use crate::emitted::ObservedSpec;
 use crate::error::ModelError;
 use crate::model::{
     Composition, Configuration, Curve, DescribedBody, FrameState, MassProperties, MeshError, Scene, SectionBody,
@@ -13,15 +12,6 @@ use crate::system::{State, Tangent};
 impl Scene for MeshScene {
     fn output_columns(&self) -> usize {
         self.parts.output_columns()
-    }
-
-    fn outputs_need_acceleration(&self) -> bool {
-        self.observed.specs.iter().any(|observed| {
-            matches!(
-                observed,
-                ObservedSpec::Reaction { .. } | ObservedSpec::Marker { derivative: 2, .. }
-            )
-        })
     }
 
     fn outputs(&mut self, state: &State, out: &mut [f64]) {

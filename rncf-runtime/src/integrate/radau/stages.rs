@@ -8,6 +8,9 @@ use crate::archive::{Archive, Keep};
 use crate::linalg::{Vectorised, dispatch};
 use crate::system::State;
 
+/// Part of the largest multiplier that is nothing.
+const NOTHING: f64 = 1e-9;
+
 /// Values at the S stages of a step, in its chart.
 #[derive(Clone, Debug)]
 pub(super) struct Stages<const S: usize> {
@@ -220,6 +223,32 @@ impl<const S: usize> Stages<S> {
         combine(&on_nodes, &self.a, &mut out.a);
         combine(&on_nodes, &self.lambda, &mut out.lambda);
         chart.leave(out);
+    }
+}
+
+impl<const S: usize> Stages<S> {
+    /// Whether a polynomial that knows the multipliers at the start of the step, too, has others than a state in it, by more than a part of their largest
+    /// values there.
+    pub(super) fn misses_multipliers(
+        &self,
+        coefficients: &Coefficients<S>,
+        start: &State,
+        state: &State,
+        part: f64,
+    ) -> bool {
+        let (first, weights) = coefficients.with_start((state.t - start.t) / self.h);
+        let lambda = slices(&self.lambda, start.lambda.len());
+        let largest = |i: usize| {
+            lambda
+                .iter()
+                .map(|stage| stage[i].abs())
+                .fold(start.lambda[i].abs(), f64::max)
+        };
+        let least = NOTHING * (0..start.lambda.len()).map(largest).fold(0.0, f64::max);
+        (0..start.lambda.len()).any(|i| {
+            let other = first * start.lambda[i] + combined(&weights, &lambda, i);
+            (other - state.lambda[i]).abs() > part * largest(i).max(least)
+        })
     }
 }
 

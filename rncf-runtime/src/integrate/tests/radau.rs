@@ -89,7 +89,7 @@ fn run<S: System>(
     start: State,
     t_end: f64,
     options: Options,
-    see: impl FnMut(&Integrator<S>),
+    see: impl FnMut(&mut Integrator<S>),
 ) -> (State, Statistics) {
     run_by(Method::Radau, system, start, t_end, options, see)
 }
@@ -101,13 +101,13 @@ pub(super) fn run_by<S: System>(
     start: State,
     t_end: f64,
     options: Options,
-    mut see: impl FnMut(&Integrator<S>),
+    mut see: impl FnMut(&mut Integrator<S>),
 ) -> (State, Statistics) {
     let mut integrator = Integrator::new(system, start, t_end, method, options).unwrap();
     while integrator.step().unwrap() != Stop::End {
-        see(&integrator);
+        see(&mut integrator);
     }
-    see(&integrator);
+    see(&mut integrator);
     (integrator.state().clone(), integrator.statistics().clone())
 }
 

@@ -1,7 +1,6 @@
 //! What is read off a scene: outputs, reactions, energy.
 
 use crate::emitted::{JointKind, JointSpec, LoadKind, MAX_SIZE, ObservedSpec, PointQuantity, When};
-use crate::model::Scene;
 use crate::scene::bodies::described::Kernels;
 use crate::scene::bodies::mesh_body::MeshBody;
 use crate::scene::bodies::place::PlaceVector;
@@ -251,11 +250,33 @@ impl MeshScene {
         self.bodies.iter().any(|body| body.modes.is_some())
     }
 
+    fn observes(&self, such: impl Fn(&ObservedSpec) -> bool) -> bool {
+        self.observed.specs.iter().any(such)
+    }
+
+    /// Whether outputs are made of multipliers.
+    pub(crate) fn observes_multipliers(&self) -> bool {
+        self.observes(|observed| {
+            matches!(
+                observed,
+                ObservedSpec::ConstraintReaction { .. }
+                    | ObservedSpec::Multiplier { .. }
+                    | ObservedSpec::Reaction { .. }
+                    | ObservedSpec::Section { .. }
+            )
+        })
+    }
+
     /// Output columns at the loaded state.
     pub(crate) fn evaluate_outputs(&mut self, t: f64, load_scale: f64, lambda: &[f64], out: &mut [f64]) {
-        let is_section = |observed: &ObservedSpec| matches!(observed, ObservedSpec::Section { .. });
-        let has_sections = self.observed.specs.iter().any(is_section);
-        if self.outputs_need_acceleration() || has_sections && self.has_modes() {
+        let has_sections = self.observes(|observed| matches!(observed, ObservedSpec::Section { .. }));
+        let needs_acceleration = |observed: &ObservedSpec| {
+            matches!(
+                observed,
+                ObservedSpec::Reaction { .. } | ObservedSpec::Marker { derivative: 2, .. }
+            )
+        };
+        if self.observes(needs_acceleration) || has_sections && self.has_modes() {
             self.evaluate_reactions(t, load_scale, lambda);
         }
         if has_sections {
