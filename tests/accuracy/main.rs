@@ -43,6 +43,7 @@ mod runs;
 mod sampled_scenes;
 mod scales;
 mod slider_crank;
+mod small_motions;
 mod spin_up;
 mod steady;
 mod step_control;

@@ -7,7 +7,7 @@ use super::buckling::buckling;
 use super::continuation::Line;
 use crate::AnyModel;
 use crate::app::judged::agreement;
-use crate::app::judged::compared::TOLD;
+use crate::app::judged::compared::{Off, TOLD};
 use crate::app::judged::finer::Judging;
 use crate::app::judged::finer_model::FinerModel;
 use crate::app::judged::marks::{Marks, percent, told};
@@ -148,7 +148,7 @@ pub(in crate::app) fn compare(model: &dyn AnyModel, own: &Own<'_>, goes_on: &mut
             .is_empty()
             .then(|| agreement::of_equilibria(outputs, &off, of_values))
             .flatten(),
-        off_by: off.iter().map(|of| (of.output, of.part)).collect(),
+        off_by: off.iter().filter_map(Off::known).collect(),
     })
 }
 

@@ -56,7 +56,9 @@ fn sentence(outputs: &[Output], off: &[Off], with: &str) -> Option<String> {
     if off.is_empty() || most > TOLD {
         return None;
     }
-    let (open, known): (Vec<&Off>, Vec<&Off>) = off.iter().partition(|of| of.is_open);
+    let (open, others): (Vec<&Off>, Vec<&Off>) = off.iter().partition(|of| of.is_open);
+    // Of what is nothing beside what it is made of, nothing is said.
+    let known: Vec<&Off> = others.into_iter().filter(|of| of.nothing.is_none()).collect();
     let most = known.first().map_or(0.0, |of| of.part);
     let like = known.iter().filter(|of| of.part >= LIKE * most);
     let names: Vec<String> = like.map(|of| format!("`{}`", of.name(outputs))).collect();
@@ -79,7 +81,7 @@ fn sentence(outputs: &[Output], off: &[Off], with: &str) -> Option<String> {
         (Some(known), Some(open)) => format!("{known}, and {open}"),
         (Some(one), None) => one,
         (None, Some(open)) => format!("outputs differ, {open}"),
-        (None, None) => return None,
+        (None, None) => "no output changes by more than errors of what it is made of".to_string(),
     };
     Some(format!("Compared with {with}, {found}."))
 }

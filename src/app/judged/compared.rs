@@ -15,8 +15,13 @@ const SMALL: f64 = 1e-3;
 const CONSTANT: f64 = 0.01;
 /// Part of the tolerance, of what an output is made of, below which it is nothing.
 pub(super) const NOTHING: f64 = 1e-3;
-/// Part of what an output is made of that may be the same noise in two runs.
+/// Part of what an output is made of that may be the same noise in two runs, and what this is at most in its round-off.
 const LEAST: f64 = 1e-10;
+const FEW: f64 = 3.0;
+/// Part by which runs are apart, until they have changed by as large a part of what they do at all, that leaves no doubt that there is something.
+const EARLY: f64 = 0.1;
+/// Relative error of a state that many steps leave.
+pub(super) const ROUND_OFF: f64 = 1e-13;
 /// Part of its value by which a number changes that does not.
 const STILL: f64 = 1e-9;
 /// Part beyond which both are different motions.
@@ -41,6 +46,11 @@ pub(in crate::app) struct Off {
 }
 
 impl Off {
+    /// The output and its part, unless that is little of what the output is made of: it says nothing of its change then.
+    pub fn known(&self) -> Option<(usize, f64)> {
+        (self.nothing.is_none() || self.part > TOLD).then_some((self.output, self.part))
+    }
+
     /// As it is written: `tip`, `tip.x`.
     pub fn name(&self, outputs: &[Output]) -> String {
         let output = &outputs[self.output];
@@ -65,13 +75,15 @@ pub(super) struct Compared {
     pub sizes: [f64; 2],
     pub operands: f64,
     pub round_off: f64,
+    /// Whether both are near each other at first, however far apart they are later.
+    pub begins_alike: bool,
 }
 
 impl Compared {
     /// Two runs with different steps agree that there is something: it is no error of steps.
     pub fn agrees(&self) -> bool {
         let size = self.sizes[0].min(self.sizes[1]);
-        size > LEAST * self.operands && self.away <= WRONG * size
+        size > noise(self.operands, self.round_off) && (self.away <= WRONG * size || self.begins_alike)
     }
 
     /// The size by which a distance is measured, of an output that is known to be there or not.
@@ -106,6 +118,14 @@ pub(super) struct Run<'r> {
     pub rows: &'r [(f64, Vec<f64>)],
     pub round_off: &'r [f64],
     pub operands: &'r [f64],
+}
+
+/// Size up to which an output may be noise.
+fn noise(operands: f64, round_off: f64) -> f64 {
+    match LEAST * operands {
+        least if round_off > 0.0 => least.min(FEW * round_off),
+        least => least,
+    }
 }
 
 /// How many there are to compare.
@@ -148,7 +168,7 @@ pub(super) fn compared(
                 let far = distance(a, b);
                 whole.map_or(far, |turn| far.min(turn - far))
             };
-            let pairs = here.iter().zip(there);
+            let pairs = || here.iter().map(|(_, row)| &row[..]).zip(there);
             let in_columns = |of: &[f64]| norm(of.get(columns.clone()).unwrap_or_default().iter().copied());
             // What changes nowhere, such as a mass, or a force at rest, is measured by its value.
             let stays = |rows: &mut dyn Iterator<Item = &[f64]>| {
@@ -159,15 +179,33 @@ pub(super) fn compared(
             let is_still = stays(&mut run.rows.iter().map(|row| &row.1[..]))
                 && stays(&mut here.iter().take(there.len()).map(|row| &row.1[..]))
                 && stays(&mut there.iter().map(|row| &row[..]));
+            let sizes = both.map(|[change, value]| change.min(value));
+            let round_off = in_columns(run.round_off);
+            let operands = match in_columns(run.operands) {
+                // Places are made of unknowns alone: of a body in a frame far away not of where that is.
+                operands if output.time_exponent == 0.0 && round_off > 0.0 => operands.min(round_off / ROUND_OFF),
+                operands => operands,
+            };
+            let begins_alike = {
+                let least = noise(operands, round_off).max(EARLY * sizes[0].min(sizes[1]));
+                let mut so_far = [0.0f64; 3];
+                pairs().any(|(row, other)| {
+                    let now = [apart(row, other), distance(row, begin), distance(other, begin)];
+                    so_far.iter_mut().zip(now).for_each(|(most, now)| *most = most.max(now));
+                    let [away, own, others] = so_far;
+                    own.min(others) > least && away <= EARLY * own.min(others)
+                })
+            };
             Compared {
                 output: index,
                 component,
-                away: pairs.map(|((_, row), other)| apart(row, other)).fold(0.0, f64::max),
+                away: pairs().map(|(row, other)| apart(row, other)).fold(0.0, f64::max),
                 size: if is_still { value } else { change.min(value) },
                 value,
-                sizes: both.map(|[change, value]| change.min(value)),
-                operands: in_columns(run.operands),
-                round_off: in_columns(run.round_off),
+                sizes,
+                operands,
+                round_off,
+                begins_alike,
             }
         };
         let whole = of(None);

@@ -1,6 +1,6 @@
 //! Outputs of a run at its rows, and of a second run at the same times: how far one is from the other.
 
-use super::compared::{Compared, NOTHING, Off, Run, TOLD, WRONG, compared, of_outputs};
+use super::compared::{Compared, NOTHING, Off, ROUND_OFF, Run, TOLD, WRONG, compared, of_outputs};
 use crate::app::writing::sentences::listed;
 use crate::archive::{Archive, Keep};
 use crate::{Integrator, Method, Options, Output, Scene, State, Stop};
@@ -12,8 +12,8 @@ const BESIDE: u64 = 4;
 pub(super) const MORE: &str = "Take more elements in `mesh`: twice as many make it some ten times less, or half where something acts within an element or bends a taut line";
 /// In tolerances what steps of a run leave of a number that is kept.
 const DRIFT: f64 = 10.0;
-/// Relative error of a state that many steps leave.
-const ROUND_OFF: f64 = 1e-13;
+/// A number whose multiples have fractions that are spread evenly.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Most outputs that are told.
 const MOST: usize = 4;
 
@@ -168,21 +168,28 @@ impl Marks {
     }
 }
 
-/// What round-off of a state makes of the outputs, by columns: of places, and of the forces that it makes of multipliers.
+/// What round-off of a state makes of the outputs, by columns: of places and speeds, and of the forces that it makes of multipliers.
 pub(in crate::app) fn round_off(scene: &mut dyn Scene, state: &State) -> Vec<f64> {
     let columns = scene.output_columns();
     let [mut values, mut others] = [vec![0.0; columns], vec![0.0; columns]];
     let [mut force, mut other] = [vec![0.0; scene.unknowns()], vec![0.0; scene.unknowns()]];
     let mut near = state.clone();
-    let sign = |index: usize| if index % 3 == 1 { -1.0 } else { 1.0 };
+    // Of two bodies not the same: a distance between them would have none.
+    let part = |index: usize| {
+        let size = ROUND_OFF * (1.0 + (GOLDEN * index as f64).fract());
+        if index % 3 == 1 { -size } else { size }
+    };
     for (index, (x, size)) in near.x.iter_mut().zip(scene.sizes()).enumerate() {
-        *x += sign(index) * ROUND_OFF * size.max(x.abs());
+        *x += part(index) * size.max(x.abs());
+    }
+    for (index, v) in near.v.iter_mut().enumerate() {
+        *v += part(index) * v.abs();
     }
     scene.residual(state, &mut force);
     scene.residual(&near, &mut other);
     let change = force.iter().zip(&other).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     for (index, multiplier) in near.lambda.iter_mut().enumerate() {
-        *multiplier += sign(index) * change;
+        *multiplier += change.copysign(part(index));
     }
     scene.outputs(state, &mut values);
     scene.outputs(&near, &mut others);

@@ -6,6 +6,7 @@ use super::course::Course;
 use super::frame_state::{finer_frame_state, frame_state};
 use super::recorder::{InMemory, Recorder};
 use crate::app::judged::accumulated::{Ended, accumulated};
+use crate::app::judged::compared::Off;
 use crate::app::judged::doubts::doubts;
 use crate::app::judged::finer::{self, Begun, FINER, Found, Judging};
 use crate::app::judged::marks::{Marks, round_off};
@@ -181,7 +182,7 @@ fn look_again(
     result.judged_until = Some(found.until).filter(|&until| until > 0.0);
     off.extend(found.off);
     let off = finer::each(off);
-    result.off_by = off.iter().map(|of| (of.output, of.part)).collect();
+    result.off_by = off.iter().filter_map(Off::known).collect();
     // What outputs are off by says more than the energy of single moments.
     let coarse = found.mesh.or_else(|| result.coarse.take().filter(|_| !found.is_whole));
     let told = coarse.into_iter().chain(missed).chain(added_up.or(found.steps));
