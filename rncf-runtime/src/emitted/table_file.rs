@@ -8,7 +8,7 @@ use std::sync::{Mutex, PoisonError};
 use super::table::{Between, Table};
 use crate::error::ModelError;
 use crate::hash::hash_bytes;
-use crate::import::rows::{Disorder, Head, Rows, chords, in_order, text};
+use crate::import::rows::{Disorder, Head, Rows, beyond_round_off, chords, in_order, text};
 use crate::import::spline::{periodic_slopes, slopes};
 use crate::nearest::nearest;
 use crate::units::{Number, Unit};
@@ -30,8 +30,8 @@ pub struct TableForm {
     pub columns: &'static [FileColumn],
     /// Columns that the places are made of: one, or the coordinates of points.
     pub places: &'static [usize],
-    /// Columns that say the same entry of a symmetric matrix.
-    pub alike: &'static [[usize; 2]],
+    /// Columns that say the same entry of a symmetric matrix, the first of which counts, and those of the entries on its diagonal in their row and column.
+    pub alike: &'static [[usize; 4]],
 }
 
 /// A column of a file.
@@ -237,13 +237,21 @@ impl TableForm {
                 self.columns[open].name
             ));
         }
-        for &[one, other] in self.alike {
-            let differ = (0..places.len()).find(|&row| columns[one][row] != columns[other][row]);
-            if let Some(row) = differ {
-                let [one, other] = [one, other].map(|column| self.columns[column].name);
+        for &[one, other, i, j] in self.alike {
+            let at = |row: usize| [one, other, i, j].map(|column| columns[column][row]);
+            let differ = |row: &usize| {
+                let [one, other, i, j] = at(*row);
+                beyond_round_off([one, other], [i, j])
+            };
+            if let Some(row) = (0..places.len()).find(differ) {
+                let [one, other] = [one, other].map(|column| (self.columns[column].name, columns[column][row]));
                 return Err(format!(
-                    "line {}: `{one}` and `{other}` are one entry of a symmetric matrix, and differ",
-                    rows.line(row)
+                    "line {}: `{}` and `{}` are one entry of a symmetric matrix, and differ: {} and {}",
+                    rows.line(row),
+                    one.0,
+                    other.0,
+                    one.1,
+                    other.1
                 ));
             }
         }
@@ -357,7 +365,7 @@ mod tests {
             },
         ],
         places: &[0],
-        alike: &[[1, 2]],
+        alike: &[[1, 2, 1, 1]],
     };
 
     fn read(name: &str, text: &str) -> Result<TableFile, ModelError> {
@@ -377,6 +385,8 @@ mod tests {
             file.columns,
             [&[0.0, 10.0 * 0.0254], &[500.0, 1000.0], &[500.0, 1000.0]]
         );
+        let nearly = text.replace("0.5, a", "0.5000000000001, a");
+        assert_eq!(read("nearly", &nearly).unwrap().columns[1], [500.0, 1000.0]);
         let declared = TableFile::declared(&FORM);
         assert_eq!((declared.number(), declared.path()), (0.0, "mast.csv"));
         assert_eq!(declared.numbered(file.number()), file);
@@ -439,7 +449,7 @@ mod tests {
             (
                 "alike",
                 &format!("{head}0, 1, 1\n1, 1, 2\n"),
-                "line 3: `EI` and `EI_again` are one entry",
+                "line 3: `EI` and `EI_again` are one entry of a symmetric matrix, and differ: 1 and 2",
             ),
         ] {
             let told = read(name, text).unwrap_err().to_string();

@@ -119,9 +119,9 @@ pub fn unread_column(column: &str, table: &str, word: &str, near: Option<&str>) 
     }
 }
 
-pub fn not_symmetric(first: &str, second: &str, row: usize) -> String {
+pub fn not_symmetric([(first, one), (second, other)]: [(&str, f64); 2], row: usize) -> String {
     format!(
-        "columns `{first}` and `{second}` are one entry of a symmetric matrix, and differ in row {row}: give one of them"
+        "columns `{first}` and `{second}` are one entry of a symmetric matrix, and differ in row {row}, {one} and {other}: give one of them"
     )
 }
 

@@ -4,6 +4,14 @@
 use std::fmt;
 use std::path::Path;
 
+/// Part of the entries on the diagonal by which the two triangles of a symmetric matrix may differ.
+const ROUND_OFF: f64 = 1e-12;
+
+/// Whether two numbers for one entry of a symmetric matrix differ by more than the arithmetic that made it; `diagonal` has the entries in its row and column.
+pub fn beyond_round_off([one, other]: [f64; 2], [i, j]: [f64; 2]) -> bool {
+    (one - other).abs() > ROUND_OFF * (i * j).abs().sqrt()
+}
+
 /// A cell of the first line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Head<'t> {

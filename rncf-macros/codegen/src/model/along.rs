@@ -31,8 +31,8 @@ pub struct Table {
     pub columns: Vec<Column>,
     /// Columns that the places are made of: one, or the three coordinates of points.
     pub placed_by: Vec<usize>,
-    /// Columns that say the same entry of a symmetric matrix.
-    pub alike: Vec<[usize; 2]>,
+    /// Columns that say the same entry of a symmetric matrix, and those of the entries on its diagonal in their row and column.
+    pub alike: Vec<[usize; 4]>,
     /// Whether its file is a parameter of the program, so that the rows of a run may be others.
     pub is_param: bool,
 }

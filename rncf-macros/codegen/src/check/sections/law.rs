@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::known::{Section, Values};
 use crate::check::{Check, fold, say};
 use crate::errors::Area;
+use crate::import::rows::beyond_round_off;
 use crate::model::{Column, Expr as Value, Law, TableId};
 use crate::parse::tree::{Call, ExprKind};
 use crate::suggest;
@@ -12,6 +13,15 @@ use crate::vocabulary::{
     BOTH_AXES, CENTRES, DAMPINGS, LAW, MASS_ENTRIES, MASSES, Property, STIFFNESS_ENTRIES, field_of, from_beamdyn,
     of_either_triangle,
 };
+
+/// The entries on the diagonal in the row and in the column of an entry of a matrix, `K11` and `K22` of `K12`.
+fn diagonal(entry: &str) -> [String; 2] {
+    let (matrix, digits) = entry.split_at(1);
+    [0, 1].map(|at| {
+        let digit = digits.get(at..=at).unwrap_or_default();
+        format!("{matrix}{digit}{digit}")
+    })
+}
 
 /// Words before parentheses that make a section of a table.
 pub const OF_TABLE: [&str; 2] = ["columns", "beamdyn"];
@@ -66,13 +76,15 @@ impl<'a> Check<'a> {
         let is_beamdyn = call.name.text == OF_TABLE[1];
         let columns = self.model.tables[table.0].columns.clone();
         let mut taken: BTreeMap<&'static str, &Column> = BTreeMap::new();
-        for (at, column) in columns.iter().enumerate() {
-            let name = if is_beamdyn {
-                from_beamdyn(&column.name)
+        let own_name = |name: &'_ str| -> Option<String> {
+            if is_beamdyn {
+                from_beamdyn(name).map(str::to_string)
             } else {
-                of_either_triangle(&column.name).or(Some(column.name.as_str()))
-            };
-            let own = name.and_then(|name| field_of(&LAW, name));
+                Some(of_either_triangle(name).unwrap_or(name).to_string())
+            }
+        };
+        for (at, column) in columns.iter().enumerate() {
+            let own = own_name(&column.name).and_then(|name| field_of(&LAW, &name));
             let Some((field, property)) = own else {
                 // Places, and what a name with an underscore tells to be spare, are nobody's field.
                 if !self.model.tables[table.0].is_place(at) && !column.name.starts_with('_') {
@@ -95,14 +107,25 @@ impl<'a> Check<'a> {
             }
             // Both triangles of a symmetric matrix may stand in a table, where they are one matrix.
             if let Some(other) = taken.insert(field, column) {
-                let differ = |row: &usize| other.values[*row] != column.values[*row];
-                if let Some(row) = (0..column.values.len()).find(differ) {
-                    let message = say::not_symmetric(&other.name, &column.name, row + 1);
-                    self.errors.at(call.area, message);
+                let index = |field: &str| {
+                    let is_it = |column: &Column| own_name(&column.name).is_some_and(|name| name == field);
+                    columns.iter().position(is_it)
+                };
+                let diagonal = diagonal(field).map(|on_it| index(&on_it).unwrap_or(at));
+                let apart = |row: usize| {
+                    let values = diagonal.map(|column| columns[column].values[row]);
+                    beyond_round_off([other.values[row], column.values[row]], values)
+                };
+                if let Some(row) = (0..column.values.len()).find(|&row| apart(row)) {
+                    let values = [other, column].map(|column| (column.name.as_str(), column.values[row]));
+                    self.errors.at(call.area, say::not_symmetric(values, row + 1));
                     return None;
                 }
                 let other = columns.iter().position(|column| column.name == other.name);
-                self.model.tables[table.0].alike.extend(other.map(|other| [other, at]));
+                let [i, j] = diagonal;
+                self.model.tables[table.0]
+                    .alike
+                    .extend(other.map(|other| [other, at, i, j]));
                 continue;
             }
             if let Some((_, area)) = values.get(field) {
