@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use rncf::app::{EquilibriumSettings, Judging, RunError, RunSettings, modes, run, static_equilibria, steady};
-use rncf::{AnyModel, Method, ParamKind, TableFile};
+use rncf::{AnyModel, Method, ParamKind, StepSize, TableFile};
 
 use crate::limits::{Bow, Mast, Panel, PanelPinned, PanelTurned, Swung};
 use crate::redundant::{Door, DoorOnOne};
@@ -167,6 +167,10 @@ fn told(model: &mut dyn AnyModel, line: &str) -> Vec<String> {
     while let Some(word) = words.next() {
         match word {
             "--rtol" => settings.options.rtol = words.next().unwrap().parse().unwrap(),
+            "--step" => {
+                let step = words.next().unwrap().split(' ').next().unwrap().parse().unwrap();
+                settings.options.step = StepSize::Fixed(step);
+            }
             "--t-end" => settings.t_end = words.next().unwrap().split(' ').next().unwrap().parse().ok(),
             "--at" => about.at = words.next().unwrap().split(' ').next().unwrap().parse().ok(),
             _ => match word.split_once('=') {

@@ -1,11 +1,13 @@
 //! A scene with modal bodies as the application sees it.
 
 use super::scene::{ModalScene, Told, as_described};
+use crate::emitted::Line;
 use crate::error::ModelError;
 use crate::model::{
     Composition, Configuration, Curve, DescribedBody, ExportedBody, FrameState, MassProperties, MeshError, Scene,
     SectionBody, SectionState, Sign, Uniform, Warning,
 };
+use crate::scene::bodies::mesh_body::MeshBody;
 use crate::space::Vector;
 use crate::system::{State, Tangent};
 
@@ -191,6 +193,11 @@ impl Scene for ModalScene {
     }
 
     fn composition(&mut self, at: &Uniform, state: &State, shape: &[[f64; 2]]) -> Composition {
+        // Of a body from a file no mass is known where its nodes are, and no axis.
+        let is_from_file = |body: &MeshBody| matches!(body.spec.line, Line::Nodes(_));
+        if self.scene.bodies.iter().any(is_from_file) {
+            return Composition::default();
+        }
         self.expand(state);
         let full = self.expanded_shape(shape);
         self.scene.composition_of(at, &self.full, &full)

@@ -543,6 +543,11 @@ fn sentence_on_steps(run: &Ended<'_>, rtol: f64, outputs: &[Output], parts: &[Of
     } else {
         format!("Radau with a tolerance of {rtol:.0e} finds another motion, from which outputs differ")
     };
+    if let StepSize::Fixed(h) = run.options.step {
+        return Some(format!(
+            "Steps of {h:e} s are chosen by no tolerance: {found} by parts of their largest change or value, {names}. Take a smaller `--step`, or leave it out."
+        ));
+    }
     Some(format!(
         "The tolerance of {:e} holds for each step, and errors of {} steps add up: {found} by parts of their largest change or value, {names}. Take {}a smaller `--rtol`.",
         run.options.rtol,

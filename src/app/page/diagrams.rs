@@ -96,6 +96,9 @@ fn mode_rows(result: &Modes, frequency: Frequency) -> Vec<[String; COLUMNS]> {
 
 /// Parts of the kinetic energy in whole per cents, by kinds of motion and, where there are several, by bodies.
 fn what_moves(composition: &Composition) -> String {
+    if composition.motions.is_empty() {
+        return "-".into();
+    }
     let told = |(name, part): (&str, f64)| {
         let percent = (100.0 * part).round();
         (percent >= 1.0).then(|| format!("{name} {percent} %"))
@@ -137,7 +140,9 @@ fn readings(result: &Modes) -> Vec<String> {
         lines.push("Nothing turns: the reference frame is the inertial frame.".into());
     } else {
         lines.push("Frequency, damping ratio, logarithmic decrement and whirl are those seen in the inertial frame; nu is the frequency in the reference frame, which turns with the system.".into());
-        lines.push(if result.is_round {
+        lines.push(if !result.modes.iter().any(SeenMode::is_across) {
+            "Nothing moves across the axis: each mode appears at nu.".into()
+        } else if result.is_round {
             "The modes whirl on circles: each appears at one frequency, |spin + nu| or |spin - nu|, or nu where nothing moves across the axis.".into()
         } else {
             "The equilibrium is not axisymmetric: a mode that moves across the axis, and not on circles, appears at spin + nu and at |spin - nu|.".to_owned()
@@ -305,7 +310,8 @@ pub(in crate::app) fn campbell_part(result: &Campbell, frequency: Frequency) -> 
     );
     let caption = "Campbell diagram<span>in the reference frame, which turns with the system: 0 is the synchronous critical condition</span>";
     figure(&mut part, caption, &co_rotating, &legend(result, true))?;
-    if is_turning && !result.is_round {
+    let is_across = (0..result.keys.len()).any(|row| result.row(row).any(|mode| mode.is_across()));
+    if is_turning && is_across && !result.is_round {
         part += "<p>The equilibria are not axisymmetric: a mode that moves across the axis, and not on circles, appears in the inertial frame at spin + nu and |spin - nu|.</p>\n";
     }
     let margin = |row: usize| {

@@ -129,6 +129,11 @@ impl SeenMode {
             .collect()
     }
 
+    /// Whether it vibrates with some of its kinetic energy across the axis of the rotation.
+    pub fn is_across(&self) -> bool {
+        self.im > 0.0 && self.circulation.is_some()
+    }
+
     /// Sense of the whirl that this observer sees.
     pub fn inertial_whirl(&self, spin: f64) -> Whirl {
         match self.inertial(spin) {
@@ -160,7 +165,7 @@ fn ratio(re: f64, im: f64) -> Option<f64> {
 pub(in crate::app) fn is_round(modes: &[SeenMode]) -> bool {
     let mut across = modes
         .iter()
-        .filter(|mode| mode.im > 0.0)
+        .filter(|mode| mode.is_across())
         .filter_map(|mode| mode.circulation);
     let first = across.next();
     first.is_some_and(|first| first.abs() > ROUND) && across.all(|circulation| circulation.abs() > ROUND)

@@ -371,3 +371,26 @@ fn what_its_file_does_not_know_is_told() {
     let whole = Flying::default().build_as(Formulation::Rncf, Joints::Eliminated, &full);
     assert!(whole.is_err_and(|error| error.to_string().contains("has modes alone")));
 }
+
+rncf::model! {
+    /// An arm on a carrier that moves freely.
+    pub model Carried {
+        rigid bus { mass = 10 kg; inertia = [10, 10, 10] kg*m^2; origin = [1, 2, 3] m; }
+        body arm in bus { import "reference/data/own_strip.npz"; interface root = node 1; interface tip = node 5; modal(4); }
+        joint grip = clamp(arm.root, bus);
+        output tip = arm.tip;
+    }
+}
+
+/// The carrier's part alone was told: the bending of the arm was its rigid motion to 100 per cent.
+#[test]
+fn parts_of_the_kinetic_energy_are_not_told_where_a_body_is_from_a_file() {
+    let found = rncf::app::modes(&Carried {}, &rncf::app::EquilibriumSettings::default()).unwrap();
+    assert!(found.modes.len() >= 4);
+    assert!(
+        found
+            .compositions
+            .iter()
+            .all(|of| of.motions.is_empty() && of.bodies.is_empty())
+    );
+}

@@ -206,7 +206,7 @@ messages! {
     number_range(text) = "`{text}` with this unit is outside the range of numbers";
     missing_star(name) = "`{name}` is no unit: a product is written with `*`";
     unit_or_name(name, unit, line) = "`{name}` is a unit, too, and could be either in `{unit}` (line {line}): give it another name, or write such units in brackets, `[{unit}]`";
-    name_in_unit(name) = "`{name}` is no unit, and the name of a value: put the number with its own unit in parentheses, `(3 N)/{name}`";
+    name_in_unit(name, unit, sign) = "`{name}` is no unit, and the name of a value: put the number with its own unit in parentheses, `(3 {unit}) {sign} {name}`";
     part(what) = "{what} is a part of a whole: it must be greater than zero and at most 1";
     torsion_beyond(polar) = "no section has this torsion constant: it is at most the sum of the second moments, {polar} m^4 (of a round section just that)";
     moment_beyond(extent, most) = "no section has this second moment: with its `area` and `{extent}` it is at most `area * {extent}^2`, {most} m^4";
@@ -217,6 +217,7 @@ messages! {
     unknown_unit(word) = "unknown unit `{word}`: units are e.g. `m`, `mm`, `kg`, `s`, `N`, `Pa`, `GPa`, `rad`, `deg`, `rpm`, `K`";
     unknown_unit_near(word, near) = "unknown unit `{word}`: did you mean `{near}`?";
     no_unit(what, kind, text, unit) = "{what} is {kind}: give the number a unit, e.g. `{text} {unit}`";
+    bare_damping(text) = "damping is the time c of the stress `E (strain + c * strain rate)`: give it one, e.g. `1 ms`; a damping ratio of {text} at the angular frequency w is `2 * {text} / w`";
     wrong_dimension(what, kind, found) = "{what} is {kind}, but this is {found}";
     bare_angle(what, text) = "{what} needs a unit: `{text} rad` or `{text} deg`";
     plain_angle(what) = "{what} must show that it is one, but this is a plain number: give it `rad` or `deg`";

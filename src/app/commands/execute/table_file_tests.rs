@@ -72,7 +72,7 @@ static MATRIX: TableForm = TableForm {
         },
     ],
     places: &[0],
-    alike: &[[1, 2]],
+    alike: &[[1, 2, 1, 1]],
 };
 
 /// The rotor with the stiffness in the middle of a table.

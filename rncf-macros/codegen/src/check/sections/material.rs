@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, HashMap};
 
 use super::known::{Section, Values};
-use crate::check::values::quantity::{Typed, Wanted};
+use crate::check::values::quantity::{Typed, Wanted, bare_literal};
 use crate::check::values::scope::Scope;
 use crate::check::{Check, fold, say};
 use crate::elements::{Coefficient, Element};
@@ -164,6 +164,12 @@ impl<'a> Check<'a> {
             dimension: property.dimension,
             unit: property.unit,
         };
+        if what.starts_with("damping")
+            && let Some(text) = bare_literal(value)
+        {
+            self.errors.at(value.area, say::bare_damping(&text));
+            return None;
+        }
         let found = self.quantity(value, Scope::Parameter, wanted);
         if let Some(constant) = found.as_ref().and_then(fold::constant) {
             self.range(what, property.range, constant, value.area);

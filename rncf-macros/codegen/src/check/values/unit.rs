@@ -47,7 +47,10 @@ impl Check<'_> {
             Some(_) if word == "t" && text.factors.len() == 1 && !text.is_delimited => say::LONE_T.into(),
             Some(unit) => return Some(unit),
             None if is_declared && at == 0 => say::missing_star(word),
-            None if is_declared || at > 0 && self.is_told(word) => say::name_in_unit(word),
+            None if is_declared || at > 0 && self.is_told(word) => {
+                let sign = if text.factors[at].1 < 0 { "/" } else { "*" };
+                say::name_in_unit(word, &text.factors[0].0.text, sign)
+            }
             None => match ascii::suggestion(word) {
                 Some(plain) => say::not_ascii(word, &plain),
                 None => unknown(word),
