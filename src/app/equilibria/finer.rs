@@ -126,7 +126,7 @@ pub(in crate::app) fn compare(model: &dyn AnyModel, own: &Own<'_>, goes_on: &mut
     (marks.rows, marks.round_off, marks.operands) = (here, own.round_off.clone(), own.operands.clone());
     let outputs = model.outputs();
     let known = marks.above(outputs, &there, LEFT);
-    let off = marks.between(outputs, &marks.rows, &there, &known, RTOL);
+    let off = marks.between_equilibria(outputs, &there, &known, RTOL);
     let key = &own.history.key;
     let values = told_of_values(key, own.critical, &critical);
     let of_values = farthest(own.critical, &critical);

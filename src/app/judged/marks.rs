@@ -12,6 +12,8 @@ const BESIDE: u64 = 4;
 pub(super) const MORE: &str = "Take more elements in `mesh`: twice as many make it some ten times less, or half where something acts within an element or bends a taut line";
 /// In tolerances what steps of a run leave of a number that is kept.
 const DRIFT: f64 = 10.0;
+/// Part of what an output of an equilibrium is made of that is little.
+const LITTLE: f64 = 1e-3;
 /// A number whose multiples have fractions that are spread evenly.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Most outputs that are told.
@@ -121,6 +123,12 @@ impl Marks {
         rtol: f64,
     ) -> Vec<Off> {
         apart(&compared(self.run(), outputs, here, there), known, [rtol, DRIFT * rtol])
+    }
+
+    /// [`Marks::between`] of equilibria on other meshes: a number that loads hardly change, such as the sag of a chain, is off by nothing where that is
+    /// little of what it is made of.
+    pub fn between_equilibria(&self, outputs: &[Output], there: &[Vec<f64>], known: &[bool], rtol: f64) -> Vec<Off> {
+        apart(&compared(self.run(), outputs, &self.rows, there), known, [rtol, LITTLE])
     }
 
     /// Which outputs, and components of them, two runs with different steps find alike.
