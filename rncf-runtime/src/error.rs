@@ -133,11 +133,15 @@ impl fmt::Display for SolveError {
             )?,
             SolveErrorKind::Inconsistent(size) => {
                 let worst = self.worst.as_deref().unwrap_or_default();
-                // No position cures this: coordinates of joints in space count from where the bodies start.
-                let cure = if worst.contains("(drive)") && !worst.starts_with("the rate") {
-                    "let what the drive prescribes begin with the coordinate of the start, which is 0 in space"
-                } else {
-                    "correct the initial positions or velocities"
+                let cure = match (worst.contains("(drive)"), worst.starts_with("the rate")) {
+                    // No position cures this: coordinates of joints in space count from where the bodies start.
+                    (true, false) => {
+                        "let what the drive prescribes begin with the coordinate of the start, which is 0 in space"
+                    }
+                    (true, true) => {
+                        "what the drive prescribes begins with a speed: give the bodies that `velocity` or `speed`, or let it begin at rest, as a table does that has rows before the start"
+                    }
+                    (false, _) => "correct the initial positions or velocities",
                 };
                 write!(
                     f,

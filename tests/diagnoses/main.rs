@@ -296,9 +296,10 @@ fn starts_slightly_off_are_corrected_and_others_refused() {
 rncf::model! {
     /// A body that is driven from an angle which it has not.
     pub model Driven {
+        param ahead = 0.3 rad;
         rigid body { mass = 1 kg; inertia = [1, 1, 1] g*m^2; }
         joint bearing = revolute(inertial.at([0, 0, 0] m), body, axis = z);
-        joint motor = drive(bearing.angle, 0.3 rad + 0.1 [rad/s] * t);
+        joint motor = drive(bearing.angle, ahead + 0.1 [rad/s] * t);
         output angle = bearing.angle;
     }
 }
@@ -306,12 +307,16 @@ rncf::model! {
 #[test]
 fn a_drive_that_begins_elsewhere_is_told_where_to_begin() {
     contains(
-        &refused(&Driven {}),
+        &refused(&Driven::default()),
         &[
             "violates its constraints by 0.29552",
             "let what the drive prescribes begin with",
             "`motor`",
         ],
+    );
+    contains(
+        &refused(&Driven { ahead: 0.0 }),
+        &["violates its constraints by 0.1", "begins with a speed", "`motor`"],
     );
 }
 
