@@ -355,9 +355,9 @@ impl<const S: usize> Scheme for Radau<S> {
     }
 
     fn balance(&mut self, system: &mut dyn System, state: &mut State) {
-        let is_read = !state.lambda.is_empty() && system.reads_multipliers();
-        if let Some(last) = self.last.as_ref().filter(|_| is_read)
+        if let Some(last) = &self.last
             && last.misses_multipliers(&self.coefficients, &self.before, state, self.missed)
+            && system.reads_multipliers()
         {
             let between = self.between.get_or_insert_with(|| Between::new(system));
             between.balance(system, self.coefficients.real / last.h, state);

@@ -220,7 +220,11 @@ pub(in crate::app) fn largest(found: &[Off]) -> f64 {
 fn apart(compared: &[Compared], known: &[bool], [rtol, drift]: [f64; 2]) -> Vec<Off> {
     let all = compared.iter().zip(known);
     let off = all.map(|(of, &is_known)| match of.off(is_known, rtol) {
-        off if off.nothing.is_some() && of.away <= drift * of.value.max(of.operands) => Off { part: 0.0, ..off },
+        off if off.nothing.is_some() && of.away <= drift * of.value.max(of.operands) => Off {
+            part: 0.0,
+            is_open: false,
+            ..off
+        },
         off => off,
     });
     sorted(of_outputs(off))

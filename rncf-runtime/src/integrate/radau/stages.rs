@@ -224,9 +224,7 @@ impl<const S: usize> Stages<S> {
         combine(&on_nodes, &self.lambda, &mut out.lambda);
         chart.leave(out);
     }
-}
 
-impl<const S: usize> Stages<S> {
     /// Whether a polynomial that knows the multipliers at the start of the step, too, has others than a state in it, by more than a part of their largest
     /// values there.
     pub(super) fn misses_multipliers(

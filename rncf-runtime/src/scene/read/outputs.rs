@@ -1,6 +1,6 @@
 //! What is read off a scene: outputs, reactions, energy.
 
-use crate::emitted::{JointKind, JointSpec, LoadKind, MAX_SIZE, ObservedSpec, PointQuantity, When};
+use crate::emitted::{Fidelity, JointKind, JointSpec, LoadKind, MAX_SIZE, ObservedSpec, PointQuantity, When};
 use crate::scene::bodies::described::Kernels;
 use crate::scene::bodies::mesh_body::MeshBody;
 use crate::scene::bodies::place::PlaceVector;
@@ -254,9 +254,9 @@ impl MeshScene {
         self.observed.specs.iter().any(such)
     }
 
-    /// Whether outputs are made of multipliers.
+    /// Whether outputs, or what sections carry, are made of multipliers.
     pub(crate) fn observes_multipliers(&self) -> bool {
-        self.observes(|observed| {
+        let is_of_multipliers = |observed: &ObservedSpec| {
             matches!(
                 observed,
                 ObservedSpec::ConstraintReaction { .. }
@@ -264,7 +264,10 @@ impl MeshScene {
                     | ObservedSpec::Reaction { .. }
                     | ObservedSpec::Section { .. }
             )
-        })
+        };
+        // Bodies that strain in their elements carry what their strains tell; others what acts on them.
+        let is_carried = |body: usize| self.bodies[body].spec.fidelity != Fidelity::Full && self.knows_sections(body);
+        self.observes(is_of_multipliers) || (0..self.bodies.len()).any(is_carried)
     }
 
     /// Output columns at the loaded state.

@@ -76,7 +76,7 @@ impl<'a> Check<'a> {
         let is_beamdyn = call.name.text == OF_TABLE[1];
         let columns = self.model.tables[table.0].columns.clone();
         let mut taken: BTreeMap<&'static str, &Column> = BTreeMap::new();
-        let own_name = |name: &'_ str| -> Option<String> {
+        let own_name = |name: &str| {
             if is_beamdyn {
                 from_beamdyn(name).map(str::to_string)
             } else {
