@@ -139,7 +139,7 @@ impl fmt::Display for SolveError {
                         "let what the drive prescribes begin with the coordinate of the start, which is 0 in space"
                     }
                     (true, true) => {
-                        "what the drive prescribes begins with a speed: give the bodies that `velocity` or `speed`, or let it begin at rest, as a table does that has rows before the start"
+                        "what the drive prescribes begins with a speed: give the bodies that `velocity` or `speed`, or let it begin at rest, as a table with `interpolation = clamped` does"
                     }
                     (false, _) => "correct the initial positions or velocities",
                 };

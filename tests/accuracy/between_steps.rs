@@ -81,3 +81,37 @@ fn what_is_beside_its_axis_pulls_evenly() {
         }
     }
 }
+
+rncf::model! {
+    /// An arm that a program lifts by a radian and lowers again, from rest to rest.
+    pub model Robot {
+        table program { at = time; time = [0, 1, 2] s; angle = [0, 1, 0] rad; interpolation = clamped; }
+        rigid arm { plane xy; mass = 5 kg; inertia = 0.5 kg*m^2; center = [0.4, 0, 0] m; }
+        joint shoulder = revolute(inertial, arm.at([0, 0, 0] m));
+        joint motor = drive(shoulder.angle, program.angle(t));
+        load weight = gravity([0, -9.81, 0] m/s^2);
+        output torque = motor.moment.z;
+        output angle = arm.angle;
+    }
+}
+
+/// Two pieces `3 s^2 - 2 s^3`, whose slopes are zero in all rows for symmetry, and rest behind them.
+#[test]
+fn a_program_from_rest_to_rest_needs_no_rows_beside_it() {
+    let times = grid(0.01, 3.0);
+    let (rows, statistics) = history(&Robot {}, RNCF, Method::Radau, adaptive(1e-8), &times);
+    assert!(statistics.steps < 60, "{}", statistics.steps);
+    for (t, row) in times.iter().zip(rows) {
+        let way = |s: f64| s * s * (3.0 - 2.0 * s);
+        let (angle, acceleration) = match *t {
+            t if t < 1.0 => (way(t), 6.0 - 12.0 * t),
+            t if t < 2.0 => (1.0 - way(t - 1.0), 12.0 * (t - 1.0) - 6.0),
+            _ => (0.0, 0.0),
+        };
+        let torque = (0.5 + 5.0 * 0.16) * acceleration + 5.0 * 9.81 * 0.4 * angle.cos();
+        assert!((row[1] - angle).abs() < 1e-7, "{t}: {row:?}");
+        // A row at a kink has the acceleration of the step before it.
+        let is_at_kink = [0.0, 1.0, 2.0].iter().any(|kink| (t - kink).abs() < 1e-9);
+        assert!(is_at_kink || (row[0] + torque).abs() < 1e-2, "{t}: {row:?} {torque}");
+    }
+}

@@ -15,10 +15,11 @@ fn the_generator_reads_tables_as_programs_do() {
         (Between::Line, emitted::Between::Line, &STEPPED),
         (Between::Monotone, emitted::Between::Monotone, &STEPPED),
         (Between::Spline, emitted::Between::Spline(&[&SLOPES]), &SMOOTH),
+        (Between::Clamped, emitted::Between::Clamped(&[&SLOPES]), &SMOOTH),
         (Between::Periodic, emitted::Between::Periodic(&[&SLOPES]), &SMOOTH),
     ];
     for ((between, ran, places), is_relative) in kinds.into_iter().flat_map(|kind| [(kind, true), (kind, false)]) {
-        let is_spline = matches!(between, Between::Spline | Between::Periodic);
+        let is_spline = matches!(between, Between::Spline | Between::Clamped | Between::Periodic);
         let ours = model::Table {
             name: "rows".into(),
             file: None,
@@ -46,7 +47,7 @@ fn the_generator_reads_tables_as_programs_do() {
         };
         for x in (-10..=1100).map(|step| 1e-3 * f64::from(step)) {
             assert_eq!(ours.value(0, x, 1.0), theirs.at(0, x, 1.0), "{x} {between:?}");
-            for order in (0..4).filter(|_| (0.0..=1.0).contains(&x)) {
+            for order in (0..4).filter(|_| (0.0..=1.0).contains(&x) || between == Between::Clamped) {
                 let pair = [ours.look_up(0, order, x), theirs.look_up(0, order, x)];
                 assert_eq!(pair[0], pair[1], "{x} {between:?} {order}");
             }
@@ -56,7 +57,7 @@ fn the_generator_reads_tables_as_programs_do() {
         let expected = match between {
             Between::Line => 0.5,
             Between::Monotone => 0.5 + 0.1 * (10.0 - mean) / 8.0,
-            Between::Spline | Between::Periodic => 0.5 + 0.1 * (12.0 - 5.0) / 8.0,
+            Between::Spline | Between::Clamped | Between::Periodic => 0.5 + 0.1 * (12.0 - 5.0) / 8.0,
         };
         assert!((ours.value(0, 0.05, 1.0) - expected).abs() < 1e-15);
     }
@@ -101,4 +102,24 @@ fn splines_have_their_derivatives() {
     }
     // Rows 1 and 4 are no knots: steps have to end at the others alone.
     assert_eq!(table.kinks_of_acceleration(0), [0.4, 0.5]);
+}
+
+/// A clamped spline has slopes of zero at its ends, and no step of the second derivative at an inner row.
+#[test]
+fn clamped_splines_are_smooth_and_level_at_their_ends() {
+    let places = [0.0, 0.1, 0.4, 0.5, 0.7, 1.0];
+    let slopes = rncf_codegen::import::spline::clamped_slopes(&places, &VALUES);
+    assert_eq!([slopes[0], slopes[5]], [0.0; 2]);
+    for row in 1..5 {
+        let curvature = |span: usize, share: f64| {
+            let ends = [VALUES[span], VALUES[span + 1]];
+            let width = places[span + 1] - places[span];
+            rncf_codegen::import::spline::cubic(width, ends, [slopes[span], slopes[span + 1]], share)[2]
+        };
+        let [before, behind] = [curvature(row - 1, 1.0), curvature(row, 0.0)];
+        assert!(
+            (before - behind).abs() < 1e-9 * before.abs().max(1.0),
+            "{row}: {before} {behind}"
+        );
+    }
 }

@@ -35,6 +35,8 @@ pub enum Between {
     Monotone,
     /// A cubic spline, whose slope and curvature have no steps, with the slope of each column at each row.
     Spline(&'static [&'static [f64]]),
+    /// The same with a slope of zero in the first and last row, beyond which it stays as it is.
+    Clamped(&'static [&'static [f64]]),
     /// The same of rows that repeat, so that it has a value everywhere; the last row is the first one again.
     Periodic(&'static [&'static [f64]]),
 }
@@ -62,6 +64,9 @@ impl Table {
         if self.repeats() {
             return self.within(column, first + (place - first).rem_euclid(last - first))[order];
         }
+        if self.rests() && !(first..=last).contains(&place) {
+            return self.beyond(column, order, place);
+        }
         let margin = ROUND_OFF * (last - first);
         if !(first - margin..=last + margin).contains(&place) {
             return f64::NAN;
@@ -72,6 +77,24 @@ impl Table {
     /// Whether it has a value everywhere.
     fn repeats(&self) -> bool {
         matches!(self.between, Between::Periodic(_))
+    }
+
+    /// Whether it stays as it is beyond its rows.
+    fn rests(&self) -> bool {
+        matches!(self.between, Between::Clamped(_))
+    }
+
+    /// Value of a column or a derivative at a place beyond the rows, where it stays as it is; no number at none.
+    fn beyond(&self, column: usize, order: usize, place: f64) -> f64 {
+        if order > 0 || place.is_nan() {
+            return 0.0 * place;
+        }
+        let values = self.columns[column];
+        if place < self.places[0] {
+            values[0]
+        } else {
+            values[values.len() - 1]
+        }
     }
 
     /// Whether there are lines between the rows.
@@ -97,7 +120,7 @@ impl Table {
     /// Places of rows at which the second derivative of a column of a spline bends by more than a small part of all that it takes on; none of others.
     pub fn kinks_of_acceleration(&self, column: usize) -> Vec<f64> {
         let spans = match self.between {
-            Between::Spline(_) => self.places.len() - 1,
+            Between::Spline(_) | Between::Clamped(_) => self.places.len() - 1,
             Between::Line | Between::Monotone | Between::Periodic(_) => return Vec::new(),
         };
         let at = |span: usize| self.within_span(column, span, 0.0);
@@ -111,7 +134,13 @@ impl Table {
             );
             (at(row)[3] - at(row - 1)[3]).abs() * width > BENT * (most - least)
         };
-        (1..spans).filter(is_kink).map(|row| self.places[row]).collect()
+        let mut kinks: Vec<f64> = (1..spans).filter(is_kink).map(|row| self.places[row]).collect();
+        if self.rests() {
+            // At its ends the acceleration jumps.
+            kinks.insert(0, self.places[0]);
+            kinks.push(self.places[spans]);
+        }
+        kinks
     }
 
     /// Value of a column within the rows and its derivatives.
@@ -140,7 +169,7 @@ impl Table {
         let (slope, curvature, jerk) = (slope * width, curvature * width.powi(2), jerk * width.powi(3));
         match (order, self.between) {
             // Lines and monotone cubics are extreme at their ends.
-            (0, Between::Spline(_) | Between::Periodic(_)) => {
+            (0, Between::Spline(_) | Between::Clamped(_) | Between::Periodic(_)) => {
                 let root = (curvature * curvature - 2.0 * jerk * slope).sqrt();
                 let sum = -(curvature + root.copysign(curvature));
                 vec![sum / jerk, 2.0 * slope / sum]
@@ -153,7 +182,7 @@ impl Table {
     /// Slope of the cubic at a row, seen from the span that begins at row `span`.
     fn slope(&self, column: usize, row: usize, span: usize) -> f64 {
         match self.between {
-            Between::Spline(slopes) | Between::Periodic(slopes) => slopes[column][row],
+            Between::Spline(slopes) | Between::Clamped(slopes) | Between::Periodic(slopes) => slopes[column][row],
             Between::Line | Between::Monotone => spline::monotone_slope(self.places, self.columns[column], row, span),
         }
     }
@@ -254,6 +283,14 @@ impl Lookup for Table {
                 false => here,
             };
         }
+        if self.rests() && !(first <= places.low && places.high <= last) && !places.width().is_nan() {
+            let ends = [places.low, places.high];
+            let outer = ends.into_iter().filter(|place| !(first..=last).contains(place));
+            let outer = outer.map(|place| Interval::point(self.beyond(column, order, place)));
+            let (low, high) = (places.low.max(first), places.high.min(last));
+            let inner = (low <= high).then(|| self.bounds(column, order, Interval::new(low, high)));
+            return outer.chain(inner).reduce(Interval::hull).unwrap_or(Interval::ALL);
+        }
         if places.high < first || places.low > last {
             return Interval::ALL;
         }
@@ -289,7 +326,13 @@ impl Lookup for Table {
         let smooth = match self.between {
             Between::Line => 0,
             Between::Monotone => 1,
-            Between::Spline(_) | Between::Periodic(_) => 2,
+            // At its ends the second derivative jumps.
+            Between::Clamped(_)
+                if !(self.places[0] <= places.low && places.high <= self.places[self.places.len() - 1]) =>
+            {
+                1
+            }
+            Between::Spline(_) | Between::Clamped(_) | Between::Periodic(_) => 2,
         };
         if order > smooth || self.places.windows(2).any(|pair| pair[0] == pair[1]) {
             return Interval::ALL;
@@ -367,6 +410,33 @@ mod tests {
         assert_eq!([at(-0.3), at(0.2), at(0.7)], [-1.0, 1.2, 0.8]);
         assert!(at(0.71).is_nan() && at(-0.31).is_nan() && at(f64::NAN).is_nan());
         assert_eq!([MAST.look_up(0, 1, 0.5), MAST.look_up(0, 1, 1.0)], [1.0, 2.0]);
+    }
+
+    /// Slopes of zero at both ends, and in the middle for symmetry: `3 s^2 - 2 s^3`.
+    #[test]
+    fn clamped_columns_rest_at_their_ends_and_beyond() {
+        static PROGRAM: Table = Table {
+            name: "program",
+            places: &[0.0, 1.0, 2.0],
+            is_relative: false,
+            between: Between::Clamped(&[&[0.0, 0.0, 0.0]]),
+            columns: &[&[0.0, 1.0, 0.0]],
+        };
+        let at = |order: usize, t: f64| PROGRAM.look_up(0, order, t);
+        assert_eq!([at(0, -1.0), at(0, 0.5), at(0, 3.0)], [0.0, 0.5, 0.0]);
+        assert_eq!([at(1, -1.0), at(1, 0.5), at(2, 3.0)], [0.0, 1.5, 0.0]);
+        assert!(at(0, f64::NAN).is_nan() && at(1, f64::NAN).is_nan());
+        assert_eq!(PROGRAM.kinks_of_acceleration(0), [0.0, 1.0, 2.0]);
+        for (low, high) in [(-1.0, 0.3), (0.2, 0.7), (1.5, 4.0), (-2.0, 5.0), (2.5, 3.0)] {
+            let places = Interval::new(low, high);
+            for order in 0..3 {
+                let bounds = PROGRAM.bounds(0, order, places);
+                let inside = |share: i32| at(order, low + (high - low) * f64::from(share) / 64.0);
+                let values: Vec<f64> = (0..=64).map(inside).collect();
+                let is_in = |value: &f64| bounds.low - 1e-12 <= *value && *value <= bounds.high + 1e-12;
+                assert!(values.iter().all(is_in), "{low} {high} {order}: {bounds:?}");
+            }
+        }
     }
 
     #[test]

@@ -9,7 +9,7 @@ use super::table::{Between, Table};
 use crate::error::ModelError;
 use crate::hash::hash_bytes;
 use crate::import::rows::{Disorder, Head, Rows, beyond_round_off, chords, in_order, text};
-use crate::import::spline::{periodic_slopes, slopes};
+use crate::import::spline::{clamped_slopes, periodic_slopes, slopes};
 use crate::nearest::nearest;
 use crate::units::{Number, Unit};
 
@@ -116,6 +116,9 @@ impl TableFile {
         let between = match declared.between {
             Between::Spline(_) => Between::Spline(keep_columns(
                 columns.iter().map(|column| slopes(&places, column)).collect(),
+            )),
+            Between::Clamped(_) => Between::Clamped(keep_columns(
+                columns.iter().map(|column| clamped_slopes(&places, column)).collect(),
             )),
             Between::Periodic(_) => Between::Periodic(keep_columns(
                 columns.iter().map(|column| periodic_slopes(&places, column)).collect(),
@@ -321,7 +324,10 @@ impl TableForm {
                 "it begins or ends with a step: two rows at one place stand between others".to_string()
             }
         })?;
-        let is_spline = matches!(self.table.between, Between::Spline(_) | Between::Periodic(_));
+        let is_spline = matches!(
+            self.table.between,
+            Between::Spline(_) | Between::Clamped(_) | Between::Periodic(_)
+        );
         match (1..places.len()).find(|&row| is_spline && places[row] == places[row - 1]) {
             Some(row) => Err(format!(
                 "line {}: it is at the place of the one before it, and a spline has no steps: leave it out",

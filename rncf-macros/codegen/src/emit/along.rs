@@ -24,7 +24,7 @@ pub fn tables(model: &Model) -> String {
         let between = match table.between {
             Between::Line => "Line".to_string(),
             Between::Monotone => "Monotone".to_string(),
-            Between::Spline | Between::Periodic => {
+            Between::Spline | Between::Clamped | Between::Periodic => {
                 let slopes = table
                     .columns
                     .iter()

@@ -42,6 +42,27 @@ pub fn slopes(places: &[f64], values: &[f64]) -> Vec<f64> {
     slopes
 }
 
+/// The same of the spline that begins and ends with a slope of zero ("clamped").
+pub fn clamped_slopes(places: &[f64], values: &[f64]) -> Vec<f64> {
+    let last = places.len() - 1;
+    let width = |at: usize| places[at + 1] - places[at];
+    let rise = |at: usize| (values[at + 1] - values[at]) / width(at);
+    // Thomas's elimination of a tridiagonal system.
+    let (mut factors, mut slopes) = (vec![0.0], vec![0.0]);
+    for at in 1..last {
+        let (before, after) = (width(at - 1), width(at));
+        let pivot = 2.0 * (before + after) - after * factors[at - 1];
+        let right = 3.0 * (after * rise(at - 1) + before * rise(at));
+        factors.push(before / pivot);
+        slopes.push((right - after * slopes[at - 1]) / pivot);
+    }
+    slopes.push(0.0);
+    for at in (1..last).rev() {
+        slopes[at] -= factors[at] * slopes[at + 1];
+    }
+    slopes
+}
+
 /// Value and first three derivatives of Hermite's cubic within a span of a width, at a share of it, from the values and slopes at its ends.
 pub fn cubic(width: f64, [from, to]: [f64; 2], slopes: [f64; 2], share: f64) -> [f64; 4] {
     let rise = to - from;

@@ -292,8 +292,8 @@ impl Time<'_> {
             let table = self.graph.table(column);
             let kinks = match table.between {
                 Between::Line => "kinks",
-                Between::Spline if moved.binary_search(&id).is_ok() => "kinks_of_acceleration",
-                Between::Spline | Between::Monotone | Between::Periodic => continue,
+                Between::Spline | Between::Clamped if moved.binary_search(&id).is_ok() => "kinks_of_acceleration",
+                Between::Spline | Between::Clamped | Between::Monotone | Between::Periodic => continue,
             };
             let row = format!("{}.{kinks}({})", table.reference(), column.column);
             if at == self.t && !rows.contains(&row) {

@@ -46,6 +46,8 @@ pub enum Between {
     Monotone,
     /// A cubic spline, whose slope and curvature have no steps.
     Spline,
+    /// The same with a slope of zero in the first and last row, beyond which it stays as it is.
+    Clamped,
     /// The same of rows that repeat, so that it has a value everywhere; the last row is the first one again.
     Periodic,
 }
@@ -129,10 +131,15 @@ impl Table {
 
     /// Places of rows at which the third derivative of a spline steps, if they are known and not many: what it moves has a kink in its acceleration.
     pub fn kinks_of_acceleration(&self) -> Vec<f64> {
-        let is_known = self.between == Between::Spline && !self.is_param && self.places.len() <= ROWS;
-        // The first and last inner row are no knots.
-        let inner = 2..self.places.len().saturating_sub(2);
-        inner.filter(|_| is_known).map(|row| self.places[row]).collect()
+        let is_known = !self.is_param && self.places.len() <= ROWS;
+        let rows = match self.between {
+            // The first and last inner row are no knots.
+            Between::Spline => 2..self.places.len().saturating_sub(2),
+            // At its ends the acceleration jumps.
+            Between::Clamped => 0..self.places.len(),
+            Between::Line | Between::Monotone | Between::Periodic => 0..0,
+        };
+        rows.filter(|_| is_known).map(|row| self.places[row]).collect()
     }
 
     /// Value of a column at an arclength: what `rncf_runtime::Table::at` returns, which reads the same table when it runs.
@@ -154,6 +161,13 @@ impl Table {
         let (first, last) = (self.places[0], self.places[self.places.len() - 1]);
         if self.between == Between::Periodic {
             return self.within(column, first + (place - first).rem_euclid(last - first))[order];
+        }
+        if self.between == Between::Clamped && !(first..=last).contains(&place) {
+            return if order == 0 {
+                self.value(column, place, 1.0)
+            } else {
+                0.0 * place
+            };
         }
         let margin = ROUND_OFF * (last - first);
         if !(first - margin..=last + margin).contains(&place) {

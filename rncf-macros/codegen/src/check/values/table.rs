@@ -21,10 +21,11 @@ use crate::units::{self, Compound, Dimension};
 /// Columns that are places along the axis: m, or parts of the length.
 const PLACES: [(&str, [i8; 6]); 2] = [("x", [1, 0, 0, 0, 0, 0]), ("eta", [0; 6])];
 /// What values follow between rows, by its word.
-const BETWEEN: [(&str, Between); 4] = [
+const BETWEEN: [(&str, Between); 5] = [
     ("linear", Between::Line),
     ("monotone", Between::Monotone),
     ("spline", Between::Spline),
+    ("clamped", Between::Clamped),
     ("periodic", Between::Periodic),
 ];
 /// Columns that are the coordinates of points, m.
@@ -149,7 +150,10 @@ impl<'a> Check<'a> {
         };
         let found = BETWEEN.iter().find(|(known, _)| *known == word);
         if found.is_none() {
-            let message = say::choices("interpolation", "`linear`, `monotone`, `spline` or `periodic`");
+            let message = say::choices(
+                "interpolation",
+                "`linear`, `monotone`, `spline`, `clamped` or `periodic`",
+            );
             self.errors.at(value.area, message);
         }
         found.map(|&(_, between)| between)
@@ -305,7 +309,7 @@ impl<'a> Check<'a> {
             self.errors.at(area, message);
             return None;
         }
-        let is_spline = matches!(between, Between::Spline | Between::Periodic);
+        let is_spline = matches!(between, Between::Spline | Between::Clamped | Between::Periodic);
         if let Some(step) = (1..places.len()).find(|&at| is_spline && places[at] == places[at - 1]) {
             self.errors.at(area, say::step_in_spline(&row(step)));
             return None;
@@ -330,6 +334,7 @@ impl<'a> Check<'a> {
         for column in columns.iter_mut().filter(|_| is_spline) {
             column.slopes = match between {
                 Between::Periodic => spline::periodic_slopes(&places, &column.values),
+                Between::Clamped => spline::clamped_slopes(&places, &column.values),
                 _ => spline::slopes(&places, &column.values),
             };
         }
