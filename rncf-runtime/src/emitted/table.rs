@@ -84,6 +84,11 @@ impl Table {
         matches!(self.between, Between::Clamped(_))
     }
 
+    /// Whether its rows cover such places.
+    fn covers(&self, places: Interval) -> bool {
+        self.places[0] <= places.low && places.high <= self.places[self.places.len() - 1]
+    }
+
     /// Value of a column or a derivative at a place beyond the rows, where it stays as it is; no number at none.
     fn beyond(&self, column: usize, order: usize, place: f64) -> f64 {
         if order > 0 || place.is_nan() {
@@ -271,7 +276,7 @@ impl Lookup for Table {
         let (rows, values) = (self.places, self.columns[column]);
         let (first, last) = (rows[0], rows[rows.len() - 1]);
         let period = last - first;
-        if self.repeats() && !(first <= places.low && places.high <= last) {
+        if self.repeats() && !self.covers(places) {
             if places.width().is_nan() || places.width() >= period {
                 return self.bounds(column, order, Interval::new(first, last));
             }
@@ -283,7 +288,7 @@ impl Lookup for Table {
                 false => here,
             };
         }
-        if self.rests() && !(first <= places.low && places.high <= last) && !places.width().is_nan() {
+        if self.rests() && !self.covers(places) && !places.width().is_nan() {
             let ends = [places.low, places.high];
             let outer = ends.into_iter().filter(|place| !(first..=last).contains(place));
             let outer = outer.map(|place| Interval::point(self.beyond(column, order, place)));
@@ -327,11 +332,7 @@ impl Lookup for Table {
             Between::Line => 0,
             Between::Monotone => 1,
             // At its ends the second derivative jumps.
-            Between::Clamped(_)
-                if !(self.places[0] <= places.low && places.high <= self.places[self.places.len() - 1]) =>
-            {
-                1
-            }
+            Between::Clamped(_) if !self.covers(places) => 1,
             Between::Spline(_) | Between::Clamped(_) | Between::Periodic(_) => 2,
         };
         if order > smooth || self.places.windows(2).any(|pair| pair[0] == pair[1]) {

@@ -241,10 +241,9 @@ impl TableForm {
             ));
         }
         for &[one, other, i, j] in self.alike {
-            let at = |row: usize| [one, other, i, j].map(|column| columns[column][row]);
-            let differ = |row: &usize| {
-                let [one, other, i, j] = at(*row);
-                beyond_round_off([one, other], [i, j])
+            let differ = |&row: &usize| {
+                let values = |of: [usize; 2]| of.map(|column| columns[column][row]);
+                beyond_round_off(values([one, other]), values([i, j]))
             };
             if let Some(row) = (0..places.len()).find(differ) {
                 let [one, other] = [one, other].map(|column| (self.columns[column].name, columns[column][row]));

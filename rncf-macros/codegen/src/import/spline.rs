@@ -23,8 +23,21 @@ pub fn slopes(places: &[f64], values: &[f64]) -> Vec<f64> {
         let sum = (width(outer) + 2.0 * both) * width(inner) * rise(outer) + width(outer) * width(outer) * rise(inner);
         [width(inner), both, sum / both]
     };
+    smooth(places, values, [end(0, 1), end(last - 1, last - 2)])
+}
+
+/// The same of the spline that begins and ends with a slope of zero ("clamped").
+pub fn clamped_slopes(places: &[f64], values: &[f64]) -> Vec<f64> {
+    smooth(places, values, [[1.0, 0.0, 0.0]; 2])
+}
+
+/// Slopes at the rows with a curvature that has no steps; at each end `pivot * slope + beside * slope of the row beside it = right`.
+fn smooth(places: &[f64], values: &[f64], [first, end]: [[f64; 3]; 2]) -> Vec<f64> {
+    let last = places.len() - 1;
+    let width = |at: usize| places[at + 1] - places[at];
+    let rise = |at: usize| (values[at + 1] - values[at]) / width(at);
     // Thomas's elimination of a tridiagonal system.
-    let [pivot, beside, right] = end(0, 1);
+    let [pivot, beside, right] = first;
     let mut factors = vec![beside / pivot];
     let mut slopes = vec![right / pivot];
     for at in 1..last {
@@ -34,30 +47,9 @@ pub fn slopes(places: &[f64], values: &[f64]) -> Vec<f64> {
         factors.push(before / pivot);
         slopes.push((right - after * slopes[at - 1]) / pivot);
     }
-    let [pivot, beside, right] = end(last - 1, last - 2);
+    let [pivot, beside, right] = end;
     slopes.push((right - beside * slopes[last - 1]) / (pivot - beside * factors[last - 1]));
     for at in (0..last).rev() {
-        slopes[at] -= factors[at] * slopes[at + 1];
-    }
-    slopes
-}
-
-/// The same of the spline that begins and ends with a slope of zero ("clamped").
-pub fn clamped_slopes(places: &[f64], values: &[f64]) -> Vec<f64> {
-    let last = places.len() - 1;
-    let width = |at: usize| places[at + 1] - places[at];
-    let rise = |at: usize| (values[at + 1] - values[at]) / width(at);
-    // Thomas's elimination of a tridiagonal system.
-    let (mut factors, mut slopes) = (vec![0.0], vec![0.0]);
-    for at in 1..last {
-        let (before, after) = (width(at - 1), width(at));
-        let pivot = 2.0 * (before + after) - after * factors[at - 1];
-        let right = 3.0 * (after * rise(at - 1) + before * rise(at));
-        factors.push(before / pivot);
-        slopes.push((right - after * slopes[at - 1]) / pivot);
-    }
-    slopes.push(0.0);
-    for at in (1..last).rev() {
         slopes[at] -= factors[at] * slopes[at + 1];
     }
     slopes

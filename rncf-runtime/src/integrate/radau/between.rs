@@ -30,8 +30,8 @@ impl Between {
     }
 
     /// Corrects the multipliers of a state by one step of Newton's iteration, as if it were a stage; `g` (1/s) is the slope of rates in positions there.
-    /// What the places of stiff bodies lack of their balance is answered by these, and not by the multipliers; both keep what they are where the matrix is
-    /// singular.
+    /// What the places of stiff bodies lack of their balance is answered by changes of places, which are left out, and not by the multipliers; these keep
+    /// what they are where the matrix is singular.
     pub(super) fn balance(&mut self, system: &mut dyn System, g: f64, state: &mut State) {
         system.residual(state, &mut self.forces);
         system.constraint_jacobian(state, &mut self.jacobian);

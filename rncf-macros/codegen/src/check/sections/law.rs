@@ -14,6 +14,14 @@ use crate::vocabulary::{
     of_either_triangle,
 };
 
+/// The name here of a column: in either triangle of a matrix, and of BeamDyn's where it is one of that.
+fn own_name(column: &str, is_beamdyn: bool) -> Option<&str> {
+    if is_beamdyn {
+        return from_beamdyn(column);
+    }
+    of_either_triangle(column).or(Some(column))
+}
+
 /// The entries on the diagonal in the row and in the column of an entry of a matrix, `K11` and `K22` of `K12`.
 fn diagonal(entry: &str) -> [String; 2] {
     let (matrix, digits) = entry.split_at(1);
@@ -76,15 +84,8 @@ impl<'a> Check<'a> {
         let is_beamdyn = call.name.text == OF_TABLE[1];
         let columns = self.model.tables[table.0].columns.clone();
         let mut taken: BTreeMap<&'static str, &Column> = BTreeMap::new();
-        let own_name = |name: &str| {
-            if is_beamdyn {
-                from_beamdyn(name).map(str::to_string)
-            } else {
-                Some(of_either_triangle(name).unwrap_or(name).to_string())
-            }
-        };
         for (at, column) in columns.iter().enumerate() {
-            let own = own_name(&column.name).and_then(|name| field_of(&LAW, &name));
+            let own = own_name(&column.name, is_beamdyn).and_then(|name| field_of(&LAW, name));
             let Some((field, property)) = own else {
                 // Places, and what a name with an underscore tells to be spare, are nobody's field.
                 if !self.model.tables[table.0].is_place(at) && !column.name.starts_with('_') {
@@ -108,8 +109,9 @@ impl<'a> Check<'a> {
             // Both triangles of a symmetric matrix may stand in a table, where they are one matrix.
             if let Some(other) = taken.insert(field, column) {
                 let index = |field: &str| {
-                    let is_it = |column: &Column| own_name(&column.name).is_some_and(|name| name == field);
-                    columns.iter().position(is_it)
+                    columns
+                        .iter()
+                        .position(|column| own_name(&column.name, is_beamdyn) == Some(field))
                 };
                 let diagonal = diagonal(field).map(|on_it| index(&on_it).unwrap_or(at));
                 let apart = |row: usize| {
