@@ -4,6 +4,7 @@ use crate::suggest::written;
 
 pub const COLUMN: &str = "a column is a list of values with one unit: `EI = [2, 1.5, 1] N*m^2;`";
 pub const COLUMN_ELSEWHERE: &str = "a column of a table has a value at a place along an axis: it stands in fields of sections and materials, and in `twist`";
+pub const ARCLENGTH_ELSEWHERE: &str = "`x` is the place along an axis: it stands in fields of sections and materials, in `twist`, in loads per length and in a `let` that these use";
 pub const LOOKUP_ELSEWHERE: &str = "a table is looked up in motions, frames, drives, constraints, loads, laws of springs and outputs: elsewhere its columns have the value at the place along an axis, `table.column`";
 pub const LOOKUP: &str = "a column is looked up at one place: `polar.lift(alpha)`";
 pub const STEP_AT_END: &str = "the first two or last two rows are at one place: a step stands between other rows";
@@ -24,6 +25,13 @@ pub fn rows_differ(column: &str, count: usize, first: &str, rows: usize) -> Stri
 
 pub fn unreadable_file(path: &str, error: &str) -> String {
     format!("`{path}` cannot be read: {error}")
+}
+
+/// A `let` of the place along an axis, used where there is none.
+pub fn along_elsewhere(name: &str) -> String {
+    format!(
+        "`{name}` hangs on the place along an axis: it is used in fields of sections and materials, in `twist` and in loads per length"
+    )
 }
 
 /// A file that is no table, with the reader's reason.

@@ -28,3 +28,17 @@ fn the_places_that_are_named_hold() {
     assert_eq!(places("x"), (vec![0.0, 4.0, 4.0, 10.0], false));
     assert_eq!(places("eta"), (vec![0.0, 0.5, 0.6, 1.0], true));
 }
+
+/// What several properties share along the axis has a name.
+#[test]
+fn a_let_reads_the_place_along_an_axis() {
+    let inline = super::model(ALONG);
+    let named = ALONG
+        .replace(
+            "    section cone = circle(radius = 20 mm * (1 - x / 20 [m]));",
+            "    let taper = 1 - x / 20 [m];\n    let bending = rows.EI;\n    section cone = circle(radius = 20 mm * taper);",
+        )
+        .replace("EIy = rows.EI", "EIy = bending");
+    let named = super::model(&named);
+    assert_eq!(format!("{:?}", inline.bodies), format!("{:?}", named.bodies));
+}

@@ -29,7 +29,7 @@ impl<'a> Check<'a> {
         folded
     }
 
-    /// Value of a derived quantity, an expression of params, resolved at its first use.
+    /// Value of a derived quantity, an expression of params and of the place along an axis, resolved at its first use.
     pub(in crate::check) fn derived(&mut self, item: &'a Item, used: &Name, scope: Scope) -> Option<Typed> {
         let text = item.name.text.as_str();
         let ItemKind::Let(value) = &item.kind else {
@@ -40,13 +40,17 @@ impl<'a> Check<'a> {
                 return None;
             }
             // What has a meaning where it is used has none where it stands.
-            let (locals, is_along) = (std::mem::take(&mut self.locals), std::mem::take(&mut self.is_along));
-            let typed = self.with_lookups(|check| check.expr(value, Scope::Parameter));
+            let (locals, is_along) = (std::mem::take(&mut self.locals), self.is_along);
+            let typed = self.with_lookups(|check| check.along_axis(|check| check.expr(value, Scope::Parameter)));
             (self.locals, self.is_along) = (locals, is_along);
             self.leave();
             self.values.insert(text, typed);
         }
         let typed = self.values.get(text).cloned().flatten()?;
+        if fold::has_arclength(&typed.value) && !self.is_along {
+            self.errors.at(used.span, say::along_elsewhere(text));
+            return None;
+        }
         if scope == Scope::Constant && fold::constant(&typed.value).is_none() {
             self.errors.at(used.span, say::param_in_constant(text));
             return None;
@@ -115,7 +119,7 @@ impl<'a> Check<'a> {
     /// Checks derived quantities that nothing uses; they may look up tables.
     pub(in crate::check) fn quantities(&mut self) {
         for item in self.items(Keyword::Let) {
-            self.with_lookups(|check| check.derived(item, &item.name, Scope::Parameter));
+            self.with_lookups(|check| check.along_axis(|check| check.derived(item, &item.name, Scope::Parameter)));
         }
     }
 }

@@ -236,6 +236,9 @@ impl<'a> Check<'a> {
         if function(text).is_some() {
             return say::function_without_argument(text);
         }
+        if text == "x" {
+            return say::ARCLENGTH_ELSEWHERE.into();
+        }
         if units::find(text).is_some() {
             return say::stray_unit(text);
         }
