@@ -6,6 +6,7 @@ use super::plane::PLANES;
 use crate::check::values::eigen;
 use crate::check::values::quantity::Wanted;
 use crate::check::values::scope::Scope;
+use crate::check::values::vector::has_vector;
 use crate::check::{Check, say};
 use crate::errors::Area;
 use crate::model::{Expr as Value, Frame, FrameId, INERTIAL, Motions, RigidPart};
@@ -188,12 +189,12 @@ impl<'a> Check<'a> {
         is_definite: bool,
     ) -> Option<[Value; 6]> {
         let mut inertia = zeros::<6>();
-        match (normal, &expr.kind) {
-            (Some(_), ExprKind::Vector { .. }) => {
+        match normal {
+            Some(_) if has_vector(expr) => {
                 self.errors.at(expr.area, say::PLANAR_INERTIA);
                 return None;
             }
-            (Some(normal), _) => {
+            Some(normal) => {
                 let value = self.quantity(expr, Scope::Parameter, INERTIA)?;
                 let number = self.default(&value);
                 if !(number > 0.0 || number == 0.0 && !is_definite) {
@@ -208,7 +209,7 @@ impl<'a> Check<'a> {
                 }
                 inertia[normal] = value;
             }
-            (None, ExprKind::Vector { .. }) => {
+            None if has_vector(expr) => {
                 let (values, _) = self.components(expr, Scope::Parameter, INERTIA)?;
                 for (to, value) in inertia.iter_mut().zip(values) {
                     *to = value;
@@ -219,7 +220,7 @@ impl<'a> Check<'a> {
                     return None;
                 }
             }
-            (None, _) => {
+            None => {
                 self.errors.at(expr.area, say::SPATIAL_INERTIA);
                 return None;
             }

@@ -420,3 +420,24 @@ fn ties_are_those_of_the_initial_shape() {
         Err(Untied::Twice { tie })
     );
 }
+
+/// What numbers and params make of vectors has the components that are written one by one.
+#[test]
+fn vectors_of_params_are_multiplied_and_added() {
+    let heads = [
+        "inertia = [m/12*(3*r^2 + h^2), m/12*(3*r^2 + h^2), m/2*r^2]; origin = [1 m + r, -2*h, 0];",
+        "inertia = m/12 * ([3*r^2, 3*r^2, 6*r^2] + [h^2, h^2, 0]); origin = [1, 0, 0] m - [-r, 2*h, 0];",
+    ];
+    let [one_by_one, vectors] = heads.map(|head| {
+        let params = "param m = 3 kg; param r = 0.2 m; param h = 50 mm;";
+        let model = model(&format!(
+            "model Discs {{ {params} rigid disc {{ mass = m; {head} }} output top = disc.position; }}"
+        ));
+        let (_, disc) = frame(&model, "disc");
+        let inertia = disc.parts[0].inertia.each_ref();
+        inertia.map(|value| crate::check::fold::with_defaults(&model, value, 0.0).expect("a number"))
+    });
+    for (one, other) in one_by_one.into_iter().zip(vectors) {
+        assert!((one - other).abs() <= 1e-15, "{one} {other}");
+    }
+}

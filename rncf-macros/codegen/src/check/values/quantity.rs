@@ -1,6 +1,7 @@
 //! Values of expressions with their dimensions, and fields that ask for a certain one.
 
 use super::scope::Scope;
+use super::vector::has_vector;
 use crate::check::{Check, fold, say};
 use crate::errors::Area;
 use crate::model;
@@ -268,8 +269,12 @@ impl<'a> Check<'a> {
         wanted: Wanted,
     ) -> Option<(Vec<model::Expr>, Vec<Area>)> {
         let ExprKind::Vector { components, unit } = &expr.kind else {
-            self.errors.at(expr.area, say::vector_wanted(wanted.what, wanted.unit));
-            return None;
+            if !has_vector(expr) {
+                self.errors.at(expr.area, say::vector_wanted(wanted.what, wanted.unit));
+                return None;
+            }
+            let vector = self.wanted_vector(expr, scope, wanted)?;
+            return Some((vector.values.into(), vec![expr.area; 3]));
         };
         if self.split_vector(expr) {
             return None;

@@ -73,7 +73,7 @@ pub fn is_function(name: &str) -> bool {
 impl<'a> Check<'a> {
     /// Resolves an expression that may be a vector; `None` where something in it has been reported.
     pub(in crate::check) fn value(&mut self, expr: &'a Expr, scope: Scope) -> Option<Quantity> {
-        if scope < Scope::Constraint {
+        if scope < Scope::Constraint && !has_vector(expr) {
             return self.expr(expr, scope).map(Quantity::Scalar);
         }
         self.nested(expr, |check| match &expr.kind {
@@ -107,7 +107,11 @@ impl<'a> Check<'a> {
         match quantity {
             Quantity::Scalar(typed) => Some(typed),
             Quantity::Vector(vector) => {
-                self.errors.at(expr.area, say::vector_as_number(&vector.axis_list()));
+                let message = match expr.kind {
+                    ExprKind::Vector { .. } => say::VECTOR_IN_EXPRESSION.into(),
+                    _ => say::vector_as_number(&vector.axis_list()),
+                };
+                self.errors.at(expr.area, message);
                 None
             }
         }
@@ -369,6 +373,16 @@ impl<'a> Check<'a> {
             self.errors.at(expr.area, message);
         }
         is_wanted
+    }
+}
+
+/// Whether a vector is written out in what an expression is the sum, product or opposite of.
+pub fn has_vector(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Vector { .. } => true,
+        ExprKind::Negate(inner) => has_vector(inner),
+        ExprKind::Binary(_, left, right) => has_vector(left) || has_vector(right),
+        _ => false,
     }
 }
 
