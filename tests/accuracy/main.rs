@@ -10,6 +10,7 @@ mod divergence;
 mod energy;
 mod equilibria;
 mod esail;
+mod forks;
 mod free_flight;
 mod free_frames;
 mod gravity;

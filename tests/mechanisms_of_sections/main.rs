@@ -9,6 +9,7 @@ mod circulatory;
 mod discs;
 mod ladder;
 mod lateral;
+mod loose;
 mod materials;
 mod measures;
 mod rigid_parts;

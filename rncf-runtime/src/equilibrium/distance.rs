@@ -5,7 +5,7 @@ use crate::space::product;
 use crate::system::State;
 
 /// Largest difference of two states' positions and orientations, relative to the sizes of the unknowns.
-pub(super) fn distance(scene: &dyn Scene, a: &State, b: &State) -> f64 {
+pub fn distance(scene: &dyn Scene, a: &State, b: &State) -> f64 {
     over(scene, a, b, scene.sizes())
 }
 

@@ -19,6 +19,7 @@ pub use continuation::{
     unloaded,
 };
 pub use critical::{Critical, critical_factor};
+pub use distance::distance;
 pub use negative::Negative;
 pub use untied::untied;
 pub(crate) use untied::untied_directions;

@@ -114,7 +114,7 @@ pub(super) struct Newton {
     /// Row and column of the entries of K.
     pub(super) columns: Vec<(usize, usize)>,
     /// Phase conditions, and the places in the whole matrix of their columns and rows by unknown.
-    phases: Vec<Vec<f64>>,
+    pub(super) phases: Vec<Vec<f64>>,
     phase_places: Vec<Vec<(usize, [usize; 2])>>,
     /// Motions that nothing ties where the iteration came to last: the last ones of the phase conditions.
     untied: Vec<Vec<f64>>,
@@ -247,7 +247,7 @@ impl Newton {
     ) -> (Result<(), Failure>, u32) {
         let mut iterations = 0;
         if result.is_err() || self.untied.is_empty() {
-            let untied = Self::untied(scene, at, start);
+            let untied = Self::untied(scene, at, start, false);
             if !untied.is_empty() || !self.untied.is_empty() {
                 self.untied = directions(untied);
                 state.clone_from(start);
@@ -262,7 +262,7 @@ impl Newton {
                 return (result, iterations);
             }
         }
-        let untied = Self::untied(scene, at, state);
+        let untied = Self::untied(scene, at, state, false);
         if untied.len() != self.untied.len() {
             // How the iteration came here is that of the one before.
             let way = (self.first.clone(), self.moved.clone(), self.wandered);

@@ -3,7 +3,7 @@
 //! move every body as a whole.
 
 use super::newton::{Newton, Untied};
-use crate::linalg::{normalise, reduce};
+use crate::linalg::{norm, normalise, reduce};
 use crate::model::{Kind, Scene, Uniform};
 use crate::system::State;
 
@@ -11,6 +11,10 @@ use crate::system::State;
 const SHIFT: f64 = 1e-13;
 /// Part of the amplification by the shift alone from which on a direction has no stiffness.
 const NULL: f64 = 0.1;
+/// How far a direction of unit size is moved that has stiffness, and the part of the stiffness of the rows by which it is held that drifts along what is
+/// known as neutral.
+const MOVED: f64 = 1e3;
+const HELD: f64 = 1e-6;
 /// Amplification of a load from which on the stiffness is looked at.
 const DOUBTFUL: f64 = 1e11;
 const ITERATIONS: usize = 6;
@@ -32,8 +36,9 @@ impl Newton {
         largest.is_nan() || largest > DOUBTFUL
     }
 
-    /// What nothing ties or resists at the state, beside what the scene knows as neutral.
-    pub(super) fn untied(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Vec<Untied> {
+    /// What nothing ties or resists at the state, beside what the scene knows as neutral; without `is_alone` also what drifts along that, for Newton's
+    /// iteration holds both.
+    pub(super) fn untied(scene: &mut dyn Scene, at: &Uniform, state: &State, is_alone: bool) -> Vec<Untied> {
         let mut newton = Newton::new(scene);
         let mut state = state.clone();
         state.rebase(scene.turns());
@@ -51,8 +56,8 @@ impl Newton {
         let n = metric.len();
         let mut count = BLOCK.min(n);
         loop {
-            let found = newton.null_space(&metric, count);
-            if found.len() < count || count == n {
+            let (found, is_all) = newton.null_space(&metric, count, is_alone);
+            if is_all {
                 let found = apart(found, &newton.inverse_sizes).into_iter();
                 let told = |direction: Vec<f64>| {
                     let told = scene.untied_motion(at, &state, &direction)?;
@@ -64,20 +69,23 @@ impl Newton {
         }
     }
 
-    /// Among `count` directions those without stiffness.
-    fn null_space(&mut self, metric: &[f64], count: usize) -> Vec<Vec<f64>> {
+    /// Among `count` directions those without stiffness, and whether there are no others.
+    fn null_space(&mut self, metric: &[f64], count: usize, is_alone: bool) -> (Vec<Vec<f64>>, bool) {
         let (n, rows) = (metric.len(), self.lu.pattern().columns());
         let roots: Vec<f64> = metric.iter().map(|weight| weight.sqrt()).collect();
         let weighted = |x: &[f64]| -> Vec<f64> { x.iter().zip(&roots).map(|(x, root)| x * root).collect() };
         // In coordinates in which the metric is the identity.
         let mut directions: Vec<Vec<f64>> = (0..count).map(|k| (0..n).map(|row| sign(row, k)).collect()).collect();
         let mut amplified = vec![0.0; count];
+        let amplify = |newton: &mut Self, direction: &[f64]| {
+            let mut image = weighted(direction);
+            image.resize(rows, 0.0);
+            newton.solve_with(&mut image);
+            image
+        };
         for _ in 0..ITERATIONS {
-            for k in 0..count {
-                let mut image = weighted(&directions[k]);
-                image.resize(rows, 0.0);
-                self.solve_with(&mut image);
-                directions[k] = weighted(&image[..n]);
+            for direction in &mut directions {
+                *direction = weighted(&amplify(self, direction)[..n]);
             }
             for k in 0..count {
                 let (known, rest) = directions.split_at_mut(k);
@@ -87,9 +95,32 @@ impl Newton {
         }
         let is_null = amplified.iter().map(|factor| factor * SHIFT > NULL);
         let found = directions.iter().zip(is_null).filter(|(_, is_null)| *is_null);
-        found
-            .map(|(direction, _)| direction.iter().zip(&roots).map(|(x, root)| x / root).collect())
-            .collect()
+        let found: Vec<Vec<f64>> = found.map(|(direction, _)| direction.clone()).collect();
+        let is_all = found.len() < count || count == n;
+        // What is moved, and what holds it: of a direction without stiffness nothing.
+        let pushed = |direction: &Vec<f64>| {
+            let image = amplify(self, direction);
+            let held = self.phases.iter().zip(&image[rows - self.phases.len()..]);
+            let mut forces = vec![0.0; n];
+            for (phase, held) in held {
+                let parts = forces.iter_mut().zip(phase);
+                parts.for_each(|(force, part)| *force += held * part);
+            }
+            let moved = weighted(&image[..n]).into_iter().zip(direction);
+            let moved = moved.map(|(image, x)| (SHIFT * image - x) / MOVED);
+            let forces = forces.iter().zip(&roots);
+            moved
+                .chain(forces.map(|(force, root)| SHIFT * force / root / HELD))
+                .collect()
+        };
+        let found = if is_alone {
+            let images = found.iter().map(pushed).collect();
+            unmoved(found, images)
+        } else {
+            found
+        };
+        let unscaled = |direction: Vec<f64>| direction.iter().zip(&roots).map(|(x, root)| x / root).collect();
+        (found.into_iter().map(unscaled).collect(), is_all)
     }
 
     /// Stiffness of every row relative to the sizes of the unknowns, at least a small part of the largest one.
@@ -109,6 +140,27 @@ impl Newton {
     }
 }
 
+/// The directions of a space that have no image to speak of: what bends under forces that follow it drifts along a motion without stiffness, and is
+/// amplified with it.
+fn unmoved(mut directions: Vec<Vec<f64>>, mut images: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+    loop {
+        let sizes = images.iter().map(|image| norm(image)).enumerate();
+        let Some((farthest, size)) = sizes.max_by(|a, b| a.1.total_cmp(&b.1)) else {
+            return directions;
+        };
+        if size <= 1.0 {
+            return directions;
+        }
+        let (moved, image) = (directions.remove(farthest), images.remove(farthest));
+        for (direction, own) in directions.iter_mut().zip(&mut images) {
+            let part = own.iter().zip(&image).map(|(a, b)| a * b).sum::<f64>() / (size * size);
+            let without = |x: &mut Vec<f64>, y: &[f64]| x.iter_mut().zip(y).for_each(|(x, y)| *x -= part * y);
+            without(direction, &moved);
+            without(own, &image);
+        }
+    }
+}
+
 /// The motions at the state that nothing ties, one sentence each; at rest also those that the scene knows as neutral. What
 /// turns is expected to have its phase free.
 pub fn untied(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Vec<String> {
@@ -120,7 +172,11 @@ pub fn untied(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Vec<String>
         .iter()
         .filter_map(|motion| scene.untied_motion(at, state, motion))
         .collect();
-    told.extend(Newton::untied(scene, at, state).into_iter().map(|motion| motion.told));
+    told.extend(
+        Newton::untied(scene, at, state, true)
+            .into_iter()
+            .map(|motion| motion.told),
+    );
     let sentence =
         |told| format!("{told}: it stays where it was at the start, and outputs that see it are as arbitrary");
     told.into_iter().map(sentence).collect()
@@ -128,7 +184,7 @@ pub fn untied(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Vec<String>
 
 /// The motions at the state that nothing ties: directions of the unknowns.
 pub(crate) fn untied_directions(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Vec<Vec<f64>> {
-    let found = Newton::untied(scene, at, state).into_iter();
+    let found = Newton::untied(scene, at, state, true).into_iter();
     found.map(|motion| motion.direction).collect()
 }
 

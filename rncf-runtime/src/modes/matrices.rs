@@ -1,7 +1,8 @@
 //! The matrices of small motions about a uniform one, and what is said where their modes are not found.
 
 use super::pair::Failure;
-use super::pencil::Pencil;
+use super::pencil::{Pencil, orthonormal};
+use crate::equilibrium;
 use crate::error::{SolveError, SolveErrorKind};
 use crate::linalg::Pattern;
 use crate::model::{Scene, Uniform};
@@ -24,15 +25,54 @@ pub(super) fn tangent(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Tan
 }
 
 pub(super) fn with_constraints(scene: &mut dyn Scene, state: &State, tangent: &Tangent) -> Pencil {
+    apart_from(scene, state, tangent, Vec::new())
+}
+
+/// The same for what moves beside some directions of the unknowns: `r^T M x = 0`, with forces `M r` that hold nothing but these.
+pub(super) fn apart_from(scene: &mut dyn Scene, state: &State, tangent: &Tangent, directions: Vec<Vec<f64>>) -> Pencil {
     let mut jacobian = vec![0.0; scene.constraint_pattern().entries()];
     scene.constraint_jacobian(state, &mut jacobian);
-    Pencil::new(
-        scene.pattern(),
-        tangent,
-        scene.constraint_pattern(),
-        &jacobian,
-        scene.sizes(),
-    )
+    let (pattern, constraints, sizes) = (scene.pattern(), scene.constraint_pattern(), scene.sizes());
+    let momentum = |mut direction: Vec<f64>| {
+        direction.iter_mut().zip(sizes).for_each(|(value, size)| *value *= size);
+        let mut momentum = vec![0.0; sizes.len()];
+        pattern.multiply_add(1.0, &tangent.mass, &direction, &mut momentum);
+        momentum
+    };
+    let momenta = orthonormal(directions, sizes).into_iter().map(momentum);
+    // What has no mass has no momentum.
+    let momenta: Vec<Vec<f64>> = momenta.filter(|all| all.iter().any(|part| *part != 0.0)).collect();
+    if momenta.is_empty() {
+        return Pencil::new(pattern, tangent, constraints, &jacobian, sizes);
+    }
+    let own = constraints.columns();
+    let known = (0..own).flat_map(|column| {
+        let rows = constraints.starts()[column]..constraints.starts()[column + 1];
+        rows.map(move |entry| (constraints.indices()[entry], column))
+    });
+    let known = known.zip(jacobian.iter().copied());
+    let held = momenta.iter().enumerate().flat_map(|(index, momentum)| {
+        let parts = momentum.iter().enumerate().filter(|(_, part)| **part != 0.0);
+        parts.map(move |(row, part)| ((row, own + index), *part))
+    });
+    let entries: Vec<((usize, usize), f64)> = known.chain(held).collect();
+    let all = Pattern::new(
+        sizes.len(),
+        own + momenta.len(),
+        entries.iter().map(|(place, _)| *place),
+    );
+    let mut values = vec![0.0; all.entries()];
+    for ((row, column), value) in entries {
+        values[all.find(row, column).expect("the pattern is made of these entries")] = value;
+    }
+    Pencil::new(pattern, tangent, &all, &values, sizes)
+}
+
+/// The motions without stiffness: directions of the unknowns.
+pub(super) fn still(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Vec<Vec<f64>> {
+    let mut still = scene.neutral_motions(at, state);
+    still.extend(equilibrium::untied_directions(scene, at, state));
+    still
 }
 
 /// The symmetric part of a matrix on a symmetric pattern.

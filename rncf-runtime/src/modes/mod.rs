@@ -26,12 +26,11 @@ pub use stiffness::{Stiffness, stiffness_values};
 pub use tracking::{assurance, followed, matched};
 pub use whirl::Whirl;
 
-use crate::equilibrium;
 use crate::error::SolveError;
 use crate::linalg::Pattern;
 use crate::model::{Scene, Uniform};
 use crate::system::State;
-use matrices::{error, pencil, tangent};
+use matrices::{error, pencil, still, tangent};
 use pair::Pair;
 
 /// Which modes are wanted.
@@ -70,8 +69,7 @@ pub fn unstable_directions(scene: &mut dyn Scene, at: &Uniform, state: &State) -
 
 /// The pencil that knows the motions without stiffness.
 fn beside_still(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Pencil {
-    let mut still = scene.neutral_motions(at, state);
-    still.extend(equilibrium::untied_directions(scene, at, state));
+    let still = still(scene, at, state);
     pencil(scene, at, state).without_stiffness_along(still)
 }
 

@@ -113,17 +113,7 @@ impl Pencil {
 
     /// The same with directions of the unknowns that are known to have no stiffness.
     pub(super) fn without_stiffness_along(mut self, directions: Vec<Vec<f64>>) -> Self {
-        for mut direction in directions {
-            direction
-                .iter_mut()
-                .zip(&self.scales)
-                .for_each(|(value, scale)| *value /= scale);
-            normalise(&mut direction);
-            if reduce(&mut direction, &self.still) > KNOWN {
-                normalise(&mut direction);
-                self.still.push(direction);
-            }
-        }
+        self.still = orthonormal(directions, &self.scales);
         self
     }
 
@@ -321,6 +311,20 @@ impl Pencil {
         let relative = residual.iter().zip(&terms).map(|(rest, term)| rest.norm() / term);
         relative.filter(|error| !error.is_nan()).fold(0.0, f64::max)
     }
+}
+
+/// What directions span, in unknowns relative to sizes.
+pub(super) fn orthonormal(directions: Vec<Vec<f64>>, sizes: &[f64]) -> Vec<Vec<f64>> {
+    let mut found: Vec<Vec<f64>> = Vec::new();
+    for mut direction in directions {
+        direction.iter_mut().zip(sizes).for_each(|(value, size)| *value /= size);
+        normalise(&mut direction);
+        if reduce(&mut direction, &found) > KNOWN {
+            normalise(&mut direction);
+            found.push(direction);
+        }
+    }
+    found
 }
 
 impl Products {

@@ -1,7 +1,8 @@
 //! The values of the co-rotating stiffness next to zero: each that passes zero along a parameter is a critical one.
 
-use super::matrices::{error, symmetrise, tangent, with_constraints};
+use super::matrices::{apart_from, error, still, symmetrise, tangent};
 use super::pair::Failure;
+use super::pencil::Pencil;
 use super::spectrum;
 use crate::error::SolveError;
 use crate::linalg::c64;
@@ -26,7 +27,7 @@ pub enum Stiffness {
 /// the first `count` positive ones, of the symmetric part from `-2 spin^2`, below which turning brings none, of the whole one those that are
 /// smaller in size than the largest one. The number of negative ones of the symmetric part is that of
 /// [`unstable_directions`](super::unstable_directions), found from sparse matrices where there are many unknowns. Two conjugate values,
-/// of what vibrates and grows, stand as their size: they pass zero nowhere.
+/// of what vibrates and grows, stand as their size: they pass zero nowhere. What moves without stiffness has zeros.
 ///
 /// # Errors
 /// As [`modes`](super::modes).
@@ -39,49 +40,70 @@ pub fn stiffness_values(
 ) -> Result<Vec<f64>, SolveError> {
     let mut tangent = tangent(scene, at, state);
     tangent.damping.fill(0.0);
-    match of {
+    // What moves without stiffness has a value of zero at every parameter. Where forces follow what bends, another one that
+    // becomes zero is not apart from it: to bend is to drift, too.
+    let still = still(scene, at, state);
+    let zeros = vec![0.0; still.len()];
+    let beside_still = match of {
         Stiffness::Symmetric(spin) => {
             symmetrise(scene.pattern(), &mut tangent.stiffness);
             // Beside the mass nothing is singular, and the lowest ones are those that are looked for.
-            values(scene, at, (state, &tangent), count, 2.0 * spin * spin)
+            let tangent = beside_mass(&tangent, 2.0 * spin * spin);
+            let pencil = apart_from(scene, state, &tangent, still);
+            values(scene, at, &pencil, count, 2.0 * spin * spin)?
         }
         Stiffness::Whole => {
-            let found = values(scene, at, (state, &tangent), count, 0.0)?;
+            let pencil = |scene: &mut dyn Scene, beside| {
+                let tangent = beside_mass(&tangent, beside);
+                apart_from(scene, state, &tangent, still.clone())
+            };
+            let bare = pencil(scene, 0.0);
+            let found = values(scene, at, &bare, count, 0.0)?;
             let least = found.iter().map(|value| value.abs()).filter(|&size| size > 0.0);
-            match least.reduce(f64::min) {
-                // What is next to zero has its sign beside the mass.
-                Some(least) if found.contains(&0.0) => values(scene, at, (state, &tangent), count, least),
-                _ => Ok(found),
+            match least.reduce(f64::min).map(|least| 0.5 * least) {
+                // What is next to zero has its sign beside the mass, where no value is.
+                Some(beside) if found.contains(&0.0) => {
+                    let shifted = pencil(scene, beside);
+                    values(scene, at, &shifted, count, beside)?
+                }
+                _ => found,
             }
         }
-    }
+    };
+    let mut all = [zeros, beside_still].concat();
+    all.sort_by(f64::total_cmp);
+    Ok(all)
 }
 
-/// The same with so much of the mass, 1/s^2, beside the stiffness.
-fn values(
-    scene: &mut dyn Scene,
-    at: &Uniform,
-    (state, tangent): (&State, &Tangent),
-    count: usize,
-    beside: f64,
-) -> Result<Vec<f64>, SolveError> {
+/// The tangent with so much of the mass, 1/s^2, beside the stiffness.
+fn beside_mass(tangent: &Tangent, beside: f64) -> Tangent {
     let mut tangent = tangent.clone();
     let entries = tangent.stiffness.iter_mut().zip(&tangent.mass);
     entries.for_each(|(stiffness, mass)| *stiffness += beside * mass);
-    let pencil = with_constraints(scene, state, &tangent);
+    tangent
+}
+
+/// The values of a pencil with so much of the mass, 1/s^2, beside its stiffness.
+fn values(
+    scene: &mut dyn Scene,
+    at: &Uniform,
+    pencil: &Pencil,
+    count: usize,
+    beside: f64,
+) -> Result<Vec<f64>, SolveError> {
     let free = pencil.unknowns().saturating_sub(pencil.constraints());
     let mut asked = 2 * count;
     loop {
-        let mut found = spectrum::lowest(&pencil, asked);
+        let mut found = spectrum::lowest(pencil, asked);
         if let Err(Failure::Inexact(exact @ 1..)) = found {
             // Beside much larger ones the others are round-off; those next to zero are not.
             asked = free;
-            found = spectrum::lowest(&pencil, exact);
+            found = spectrum::lowest(pencil, exact);
         }
         let pairs = found.map_err(|failure| error(scene, at, &failure))?;
         // Of a value below the range there are two eigenvalues +-s.
         let one = pairs.iter().map(|pair| pair.s).filter(|s| s.im > 0.0 || s.re >= 0.0);
-        let mut values: Vec<f64> = one.map(|s| value(s) - beside).collect();
+        let mut values: Vec<f64> = one.map(|s| value(s, beside)).collect();
         for value in &mut values {
             if value.abs() <= NEUTRAL * beside {
                 *value = 0.0;
@@ -96,12 +118,12 @@ fn values(
     }
 }
 
-/// `-s^2` where that is a real number, else its size.
-fn value(s: c64) -> f64 {
+/// `-s^2` less what stands beside it, where that is a real number, else its size.
+fn value(s: c64, beside: f64) -> f64 {
     let square = s * s;
     if square.im.abs() <= REAL * square.norm() {
-        -square.re
+        -square.re - beside
     } else {
-        square.norm()
+        (square + beside).norm()
     }
 }

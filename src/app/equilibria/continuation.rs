@@ -9,10 +9,12 @@ use crate::app::results::error::RunError;
 use crate::app::results::history::Column;
 use crate::app::writing::numbers::in_unit;
 use crate::equilibrium::{
-    CUTS, Continued, Equilibrium, Kind, Uniform, assembled, continue_from, follow, goes_back, sagged, settle, unloaded,
+    Continued, Equilibrium, Kind, Uniform, assembled, continue_from, follow, sagged, settle, unloaded,
 };
 use crate::error::SolveErrorKind;
 use crate::{AnyModel, Scene, SolveError, State};
+
+mod leaps;
 
 /// How far a continuation is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,6 +69,12 @@ pub(in crate::app) struct Found {
     pub state: State,
     /// Of a static equilibrium the negative directions of the stiffness, where they are known.
     pub measured: Option<Measured>,
+}
+
+impl Found {
+    fn placed(&self) -> (f64, State) {
+        (self.share, self.state.clone())
+    }
 }
 
 /// What is asked at an equilibrium; whether with the values.
@@ -438,7 +446,7 @@ impl<'m> Line<'m> {
         let leapt = match &found {
             Ok(found) if self.kind == Kind::Static => self.leaps(scene, at, share, found),
             // Where short steps are none either, what follows is the other side of a critical speed.
-            Ok(found) => found.strayed && self.increment > 2 * SHORT,
+            Ok(found) => self.increment > 2 * SHORT && (found.strayed || self.forks(scene, at, share, found)),
             Err(_) => false,
         };
         let is_first = self.kind == Kind::Static && self.place == 0;
@@ -452,47 +460,6 @@ impl<'m> Line<'m> {
             return Err(LEAPT.into());
         }
         found.map_err(|error| reason(&error, self.settings.range.is_some() || self.kind == Kind::Steady))
-    }
-
-    /// Whether the first static step is far from straight where it is cut: what lies beyond a limit point may look near by chance.
-    fn leaps_within(&mut self, share: f64) -> bool {
-        if self.place > 0 {
-            return false;
-        }
-        let strays = |part: f64| {
-            let Ok((mut scene, at)) = self.placed(part * share) else {
-                return false;
-            };
-            let found = continued(scene.as_mut(), &at, &self.last.state);
-            self.give_back(scene);
-            found.map_or(true, |found| found.strayed)
-        };
-        CUTS.into_iter().any(strays)
-    }
-
-    /// Whether a limit point may lie between the last static equilibrium and the one that was found. Shorter steps show it.
-    fn leaps(&mut self, scene: &mut dyn Scene, at: &Uniform, share: f64, found: &Continued) -> bool {
-        if self.increment > 1 && (found.strayed || self.leaps_within(share)) {
-            return true;
-        }
-        let is_doubtful = found.strayed || found.moved_far && self.place > 0;
-        is_doubtful && self.has_leapt(scene, at, found)
-    }
-
-    /// Whether the way back from an equilibrium does not end at the last one.
-    fn has_leapt(&mut self, scene: &mut dyn Scene, at: &Uniform, found: &Continued) -> bool {
-        let state = scene.carried(at, &found.state, true);
-        let Ok((mut scene, at)) = self.placed(self.last.share) else {
-            return false;
-        };
-        let [from, to] = [&state, &self.last.state].map(|state| {
-            let mut state = state.clone();
-            state.t = at.t;
-            scene.carried(&at, &state, false)
-        });
-        let goes_back = goes_back(scene.as_mut(), &at, &from, &to);
-        self.give_back(scene);
-        goes_back == Some(false)
     }
 
     fn keep(&mut self, mut scene: Box<dyn Scene>, at: Uniform, share: f64, found: Continued) {
@@ -518,19 +485,8 @@ impl<'m> Line<'m> {
         if guess.x.len() != scene.unknowns() || guess.lambda.len() != scene.constraints() {
             return Err("the number of unknowns changes: the equilibria do not continue each other".into());
         }
-        let Some(before) = &self.before else {
-            return Ok(guess);
-        };
-        let ratio = (share - self.last.share) / (self.last.share - before.share);
-        let carried = |to: &mut [f64], from: &[f64]| {
-            for (value, earlier) in to.iter_mut().zip(from) {
-                *value += ratio * (*value - earlier);
-            }
-        };
-        carried(&mut guess.x, &before.state.x);
-        carried(&mut guess.lambda, &before.state.lambda);
-        for &turn in scene.turns() {
-            guess.x[turn..turn + 3].copy_from_slice(&self.last.state.x[turn..turn + 3]);
+        if let Some(before) = &self.before {
+            guess = secant(scene, [&before.placed(), &self.last.placed()], share);
         }
         Ok(guess)
     }
@@ -565,6 +521,23 @@ impl<'m> Line<'m> {
         self.give_back(scene);
         looked
     }
+}
+
+/// The state at a part of the way on the secant through two, each with its part; orientations as in the second one.
+fn secant(scene: &dyn Scene, [before, last]: [&(f64, State); 2], share: f64) -> State {
+    let mut guess = last.1.clone();
+    let ratio = (share - last.0) / (last.0 - before.0);
+    let carried = |to: &mut [f64], from: &[f64]| {
+        for (value, earlier) in to.iter_mut().zip(from) {
+            *value += ratio * (*value - earlier);
+        }
+    };
+    carried(&mut guess.x, &before.1.x);
+    carried(&mut guess.lambda, &before.1.lambda);
+    for &turn in scene.turns() {
+        guess.x[turn..turn + 3].copy_from_slice(&last.1.x[turn..turn + 3]);
+    }
+    guess
 }
 
 /// The equilibrium near a guess that is carried back to t = 0.

@@ -85,22 +85,23 @@ impl Line<'_> {
     fn passes_zero(&mut self, [low, high]: [&Looked; 2], [first, last]: [f64; 2], measure: &mut Measure<'_>) -> bool {
         let counts = [low, high].map(|end| end.measured.negative);
         let changing = counts[0].min(counts[1])..counts[0].max(counts[1]);
-        let largest = |looked: &Looked| {
-            let values = looked.measured.values.get(changing.clone())?;
-            values.iter().map(|value| value.abs()).reduce(f64::max)
-        };
-        let (Some(before), Some(after)) = (largest(low), largest(high)) else {
+        if [low, high].iter().any(|end| end.measured.values.len() < changing.end) {
             return true;
-        };
+        }
         let (place, from) = if low.share - AWAY >= first {
             (low.share - AWAY, low)
         } else {
             ((high.share + AWAY).min(last), high)
         };
         let away = self.looked_at(place, &from.state, true, measure);
-        away.filter(|away| away.measured.negative == from.measured.negative)
-            .and_then(|away| largest(&away))
-            .is_none_or(|away| before.max(after) <= FALLEN * away)
+        let Some(away) = away.filter(|away| away.measured.negative == from.measured.negative) else {
+            return true;
+        };
+        let [before, after, away] = stiff([low, high, &away]).map(|values| {
+            let changing = values.get(changing.clone()).unwrap_or_default();
+            changing.iter().map(|value| value.abs()).fold(0.0, f64::max)
+        });
+        away == 0.0 || before.max(after) <= FALLEN * away
     }
 
     /// The critical value between two equilibria next to each other.
@@ -147,9 +148,11 @@ impl Line<'_> {
         }
         let mut roots = Vec::new();
         let mut error: f64 = 0.5 * WIDTH;
+        let values = stiff([&points[0], &points[1], &points[2], &points[3]]);
         for index in crossing {
-            let place = |end: &Looked| Some((end.share, *end.measured.values.get(index)?));
-            let all: Vec<(f64, f64)> = points.iter().map(place).collect::<Option<_>>()?;
+            let places = points.iter().zip(&values);
+            let places = places.map(|(point, values)| Some((point.share, *values.get(index)?)));
+            let all: Vec<(f64, f64)> = places.collect::<Option<_>>()?;
             let zero = root(&all, [left.share, right.share])?;
             let mut change = 0.0;
             for without in 0..all.len() {
@@ -169,6 +172,18 @@ impl Line<'_> {
     }
 }
 
+/// The values of the stiffness at equilibria without those of what moves without stiffness at each of them, ascending.
+fn stiff<const N: usize>(looks: [&Looked; N]) -> [Vec<f64>; N] {
+    let zeros = looks.map(|looked| looked.measured.values.iter().filter(|&&value| value == 0.0).count());
+    let common = zeros.into_iter().min().unwrap_or(0);
+    looks.map(|looked| {
+        let mut values = looked.measured.values.clone();
+        let first = values.partition_point(|&value| value < 0.0);
+        values.drain(first..first + common);
+        values
+    })
+}
+
 /// What of the stiffness becomes singular between two equilibria, at a value and how far off that may be.
 fn singular([low, high]: [&Looked; 2], value: f64, within: f64) -> Critical {
     let rise = high.measured.negative as isize - low.measured.negative as isize;
@@ -185,7 +200,7 @@ fn singular([low, high]: [&Looked; 2], value: f64, within: f64) -> Critical {
 /// Where the value that changes its sign between two equilibria is expected to be zero, a little aside to either side by turns.
 fn expected(low: &Looked, high: &Looked, looks: u32) -> Option<f64> {
     let index = low.measured.negative.min(high.measured.negative);
-    let [first, last] = [low, high].map(|end| end.measured.values.get(index).copied());
+    let [first, last] = stiff([low, high]).map(|values| values.get(index).copied());
     let (first, last) = (first?, last?);
     let width = high.share - low.share;
     let aside = (ASIDE * width).max(0.4 * WIDTH);

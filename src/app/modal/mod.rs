@@ -2,5 +2,6 @@
 
 pub(super) mod campbell;
 mod finer;
+mod known;
 pub(super) mod modes;
 pub(super) mod tracker;

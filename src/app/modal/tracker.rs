@@ -1,12 +1,13 @@
 //! Modes followed by their shapes from step to step of a way, and what is between the steps: critical values and crossings
 //! with multiples of the spin.
 
+use super::known::{self, Known};
 use crate::app::equilibria::continuation::{Found, Line};
 use crate::app::equilibria::directions::{self, Measured};
 use crate::app::equilibria::way;
 use crate::app::results::campbell::{Campbell, Crossing};
 use crate::app::results::modes::{Inertial, SeenMode, is_round};
-use crate::equilibrium::{Continued, Uniform};
+use crate::equilibrium::Uniform;
 use crate::modes::{self, Composition, Critical, Mode, Wanted, Whirl};
 use crate::{Scene, SolveError, State};
 
@@ -42,54 +43,8 @@ pub(in crate::app) struct Tracker {
     whole: Known,
     /// Whether circulatory forces act at the last step.
     circulates: bool,
-}
-
-/// What is known of the directions in which a stiffness is negative.
-#[derive(Default)]
-struct Known {
-    /// Those at the last step where they are known, and that step.
-    measured: Option<(Measured, Found)>,
-    /// Whether they are not known at the last step alone.
-    is_skipped: bool,
-}
-
-/// How they are measured at an equilibrium, with the values of the stiffness or without.
-type Measuring = fn(&mut dyn Scene, &Uniform, &State, bool) -> Result<Measured, SolveError>;
-
-/// Those of the whole stiffness, which are asked where forces that come from no energy act.
-fn whole(scene: &mut dyn Scene, at: &Uniform, state: &State, _: bool) -> Result<Measured, SolveError> {
-    directions::whole(scene, at, state, true)
-}
-
-impl Known {
-    /// The critical values in the last step, to whose end `measured` belongs, if they are asked for.
-    fn locate(
-        &mut self,
-        line: &mut Line<'_>,
-        measured: Option<Measured>,
-        measuring: Measuring,
-        is_asked: bool,
-    ) -> Vec<Critical> {
-        let last = line.last_two().1.clone();
-        let Some(measured) = measured else {
-            // A step may lie just where a stiffness vanishes: the next one tells what it becomes.
-            if std::mem::replace(&mut self.is_skipped, true) {
-                self.measured = None;
-            }
-            return Vec::new();
-        };
-        self.is_skipped = false;
-        let Some((before, first)) = self.measured.replace((measured.clone(), last.clone())) else {
-            return Vec::new();
-        };
-        if before.negative == measured.negative || !is_asked {
-            return Vec::new();
-        }
-        let mut measure = |scene: &mut dyn Scene, at: &Uniform, step: &Continued, with_values| {
-            measuring(scene, at, &step.state, with_values).ok()
-        };
-        line.critical([&first, &last], [before, measured], &mut measure)
-    }
+    /// Whether something stands still in the last step that nothing holds.
+    is_loose: bool,
 }
 
 /// By how much the meshes of the bodies make a frequency too high, rad/s, and the largest frequency at which that was looked at.
@@ -231,7 +186,12 @@ impl Tracker {
         }
         // At rest nothing tells the sign of what only turning makes stiff, as hinged blades.
         let is_loose = spin == 0.0 && found.modes.iter().any(|mode| size(mode) == 0.0);
-        let measured = [Some(symmetric), whole].map(|measured| measured.filter(|_| !is_loose));
+        let was_loose = std::mem::replace(&mut self.is_loose, is_loose);
+        if was_loose && spin > 0.0 {
+            (self.symmetric, self.whole) = (Known::default(), Known::default());
+        }
+        let turned = row > 0 && diagram.spins[row - 1] > 0.0;
+        let measured = [Some(symmetric), whole].map(|measured| measured.filter(|_| !(is_loose && turned)));
         self.locate(line, diagram, measured, circulated || self.circulates);
         self.cross(line, diagram, &before);
         Ok(())
@@ -352,7 +312,7 @@ impl Tracker {
         let found = self
             .symmetric
             .locate(line, symmetric, directions::turning, turns || !circulates);
-        let of_whole = self.whole.locate(line, whole, self::whole, circulates);
+        let of_whole = self.whole.locate(line, whole, known::whole, circulates);
         for critical in found {
             let (first, last) = line.last_two();
             let guess = first.unwrap_or(last).state.clone();
@@ -361,7 +321,8 @@ impl Tracker {
                 let away = (other.value - critical.value).abs() / critical.value.abs();
                 ALIKE < away && away <= UNDAMPED
             });
-            let stands = !is_moved && stands(line, critical.value, &guess, diagram);
+            // Where no force circulates the whole stiffness is the symmetric one.
+            let stands = !circulates || !is_moved && stands(line, critical.value, &guess, diagram);
             diagram.standing.push(stands);
             diagram.critical.push(critical);
         }

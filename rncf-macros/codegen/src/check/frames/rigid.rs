@@ -6,7 +6,6 @@ use super::plane::PLANES;
 use crate::check::values::eigen;
 use crate::check::values::quantity::Wanted;
 use crate::check::values::scope::Scope;
-use crate::check::values::vector::has_vector;
 use crate::check::{Check, say};
 use crate::errors::Area;
 use crate::model::{Expr as Value, Frame, FrameId, INERTIAL, Motions, RigidPart};
@@ -190,7 +189,7 @@ impl<'a> Check<'a> {
     ) -> Option<[Value; 6]> {
         let mut inertia = zeros::<6>();
         match normal {
-            Some(_) if has_vector(expr) => {
+            Some(_) if expr.has_vector() => {
                 self.errors.at(expr.area, say::PLANAR_INERTIA);
                 return None;
             }
@@ -209,7 +208,7 @@ impl<'a> Check<'a> {
                 }
                 inertia[normal] = value;
             }
-            None if has_vector(expr) => {
+            None if expr.has_vector() => {
                 let (values, _) = self.components(expr, Scope::Parameter, INERTIA)?;
                 for (to, value) in inertia.iter_mut().zip(values) {
                     *to = value;

@@ -1,7 +1,6 @@
 //! Values of expressions with their dimensions, and fields that ask for a certain one.
 
 use super::scope::Scope;
-use super::vector::has_vector;
 use crate::check::{Check, fold, say};
 use crate::errors::Area;
 use crate::model;
@@ -269,7 +268,7 @@ impl<'a> Check<'a> {
         wanted: Wanted,
     ) -> Option<(Vec<model::Expr>, Vec<Area>)> {
         let ExprKind::Vector { components, unit } = &expr.kind else {
-            if !has_vector(expr) {
+            if !expr.has_vector() {
                 self.errors.at(expr.area, say::vector_wanted(wanted.what, wanted.unit));
                 return None;
             }

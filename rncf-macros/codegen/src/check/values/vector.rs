@@ -73,7 +73,7 @@ pub fn is_function(name: &str) -> bool {
 impl<'a> Check<'a> {
     /// Resolves an expression that may be a vector; `None` where something in it has been reported.
     pub(in crate::check) fn value(&mut self, expr: &'a Expr, scope: Scope) -> Option<Quantity> {
-        if scope < Scope::Constraint && !has_vector(expr) {
+        if scope < Scope::Constraint && !expr.has_vector() {
             return self.expr(expr, scope).map(Quantity::Scalar);
         }
         self.nested(expr, |check| match &expr.kind {
@@ -373,16 +373,6 @@ impl<'a> Check<'a> {
             self.errors.at(expr.area, message);
         }
         is_wanted
-    }
-}
-
-/// Whether a vector is written out in what an expression is the sum, product or opposite of.
-pub fn has_vector(expr: &Expr) -> bool {
-    match &expr.kind {
-        ExprKind::Vector { .. } => true,
-        ExprKind::Negate(inner) => has_vector(inner),
-        ExprKind::Binary(_, left, right) => has_vector(left) || has_vector(right),
-        _ => false,
     }
 }
 

@@ -133,6 +133,16 @@ pub enum ExprKind {
 }
 
 impl Expr {
+    /// Whether a vector is written out in what it is the sum, product or opposite of.
+    pub fn has_vector(&self) -> bool {
+        match &self.kind {
+            ExprKind::Vector { .. } => true,
+            ExprKind::Negate(inner) => inner.has_vector(),
+            ExprKind::Binary(_, left, right) => left.has_vector() || right.has_vector(),
+            _ => false,
+        }
+    }
+
     /// The expressions that it is made of, in the order of the text.
     pub fn parts(&self) -> Vec<&Expr> {
         fn of(arguments: &[Argument]) -> impl Iterator<Item = &Expr> {

@@ -1,0 +1,112 @@
+//! Whether an equilibrium continues the last one, or lies on another branch.
+
+use super::{Line, continued, secant};
+use crate::equilibrium::{CUTS, Continued, Kind, Negative, Uniform, distance, goes_back};
+use crate::{Scene, State};
+
+/// Halvings of a step after which equilibria that continue each other are nearer than this part of their distance before.
+const FORKED: u32 = 8;
+const APART: f64 = 1.0 / 16.0;
+/// Distance up to which nothing moves in a step.
+const STILL: f64 = 1e-6;
+/// Part of a step by which it is beside the secant where the way bends.
+const BENT: f64 = 0.5;
+
+impl Line<'_> {
+    /// Whether the first static step is far from straight where it is cut: what lies beyond a limit point may look near by chance.
+    fn leaps_within(&mut self, share: f64) -> bool {
+        if self.place > 0 {
+            return false;
+        }
+        let strays = |part: f64| {
+            let Ok((mut scene, at)) = self.placed(part * share) else {
+                return false;
+            };
+            let found = continued(scene.as_mut(), &at, &self.last.state);
+            self.give_back(scene);
+            found.map_or(true, |found| found.strayed)
+        };
+        CUTS.into_iter().any(strays)
+    }
+
+    /// Whether a limit point may lie between the last static equilibrium and the one that was found. Shorter steps show it.
+    pub(super) fn leaps(&mut self, scene: &mut dyn Scene, at: &Uniform, share: f64, found: &Continued) -> bool {
+        if self.increment > 1 && (found.strayed || self.leaps_within(share)) {
+            return true;
+        }
+        let is_doubtful = found.strayed || found.moved_far && self.place > 0;
+        is_doubtful && self.has_leapt(scene, at, found) || self.increment > 1 && self.forks(scene, at, share, found)
+    }
+
+    /// Whether something in a step is no continuation: half of it, a quarter and so on, the one with the larger change, is not shorter. Next to a fork the
+    /// way of what is not perfect bends away, and one step may find the branch that goes straight on, or bends to the other side.
+    pub(super) fn forks(&mut self, scene: &mut dyn Scene, at: &Uniform, share: f64, found: &Continued) -> bool {
+        let state = scene.carried(at, &found.state, true);
+        let (mut before, mut low, mut high) = (None, self.last.placed(), (share, state));
+        let apart = distance(scene, &low.1, &high.1);
+        let bends = match self.kind {
+            Kind::Static => {
+                let guess = self.before.is_some().then(|| self.predicted(scene, share));
+                guess.is_some_and(|guess| guess.is_ok_and(|guess| distance(scene, &guess, &high.1) > BENT * apart))
+            }
+            Kind::Steady => found.moved_far,
+        };
+        if apart <= STILL || !(bends || self.changes(found.negative)) {
+            return false;
+        }
+        for _ in 0..FORKED {
+            let middle = 0.5 * (low.0 + high.0);
+            let Some(state) = self.beside(middle, before.as_ref().map(|before| [before, &low])) else {
+                return true;
+            };
+            if distance(scene, &low.1, &state) > distance(scene, &state, &high.1) {
+                high = (middle, state);
+            } else {
+                before = Some(std::mem::replace(&mut low, (middle, state)));
+            }
+        }
+        distance(scene, &low.1, &high.1) > APART * apart
+    }
+
+    /// Whether these are not the negative directions of the last equilibrium.
+    fn changes(&self, negative: Option<Negative>) -> bool {
+        let Some(known) = self.last.measured.as_ref().map(|measured| measured.negative) else {
+            return false;
+        };
+        match negative {
+            Some(Negative::Counted(count)) => count != known,
+            Some(Negative::Even) => known % 2 == 1,
+            Some(Negative::Odd) => known % 2 == 0,
+            None => false,
+        }
+    }
+
+    /// The equilibrium at a part of the way that is next to the last one, or on the secant through two; carried back.
+    fn beside(&mut self, share: f64, ends: Option<[&(f64, State); 2]>) -> Option<State> {
+        let (mut scene, at) = self.placed(share).ok()?;
+        let guess = match ends {
+            Some(ends) => Ok(secant(scene.as_ref(), ends, share)),
+            None => self.predicted(scene.as_ref(), share),
+        };
+        let found = guess.ok().and_then(|guess| continued(scene.as_mut(), &at, &guess).ok());
+        let state = found.map(|found| scene.carried(&at, &found.state, true));
+        self.give_back(scene);
+        state
+    }
+
+    /// Whether the way back from an equilibrium does not end at the last one.
+    fn has_leapt(&mut self, scene: &mut dyn Scene, at: &Uniform, found: &Continued) -> bool {
+        let state = scene.carried(at, &found.state, true);
+        let Ok((mut scene, at)) = self.placed(self.last.share) else {
+            return false;
+        };
+        let [from, to] = [&state, &self.last.state].map(|state| {
+            let mut state = state.clone();
+            state.t = at.t;
+            scene.carried(&at, &state, false)
+        });
+        let goes_back = goes_back(scene.as_mut(), &at, &from, &to);
+        self.give_back(scene);
+        goes_back == Some(false)
+    }
+}
