@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
 use rncf::AnyModel;
-use rncf::app::{Campbell, EquilibriumSettings, Range, campbell, equilibria};
-use rncf::equilibrium::Kind;
+use rncf::app::{Campbell, EquilibriumSettings, Range, campbell, equilibria, modes};
+use rncf::equilibrium::{Kind, Spin};
 use rncf::modes::Critical;
 
 rncf::model! {
@@ -130,5 +130,96 @@ fn what_rolls_freely_hides_no_critical_value() {
     ] {
         assert_eq!(values.len(), 1, "{values:?}");
         assert!((values[0].value - 10.0).abs() < 1e-5, "{values:?}");
+    }
+}
+
+rncf::model! {
+    /// A missile: a thrust that follows it, and its inertia as a density along its axis.
+    pub model Missile {
+        param thrust = 100 N;
+        section bar { EA = 10 MN; EI = 100 N*m^2; mass = 3 kg/m; }
+        frame f = free(plane = xy);
+        body c in f { planar xy; line from [0, 0, 0] m to [2, 0, 0] m; mesh 12 * cable(bar, axial = engineering, bending = exact); mean_axes; }
+        load pushed = force(c.start, [thrust, 0, 0], in = f);
+        load carried = density(c, [-thrust / 2 [m], 0, 0]);
+        output y = c.end.y;
+        output shorter = c.end.x - c.start.x - 2 m;
+    }
+}
+
+/// Loads that balance each other are not "not balanced" for the round-off of their sum, and a force that is left over is.
+#[test]
+fn loads_that_balance_each_other_are_balanced() {
+    for thrust in [50.0, 100.0, 130.0, 200.0, 1e4] {
+        let found = equilibria(
+            &Missile { thrust },
+            Kind::Static,
+            &EquilibriumSettings::default(),
+            |_| ControlFlow::Continue(()),
+        )
+        .unwrap();
+        let shorter = found.history.column(1).last().unwrap();
+        // The axial force falls along the axis from the thrust to nothing: F L/2 EA.
+        assert!(
+            (shorter + thrust / 1e7).abs() < 1e-3 * thrust / 1e7,
+            "{thrust} {shorter}"
+        );
+    }
+}
+
+rncf::model! {
+    /// A platform on springs that carries a rotor on a bearing.
+    pub model Gyrostat {
+        rigid base { mass = 10 kg; inertia = [1, 1, 1.5] kg*m^2; }
+        rigid rotor { mass = 1 kg; inertia = [0.03, 0.03, 0.05] kg*m^2; angular_velocity = [0, 0, 200] rad/s; }
+        joint axle = revolute(base.at([0, 0, 0] m), rotor.at([0, 0, 0] m), axis = z);
+        spring mount = bushing(base, inertial, stiffness = [1000, 1000, 1000] N/m, rotational_stiffness = [50, 50, 80] N*m/rad);
+        output a: rad = base.ez.x;
+    }
+}
+
+/// Modes of a machine that is stopped say what they leave out.
+#[test]
+fn modes_of_what_is_stopped_say_so() {
+    let settings = EquilibriumSettings {
+        spin: Some(Spin::default()),
+        ..EquilibriumSettings::default()
+    };
+    let found = modes(&Gyrostat {}, &settings).unwrap();
+    let told = "the 200 rad/s in which it starts are left out";
+    assert!(
+        found.warnings.iter().any(|note| note.contains(told)),
+        "{:?}",
+        found.warnings
+    );
+}
+
+rncf::model! {
+    /// A rope with a tool glued to its end, whose centre lies beyond it.
+    pub model Glued {
+        param offset = 0.2 m;
+        section cord { EA = 100 kN; EI = 1 N*m^2; mass = 0.05 kg/m; }
+        body rope { planar xy; line from [0, 0, 0] m to [0, -1, 0] m; mesh 8 * cable(cord, axial = engineering, bending = exact); }
+        joint hook = clamp(rope.start, inertial);
+        fixture tool on rope.end { mass = 50 kg; offset = offset; }
+        load g = gravity([0, -9.81, 0] m/s^2);
+        output end = rope.end.y;
+    }
+}
+
+/// The pull of a tool beside the end stretches the slope there by 7 %, and the rope by 0.5 %: it is told, with the cure.
+#[test]
+fn a_slope_that_a_fixture_stretches_is_told() {
+    for (offset, is_told) in [(0.2, true), (0.0, false)] {
+        let model = Glued { offset };
+        let found = equilibria(&model, Kind::Static, &EquilibriumSettings::default(), |_| {
+            ControlFlow::Continue(())
+        })
+        .unwrap();
+        let told = found
+            .warnings
+            .iter()
+            .any(|note| note.contains("sits on the slope of body `rope`"));
+        assert_eq!(told, is_told, "{:?}", found.warnings);
     }
 }

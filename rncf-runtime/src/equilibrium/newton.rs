@@ -29,6 +29,8 @@ const FLOW_MOST: f64 = 1e8;
 const STILL: f64 = 1e-8;
 /// Part of the acting forces that a phase condition may carry.
 const UNBALANCED: f64 = 1e-6;
+/// Part of the largest load that is round-off in a sum of loads.
+const ROUNDED: f64 = 1e-12;
 /// Part of the stiffness times the sizes that forces are resolved to.
 const RESOLVED: f64 = 1e-11;
 /// The same along what was found to be untied: a force that is lost there would let a body stand that falls.
@@ -232,7 +234,7 @@ impl Newton {
             iterations += more;
         }
         scene.uniform_state(at, state);
-        (result.and_then(|()| self.check_phases()), iterations)
+        (result.and_then(|()| self.check_phases(scene, at, state)), iterations)
     }
 
     /// The same where the stiffness is singular, or may be: from the start anew with what nothing ties there held, then with
@@ -254,7 +256,7 @@ impl Newton {
                 let (result, taken) = self.iterate(scene, at, state, patience);
                 iterations += taken;
                 // What acts along such a motion leads away from the start.
-                let result = result.and_then(|()| self.check_phases());
+                let result = result.and_then(|()| self.check_phases(scene, at, state));
                 if result.is_err() {
                     return (result, iterations);
                 }
@@ -433,7 +435,18 @@ impl Newton {
     }
 
     /// Along a neutral motion nothing may act.
-    fn check_phases(&self) -> Result<(), Failure> {
+    fn check_phases(&self, scene: &mut dyn Scene, at: &Uniform, state: &State) -> Result<(), Failure> {
+        if self.phases.is_empty() {
+            return Ok(());
+        }
+        // Loads that balance each other do so but for their round-off.
+        let [mut loaded, mut unloaded] = [(); 2].map(|()| vec![0.0; state.x.len()]);
+        scene.uniform_residual(at, state, &mut loaded);
+        scene.uniform_residual(&at.scaled(0.0), state, &mut unloaded);
+        let loads = loaded.iter().zip(&unloaded).map(|(with, without)| with - without);
+        let loads = loads.zip(&self.inverse_sizes);
+        let largest = loads.fold(0.0, |largest: f64, (load, inverse)| largest.max((load / inverse).abs()));
+        let rounded = ROUNDED * largest;
         let known = self.phases.len() - self.untied.len();
         let twice = RESOLVED_TWICE * self.stiffest(|_| true);
         for (place, (phase, held)) in self.phases.iter().zip(&self.held).enumerate() {
@@ -441,7 +454,8 @@ impl Newton {
             let rows = 0..phase.len();
             let worst = rows.max_by(|&i, &j| energy(i).total_cmp(&energy(j))).unwrap_or(0);
             let resolved = if place < known { RESOLVED } else { RESOLVED_UNTIED };
-            if energy(worst) > UNBALANCED * self.acting + resolved * self.stiffest(|row| phase[row] != 0.0) + twice {
+            let stiff = resolved * self.stiffest(|row| phase[row] != 0.0);
+            if energy(worst) > UNBALANCED * self.acting + rounded + stiff + twice {
                 return Err(Failure::Unbalanced(worst));
             }
         }

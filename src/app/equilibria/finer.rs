@@ -172,6 +172,13 @@ fn common(own: &History, rows: &[Row]) -> (Vec<Row>, Vec<Vec<f64>>) {
     both
 }
 
+/// Critical values, each as often as directions are critical there: round-off parts two directions of a round shaft, or not.
+fn one_by_one(values: &[Critical]) -> impl Iterator<Item = &Critical> {
+    values
+        .iter()
+        .flat_map(|value| std::iter::repeat_n(value, value.change.unsigned_abs()))
+}
+
 /// How far a critical value is off, as part of it.
 fn apart((own, finer): (&Critical, &Critical)) -> f64 {
     (own.value - finer.value).abs() / own.value.abs()
@@ -180,20 +187,21 @@ fn apart((own, finer): (&Critical, &Critical)) -> f64 {
 /// The largest of these parts. Both may lie in the same gap, in which neither is known.
 pub(in crate::app) fn farthest(own: &[Critical], finer: &[Critical]) -> Option<f64> {
     let part = |both: (&Critical, &Critical)| apart(both).max(both.0.within / both.0.value.abs());
-    own.iter().zip(finer).map(part).reduce(f64::max)
+    let both = one_by_one(own).zip(one_by_one(finer));
+    both.map(part).reduce(f64::max)
 }
 
 /// What critical values are off by, where that is much.
 pub(in crate::app) fn told_of_values(key: &Column, own: &[Critical], finer: &[Critical]) -> Option<String> {
-    let mut parts: Vec<String> = own
-        .iter()
-        .zip(finer)
+    let mut parts: Vec<String> = one_by_one(own)
+        .zip(one_by_one(finer))
         .map(|both| (both.0.value, apart(both)))
         .filter(|(_, part)| *part > TOLD)
         .map(|(value, part)| format!("the critical value {} by {}", at(key, value), percent(part)))
         .collect();
-    if own.len() != finer.len() {
-        let [here, there] = [own.len(), finer.len()];
+    parts.dedup();
+    let [here, there] = [own, finer].map(|values| one_by_one(values).count());
+    if here != there {
         parts.push(format!("the number of critical values is {there} and not {here}"));
     }
     (!parts.is_empty()).then(|| parts.join(", "))

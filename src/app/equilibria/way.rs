@@ -2,6 +2,7 @@
 
 use crate::app::results::equilibria::{EquilibriumSettings, Range};
 use crate::app::results::error::RunError;
+use crate::app::writing::numbers::digits;
 use crate::equilibrium::{Kind, Uniform};
 use crate::{AnyModel, Formulation, Joints, ParamKind, Scene};
 
@@ -89,6 +90,18 @@ pub(in crate::app) fn spin(scene: &dyn Scene, at: &Uniform) -> f64 {
         None => scene.spin(at.t),
     };
     at.speed() * full
+}
+
+/// That what starts in rotation was asked for at rest, and what that leaves out.
+pub(in crate::app) fn stopped(scene: &dyn Scene, at: &Uniform) -> Option<String> {
+    let speed = scene.spin(at.t);
+    let is_stopped = at.kind == Kind::Steady && at.spin.is_some_and(|spin| spin.velocity.norm() == 0.0);
+    (is_stopped && speed > 0.0).then(|| {
+        format!(
+            "all of the machine is at rest here: the {} rad/s in which it starts are left out (`--spin`), with the gyroscopic moments and the centrifugal forces of what turns",
+            digits(speed, 7)
+        )
+    })
 }
 
 pub(in crate::app) fn between(range: Range, share: f64) -> f64 {

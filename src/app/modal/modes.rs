@@ -47,6 +47,7 @@ pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Mod
         .map(|mode| scene.composition(&at, &state, &mode.shape))
         .collect();
     let mut warnings = cautions::cautioned(model.as_ref(), scene.warnings(&state));
+    warnings.extend(way::stopped(scene, &at));
     warnings.extend(crate::equilibrium::untied(scene, &at, &state));
     warnings.extend(told.equilibrium);
     warnings.extend(fewer(scene, &modes, settings.count));

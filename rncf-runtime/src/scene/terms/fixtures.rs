@@ -15,6 +15,8 @@ use crate::system::Tangent;
 /// Largest strain of the section below a rigid fixture of which nothing is said: its moments of inertia are then off
 /// by two times as much.
 const RIGID_ENOUGH: f64 = 1e-4;
+/// The same for the stretch of a slope that a fixture reaches along.
+const SHORT_ENOUGH: f64 = 1e-3;
 
 /// Inertia of fixtures on nodal vectors: what turning frames make of their constant masses. Their forces are in the one
 /// product of [`Inertia`](super::inertia::Inertia).
@@ -109,7 +111,10 @@ impl MeshScene {
         let told = |fixture: &Fixture| {
             let body = &self.bodies[fixture.point.body];
             let dimension = body.spec.dimension();
-            let strains = body.spec.has_section() && body.spec.fidelity.deforms() && !fixture.is_rigid;
+            if !body.spec.has_section() {
+                return self.stretched_slope(fixture);
+            }
+            let strains = body.spec.fidelity.deforms() && !fixture.is_rigid;
             if !strains || fixture.spec.elastic || fixture.spec.constants[4..] == [0.0; 6] {
                 return None;
             }
@@ -140,6 +145,29 @@ impl MeshScene {
             })
         };
         self.fixtures.iter().filter_map(told).collect()
+    }
+
+    /// A fixture that reaches along the slope of a body without cross-sections where that is stretched at the loaded state, in words: what acts there stretches
+    /// it, which the last element alone resists, the less the longer it is.
+    fn stretched_slope(&self, fixture: &Fixture) -> Option<Warning> {
+        let body = &self.bodies[fixture.point.body];
+        let constants = &fixture.spec.constants;
+        // Its first and second moment along the slope.
+        if !body.spec.fidelity.deforms() || constants[1] == 0.0 && constants[4] == 0.0 {
+            return None;
+        }
+        let place = self.fixture_place(fixture);
+        let slope = place.chunks_exact(body.spec.dimension()).nth(1)?;
+        let stretch = (slope.iter().map(|part| part * part).sum::<f64>().sqrt() - 1.0).abs();
+        (stretch > SHORT_ENOUGH).then(|| Warning {
+            weight: stretch,
+            text: format!(
+                "fixture `{}` sits on the slope of body `{}`, which is stretched by {:.2} % there: its `offset` and `gyration` count by as much more, and shorter elements stretch further; take a `rigid` body and a `weld`",
+                fixture.spec.name,
+                body.spec.label(),
+                100.0 * stretch
+            ),
+        })
     }
 
     /// Potential of a fixture in the gravity `g` (inertial axes), J, without what its frame's origin adds.

@@ -115,6 +115,8 @@ impl Table {
                 notes: notes.map(str::to_owned).collect(),
             };
             for (head, value) in values(&record, outputs) {
+                // What a point had where it failed is not what it has.
+                let value = value.filter(|_| row.failed.is_none());
                 let place = table.heads.iter().position(|known| *known == head);
                 let place = place.unwrap_or_else(|| {
                     table.heads.push(head);

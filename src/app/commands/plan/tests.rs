@@ -159,6 +159,9 @@ fn a_point_that_fails_is_recorded_and_told() {
     let rows = table(&path);
     let place = rows[0].iter().position(|head| head == "failed").unwrap();
     assert!(!rows[1][place].is_empty() && rows[2][place].is_empty(), "{rows:?}");
+    // Where it was when it failed is not what it comes to.
+    assert!(rows[1][2..place].iter().all(String::is_empty), "{rows:?}");
+    assert!(rows[2][2..place].iter().all(|value| !value.is_empty()), "{rows:?}");
     let all = failed(&["sweep", "fail_at=0.5,0.4 s", "--t-end", "1 s", "--out", &out]);
     assert!(all.starts_with("all points failed, the first one: "), "{}", all);
     fs::remove_dir_all(&path).unwrap();

@@ -5,8 +5,8 @@ use crate::equilibrium::{CUTS, Continued, Kind, Negative, Uniform, distance, goe
 use crate::{Scene, State};
 
 /// Halvings of a step after which equilibria that continue each other are nearer than this part of their distance before.
-const FORKED: u32 = 8;
-const APART: f64 = 1.0 / 16.0;
+const FORKED: u32 = 16;
+const APART: f64 = 1.0 / 4096.0;
 /// Distance up to which nothing moves in a step.
 const STILL: f64 = 1e-6;
 /// Part of a step by which it is beside the secant where the way bends.
@@ -38,8 +38,9 @@ impl Line<'_> {
         is_doubtful && self.has_leapt(scene, at, found) || self.increment > 1 && self.forks(scene, at, share, found)
     }
 
-    /// Whether something in a step is no continuation: half of it, a quarter and so on, the one with the larger change, is not shorter. Next to a fork the
-    /// way of what is not perfect bends away, and one step may find the branch that goes straight on, or bends to the other side.
+    /// Whether something in a step is no continuation: half of it, a quarter and so on, the one in which the negative directions change or else more
+    /// moves, does not become shorter. Next to a fork the way of what is not perfect bends away, and one step may find the branch that goes straight on,
+    /// or bends to the other side.
     pub(super) fn forks(&mut self, scene: &mut dyn Scene, at: &Uniform, share: f64, found: &Continued) -> bool {
         let state = scene.carried(at, &found.state, true);
         let (mut before, mut low, mut high) = (None, self.last.placed(), (share, state));
@@ -47,19 +48,25 @@ impl Line<'_> {
         let bends = match self.kind {
             Kind::Static => {
                 let guess = self.before.is_some().then(|| self.predicted(scene, share));
-                guess.is_some_and(|guess| guess.is_ok_and(|guess| distance(scene, &guess, &high.1) > BENT * apart))
+                guess.is_some_and(|guess| guess.is_ok_and(|guess| is_bent(scene, [&low.1, &guess, &high.1])))
             }
             Kind::Steady => found.moved_far,
         };
-        if apart <= STILL || !(bends || self.changes(found.negative)) {
+        let changes = self.changes(found.negative);
+        if apart <= STILL || !(bends || changes) {
             return false;
         }
         for _ in 0..FORKED {
             let middle = 0.5 * (low.0 + high.0);
-            let Some(state) = self.beside(middle, before.as_ref().map(|before| [before, &low])) else {
+            let Some((state, negative)) = self.beside(middle, before.as_ref().map(|before| [before, &low])) else {
                 return true;
             };
-            if distance(scene, &low.1, &state) > distance(scene, &state, &high.1) {
+            let is_beyond = if changes {
+                self.changes(negative)
+            } else {
+                distance(scene, &low.1, &state) > distance(scene, &state, &high.1)
+            };
+            if is_beyond {
                 high = (middle, state);
             } else {
                 before = Some(std::mem::replace(&mut low, (middle, state)));
@@ -81,17 +88,18 @@ impl Line<'_> {
         }
     }
 
-    /// The equilibrium at a part of the way that is next to the last one, or on the secant through two; carried back.
-    fn beside(&mut self, share: f64, ends: Option<[&(f64, State); 2]>) -> Option<State> {
+    /// The equilibrium at a part of the way that is next to the last one, or on the secant through two, carried back, and its
+    /// negative directions.
+    fn beside(&mut self, share: f64, ends: Option<[&(f64, State); 2]>) -> Option<(State, Option<Negative>)> {
         let (mut scene, at) = self.placed(share).ok()?;
         let guess = match ends {
             Some(ends) => Ok(secant(scene.as_ref(), ends, share)),
             None => self.predicted(scene.as_ref(), share),
         };
         let found = guess.ok().and_then(|guess| continued(scene.as_mut(), &at, &guess).ok());
-        let state = found.map(|found| scene.carried(&at, &found.state, true));
+        let found = found.map(|found| (scene.carried(&at, &found.state, true), found.negative));
         self.give_back(scene);
-        state
+        found
     }
 
     /// Whether the way back from an equilibrium does not end at the last one.
@@ -109,4 +117,20 @@ impl Line<'_> {
         self.give_back(scene);
         goes_back == Some(false)
     }
+}
+
+/// Whether an equilibrium lies beside the guess for it by a large part of the step from the last one; orientations, which are not guessed, aside.
+fn is_bent(scene: &dyn Scene, [last, guess, found]: [&State; 3]) -> bool {
+    let mut is_turn = vec![false; last.x.len()];
+    for &turn in scene.turns() {
+        is_turn[turn..turn + 3].fill(true);
+    }
+    let apart = |one: &State, other: &State| {
+        let parts = one.x.iter().zip(&other.x).zip(scene.sizes()).zip(&is_turn);
+        let parts = parts.filter(|(_, is_turn)| !**is_turn);
+        parts.fold(0.0, |largest: f64, (((a, b), size), _)| {
+            largest.max((a - b).abs() / size)
+        })
+    };
+    apart(guess, found) > STILL.max(BENT * apart(last, found))
 }
