@@ -29,8 +29,8 @@ pub struct EquilibriumProgress {
 const PARTS: u64 = 2048;
 /// Part of a step at which a gap is tried to be leapt over.
 const SHORT: u64 = 128;
-/// The same down to which a way bends away from a fork.
-const SHORTER: u64 = 8;
+/// The same where the way may bend away from a fork.
+const SHORTER: u64 = 32;
 /// Why a step is shortened.
 const LEAPT: &str = "no equilibrium next to those before is found: the bodies may buckle or snap through there";
 
@@ -305,7 +305,8 @@ impl<'m> Line<'m> {
                 }
                 Err(_) => self.increment /= 2,
             }
-            if self.increment == SHORT && !self.is_forked && self.leap() {
+            let short = if self.is_forked { SHORTER } else { SHORT };
+            if self.increment == short && self.leap() {
                 return Ok(());
             }
         }

@@ -317,16 +317,17 @@ impl Tracker {
             let (first, last) = line.last_two();
             let guess = first.unwrap_or(last).state.clone();
             // What comes to rest does so at the value of the whole stiffness.
-            let is_moved = of_whole.iter().any(|other| {
-                let away = (other.value - critical.value).abs() / critical.value.abs();
-                ALIKE < away && away <= UNDAMPED
-            });
+            let is_moved = of_whole.iter().any(|other| is_beside(&critical, other));
             // Where no force circulates the whole stiffness is the symmetric one.
             let stands = !circulates || !is_moved && stands(line, critical.value, &guess, diagram);
             diagram.standing.push(stands);
             diagram.critical.push(critical);
         }
         for critical in of_whole {
+            let before = diagram.critical[..known].iter().zip(&mut diagram.standing);
+            for (earlier, stands) in before {
+                *stands &= earlier.circulates || !is_beside(earlier, &critical);
+            }
             let is_known = |other: &Critical| (other.value - critical.value).abs() <= ALIKE * critical.value.abs();
             if !diagram.critical[known..].iter().any(is_known) {
                 diagram.standing.push(true);
@@ -357,6 +358,12 @@ impl Tracker {
             }
         }
     }
+}
+
+/// Whether a value of the symmetric stiffness is that of the whole one but for damping.
+fn is_beside(critical: &Critical, whole: &Critical) -> bool {
+    let away = (whole.value - critical.value).abs() / critical.value.abs();
+    ALIKE < away && away <= UNDAMPED
 }
 
 /// Whether a mode stands still in the reference frame at a critical value, as one does without damping; also where nothing tells it.
