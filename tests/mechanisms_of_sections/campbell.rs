@@ -460,7 +460,7 @@ fn a_hinged_blade_starts_at_the_speed_asked_for() {
     for (&spin, z) in keys
         .iter()
         .zip(whole.history.column(0))
-        .filter(|(spin, _)| **spin < 0.9)
+        .filter(|(spin, _)| **spin < 1.0)
     {
         let square = spin * spin;
         let cosine: f64 = square * 0.3 / 2.0 / (9.81 / 2.0 - square * 5.7 / 3.0);

@@ -29,8 +29,6 @@ pub struct EquilibriumProgress {
 const PARTS: u64 = 2048;
 /// Part of a step at which a gap is tried to be leapt over.
 const SHORT: u64 = 128;
-/// The same where the way may bend away from a fork.
-const SHORTER: u64 = 32;
 /// Why a step is shortened.
 const LEAPT: &str = "no equilibrium next to those before is found: the bodies may buckle or snap through there";
 
@@ -43,8 +41,6 @@ pub(in crate::app) struct Line<'m> {
     full_spin: f64,
     place: u64,
     increment: u64,
-    /// Whether the last attempt found another branch at a fork.
-    is_forked: bool,
     scene: Box<dyn Scene>,
     at: Uniform,
     /// Scenes that are used again where no parameter changes.
@@ -205,7 +201,6 @@ impl<'m> Line<'m> {
             full_spin,
             place,
             increment: PARTS,
-            is_forked: false,
             last: Found {
                 share: place as f64 / (u64::from(settings.steps) * PARTS) as f64,
                 state: scene.carried(&at, &state, true),
@@ -305,8 +300,7 @@ impl<'m> Line<'m> {
                 }
                 Err(_) => self.increment /= 2,
             }
-            let short = if self.is_forked { SHORTER } else { SHORT };
-            if self.increment == short && self.leap() {
+            if self.increment == SHORT && self.leap() {
                 return Ok(());
             }
         }
@@ -445,7 +439,6 @@ impl<'m> Line<'m> {
     /// The equilibrium at a part of the way that is next to the last one.
     fn next(&mut self, scene: &mut dyn Scene, at: &Uniform, share: f64) -> Result<Continued, String> {
         let guess = self.predicted(scene, share)?;
-        self.is_forked = false;
         let mut found = continued(scene, at, &guess);
         if found.is_err() && guess.x != self.last.state.x {
             found = continued(scene, at, &self.last.state);
@@ -453,11 +446,7 @@ impl<'m> Line<'m> {
         let leapt = match &found {
             Ok(found) if self.kind == Kind::Static => self.leaps(scene, at, share, found),
             // Where short steps are none either, what follows is the other side of a critical speed.
-            Ok(found) if found.strayed => self.increment > 2 * SHORT,
-            Ok(found) => {
-                self.is_forked = self.increment > SHORTER && self.forks(scene, at, share, found);
-                self.is_forked
-            }
+            Ok(found) => found.strayed && self.increment > 2 * SHORT,
             Err(_) => false,
         };
         let is_first = self.kind == Kind::Static && self.place == 0;

@@ -1,7 +1,7 @@
 //! Whether an equilibrium continues the last one, or lies on another branch.
 
 use super::{Line, continued, secant};
-use crate::equilibrium::{CUTS, Continued, Kind, Negative, Uniform, distance, goes_back};
+use crate::equilibrium::{CUTS, Continued, Negative, Uniform, distance, goes_back};
 use crate::{Scene, State};
 
 /// Halvings of a step after which equilibria that continue each other are nearer than this part of their distance before.
@@ -41,17 +41,12 @@ impl Line<'_> {
     /// Whether something in a step is no continuation: half of it, a quarter and so on, the one in which the negative directions change or else more
     /// moves, does not become shorter. Next to a fork the way of what is not perfect bends away, and one step may find the branch that goes straight on,
     /// or bends to the other side.
-    pub(super) fn forks(&mut self, scene: &mut dyn Scene, at: &Uniform, share: f64, found: &Continued) -> bool {
+    fn forks(&mut self, scene: &mut dyn Scene, at: &Uniform, share: f64, found: &Continued) -> bool {
         let state = scene.carried(at, &found.state, true);
         let (mut before, mut low, mut high) = (None, self.last.placed(), (share, state));
         let apart = distance(scene, &low.1, &high.1);
-        let bends = match self.kind {
-            Kind::Static => {
-                let guess = self.before.is_some().then(|| self.predicted(scene, share));
-                guess.is_some_and(|guess| guess.is_ok_and(|guess| is_bent(scene, [&low.1, &guess, &high.1])))
-            }
-            Kind::Steady => found.moved_far,
-        };
+        let guess = self.before.is_some().then(|| self.predicted(scene, share));
+        let bends = guess.is_some_and(|guess| guess.is_ok_and(|guess| is_bent(scene, [&low.1, &guess, &high.1])));
         let changes = self.changes(found.negative);
         if apart <= STILL || !(bends || changes) {
             return false;
