@@ -1,6 +1,6 @@
 //! Whether an equilibrium continues the last one, or lies on another branch.
 
-use super::{Line, continued, secant};
+use super::{Found, Line, continued, secant};
 use crate::equilibrium::{CUTS, Continued, Negative, Uniform, distance, goes_back};
 use crate::{Scene, State};
 
@@ -43,7 +43,8 @@ impl Line<'_> {
     /// or bends to the other side.
     fn forks(&mut self, scene: &mut dyn Scene, at: &Uniform, share: f64, found: &Continued) -> bool {
         let state = scene.carried(at, &found.state, true);
-        let (mut before, mut low, mut high) = (None, self.last.placed(), (share, state));
+        let mut before = self.before.as_ref().map(Found::placed);
+        let (mut low, mut high) = (self.last.placed(), (share, state));
         let apart = distance(scene, &low.1, &high.1);
         let guess = self.before.is_some().then(|| self.predicted(scene, share));
         let bends = guess.is_some_and(|guess| guess.is_ok_and(|guess| is_bent(scene, [&low.1, &guess, &high.1])));
@@ -53,7 +54,11 @@ impl Line<'_> {
         }
         for _ in 0..FORKED {
             let middle = 0.5 * (low.0 + high.0);
-            let Some((state, negative)) = self.beside(middle, before.as_ref().map(|before| [before, &low])) else {
+            let guess = match &before {
+                Some(before) => secant(scene, [before, &low], middle),
+                None => low.1.clone(),
+            };
+            let Some((state, negative)) = self.beside(middle, &guess) else {
                 return true;
             };
             let is_beyond = if changes {
@@ -83,15 +88,10 @@ impl Line<'_> {
         }
     }
 
-    /// The equilibrium at a part of the way that is next to the last one, or on the secant through two, carried back, and its
-    /// negative directions.
-    fn beside(&mut self, share: f64, ends: Option<[&(f64, State); 2]>) -> Option<(State, Option<Negative>)> {
+    /// The equilibrium near a guess at a part of the way, carried back, and its negative directions.
+    fn beside(&mut self, share: f64, guess: &State) -> Option<(State, Option<Negative>)> {
         let (mut scene, at) = self.placed(share).ok()?;
-        let guess = match ends {
-            Some(ends) => Ok(secant(scene.as_ref(), ends, share)),
-            None => self.predicted(scene.as_ref(), share),
-        };
-        let found = guess.ok().and_then(|guess| continued(scene.as_mut(), &at, &guess).ok());
+        let found = continued(scene.as_mut(), &at, guess).ok();
         let found = found.map(|found| (scene.carried(&at, &found.state, true), found.negative));
         self.give_back(scene);
         found
