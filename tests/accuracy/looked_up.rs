@@ -82,6 +82,59 @@ fn beyond_its_rows_a_table_has_no_value() {
     run(&LookedUp::default(), &beyond).unwrap();
 }
 
+mod limited {
+    rncf::model! {
+        /// A stone that a measured push speeds up: with a limit, behind a switch, beside a root; one at a time leaves its rows at 1 m.
+        pub model Limited {
+            param by_limit = 1; param by_switch = 0; param by_root = 0;
+            table push { at = place; place = [-1, 1] m; f = [1, 1] N; interpolation = monotone; }
+            table gate { at = time; time = [0, 1.4] s; f = [1, 1] N; interpolation = linear; }
+            rigid stone { plane xy; mass = 1 kg; }
+            load limit = force(stone, [min(push.f(by_limit * stone.x), 5 N), 0, 0]);
+            load switch = force(stone, [if gate.f(by_switch * t) > 0.5 N { 1e-3 N } else { 2 N }, 0, 0]);
+            load root = force(stone, [max(1e-3 [N] * sqrt(1 - by_root * stone.x / 1 [m]), 0 N), 0, 0]);
+            output x = stone.x;
+            run { t_end = 3 s; every = 0.1 s; }
+        }
+    }
+}
+use limited::Limited;
+
+/// A limit or a switch does not stand in for what has no value: the run ends where the rows do, with what looked there.
+#[test]
+fn no_limit_or_switch_takes_the_place_of_what_has_no_value() {
+    let none = Limited {
+        by_limit: 0.0,
+        ..Limited::default()
+    };
+    run(&none, &RunSettings::default()).unwrap();
+    let [by_switch, by_root] = [[1.0, 0.0], [0.0, 1.0]].map(|[by_switch, by_root]| Limited {
+        by_switch,
+        by_root,
+        ..none.clone()
+    });
+    let at_a_meter = (2.0_f64 / 1.002).sqrt();
+    for (model, load, end) in [
+        (Limited::default(), "limit", at_a_meter),
+        (by_switch, "switch", 1.4),
+        (by_root, "root", at_a_meter),
+    ] {
+        let error = run(&model, &RunSettings::default()).unwrap_err().to_string();
+        assert!(
+            error.contains(&format!("the force of `{load}` is not finite")),
+            "{error}"
+        );
+        let t: f64 = error
+            .split("t = ")
+            .nth(1)
+            .and_then(|rest| rest.split(' ').next())
+            .unwrap()
+            .parse()
+            .unwrap();
+        assert!((t - end).abs() < 2e-3, "{error}");
+    }
+}
+
 /// A sampled signal is followed row by row: between its rows it is a line, which no step of Radau misses.
 #[test]
 fn sampled_signals_are_followed_row_by_row() {

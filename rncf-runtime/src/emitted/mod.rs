@@ -7,6 +7,7 @@ mod conditions;
 mod curve;
 mod distributed;
 mod elements;
+pub mod extremes;
 mod forces;
 mod frame;
 mod free;

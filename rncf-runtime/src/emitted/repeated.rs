@@ -1,5 +1,6 @@
 //! What large scenes need of a model: shared nodes, starts in equilibrium, loads per length.
 
+use super::extremes;
 use crate::error::ModelError;
 
 /// Two ends of bodies in one frame that are one node.
@@ -101,19 +102,9 @@ pub fn reduce(
     let (own, rest) = observed.split_at(count * width);
     *observed = rest;
     let values = (0..count).map(|index| value(index as f64, &own[index * width..(index + 1) * width]));
-    // `f64::max` and `min` pass over what is no number.
-    let pick = |is_better: fn(f64, f64) -> bool| {
-        move |best: f64, value: f64| {
-            if best.is_nan() || is_better(best, value) {
-                best
-            } else {
-                value
-            }
-        }
-    };
     match reduction {
-        Reduction::Max => values.reduce(pick(|best, value| best >= value)).unwrap_or(f64::NAN),
-        Reduction::Min => values.reduce(pick(|best, value| best <= value)).unwrap_or(f64::NAN),
+        Reduction::Max => values.reduce(extremes::max).unwrap_or(f64::NAN),
+        Reduction::Min => values.reduce(extremes::min).unwrap_or(f64::NAN),
         Reduction::Sum => values.sum(),
         Reduction::Mean => values.sum::<f64>() / count as f64,
     }

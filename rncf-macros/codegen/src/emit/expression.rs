@@ -256,9 +256,18 @@ impl<'g> Writer<'g> {
                 }
             }
             Node::Call2(function, a, b) => {
-                let (left, m) = self.receiver(a);
                 let (right, n) = self.operand(b, Binding::Sum);
-                let text = format!("{left}.{}({right})", method(function));
+                let (text, m) = match function {
+                    Function::Max | Function::Min => {
+                        let (left, m) = self.operand(a, Binding::Sum);
+                        let text = format!("::rncf::emitted::extremes::{}({left}, {right})", method(function));
+                        (text, m)
+                    }
+                    _ => {
+                        let (left, m) = self.receiver(a);
+                        (format!("{left}.{}({right})", method(function)), m)
+                    }
+                };
                 Text {
                     text,
                     binding: Binding::Atom,

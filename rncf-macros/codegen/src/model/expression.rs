@@ -177,6 +177,18 @@ pub enum Comparison {
     GreaterEqual,
 }
 
+impl Comparison {
+    /// What holds of two numbers where this does not.
+    pub fn otherwise(self) -> Self {
+        match self {
+            Comparison::Less => Comparison::GreaterEqual,
+            Comparison::LessEqual => Comparison::Greater,
+            Comparison::Greater => Comparison::LessEqual,
+            Comparison::GreaterEqual => Comparison::Less,
+        }
+    }
+}
+
 /// The usual functions; `Abs`, `Min`, `Max` and `Atan2` in outputs only (they have kinks). `Remainder` (`a % b`, with
 /// the sign of b) in the index of a repetition only.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -225,8 +237,10 @@ impl Function {
     /// Value of a function of two arguments; `None` for one of one.
     pub fn of_two(self, x: f64, y: f64) -> Option<f64> {
         Some(match self {
-            Function::Min => x.min(y),
-            Function::Max => x.max(y),
+            // What is no number stays none.
+            Function::Min if x < y || x.is_nan() => x,
+            Function::Max if x > y || x.is_nan() => x,
+            Function::Min | Function::Max => y,
             Function::Atan2 => x.atan2(y),
             Function::Remainder => x.rem_euclid(y),
             _ => return None,

@@ -111,6 +111,9 @@ fn value(expr: &Expr, leaf: &dyn Fn(&Expr) -> Option<f64>) -> Option<f64> {
         }
         Expr::If(comparison, left, right, then, otherwise) => {
             let (left, right) = (constant(left)?, constant(right)?);
+            if left.is_nan() || right.is_nan() {
+                return Some(f64::NAN);
+            }
             let holds = match comparison {
                 Comparison::Less => left < right,
                 Comparison::LessEqual => left <= right,
@@ -164,6 +167,20 @@ pub fn has_index(expr: &Expr) -> bool {
 /// Whether position or slope of a particle stands in the expression.
 pub fn has_local(expr: &Expr) -> bool {
     expr.contains(&|expr| matches!(expr, Expr::Local { .. }))
+}
+
+/// Whether the expression may have no value, as beyond the rows of a table or at the root of a negative number.
+pub fn may_lack_value(expr: &Expr) -> bool {
+    expr.contains(&|expr| match expr {
+        Expr::Lookup { .. } => true,
+        Expr::Call(function, _) => matches!(
+            function,
+            Function::Sqrt | Function::Ln | Function::Asin | Function::Acos
+        ),
+        Expr::Binary(Binary::Divide, _, by) => has_state(by) || !is_free_of_time(by),
+        Expr::Power(_, exponent) => !matches!(**exponent, Expr::Number(number) if number.fract() == 0.0),
+        _ => false,
+    })
 }
 
 /// Whether something that only the state tells stands in the expression.

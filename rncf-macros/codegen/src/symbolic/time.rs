@@ -5,6 +5,7 @@ use std::collections::HashMap;
 
 use super::graph::{Graph, Id};
 use super::linear::{self, Matrix3, Vector};
+use crate::model::fold::may_lack_value;
 use crate::model::{Binary, Expr, Frame, FrameId, INERTIAL, Model, Observable};
 
 /// A graph with the time and the parameters of a model.
@@ -144,8 +145,16 @@ impl<'m> Time<'m> {
                 }
             }
             Expr::If(comparison, left, right, then, otherwise) => {
-                let [left, right, then, otherwise] =
+                let may_lack_value = [left, right].into_iter().any(|side| may_lack_value(side));
+                let [left, right, then, mut otherwise] =
                     [left, right, then, otherwise].map(|part| self.expression_at(part, t));
+                if may_lack_value {
+                    // What is no number is on neither side, and so is their sum.
+                    let neither = self.graph.add(left, right);
+                    otherwise = self
+                        .graph
+                        .select(comparison.otherwise(), left, right, otherwise, neither);
+                }
                 self.graph.select(*comparison, left, right, then, otherwise)
             }
             Expr::Observed(observable) => {
