@@ -71,3 +71,41 @@ fn an_imperfect_strip_bends_to_the_side_of_its_force() {
         perfect.critical
     );
 }
+
+rncf::model! {
+    /// A rod on a hinge beside a turning axis: it swings out on the side of its hinge, and beyond where a hinge on the axis would fork the rod that
+    /// leans inwards is an equilibrium, too.
+    pub model Swung {
+        param speed = 20 rad/s; param beside = 10 mm;
+        frame hub = rotating(axis = z, angle = speed * t);
+        rigid rod in hub { mass = 1 kg; inertia = [0.02, 0.02, 0.001] kg*m^2; center = [0, 0, -0.5] m; origin = [beside, 0 m, 0 m]; }
+        joint hinge = revolute(hub.at([beside, 0 m, 0 m]), rod.at([0, 0, 0] m), axis = y);
+        load weight = gravity([0, 0, -9.81] m/s^2);
+        output angle = hinge.angle;
+    }
+}
+
+/// Moments about the hinge, with `a` outwards from the vertical: `speed^2 cos a (0.269 sin a + 0.5 beside) = 0.5 9.81 sin a`.
+#[test]
+fn a_rod_beside_the_axis_swings_outwards() {
+    for (beside, steps) in [(10e-3, 16), (10e-3, 32), (-10e-3, 32), (30e-3, 32), (1e-3, 100)] {
+        let model = Swung {
+            beside,
+            ..Swung::default()
+        };
+        let settings = EquilibriumSettings {
+            steps,
+            ..EquilibriumSettings::default()
+        };
+        let found = equilibria(&model, Kind::Steady, &settings, |_| ControlFlow::Continue(())).unwrap();
+        let is_unstable = found.warnings.iter().any(|note| note.contains("unstable"));
+        assert!(!is_unstable, "{beside} m, {steps} steps: {:?}", found.warnings);
+        let (spin, angle) = (20.0f64, -found.history.column(0).last().unwrap());
+        let off =
+            spin * spin * (0.269 * angle.sin() * angle.cos() + 0.5 * beside * angle.cos()) - 0.5 * 9.81 * angle.sin();
+        assert!(
+            off.abs() < 1e-6 && angle * beside.signum() > 1.4,
+            "{beside} m, {steps} steps: {angle} rad, {off} N m"
+        );
+    }
+}

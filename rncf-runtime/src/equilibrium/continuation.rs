@@ -50,8 +50,8 @@ pub struct Continued {
     pub state: State,
     /// Newton iterations that it took.
     pub iterations: u32,
-    /// Of a static equilibrium: it changes where the bodies buckle or reach a limit point.
-    pub negative: Option<Negative>,
+    /// It changes where the bodies buckle or reach a limit point, and at a critical speed.
+    pub negative: Negative,
     /// Whether Newton's iteration ended far from where its first increment pointed, so that a limit point may lie between.
     pub strayed: bool,
     /// Whether the iteration moved the unknowns by a visible part of their sizes.
@@ -60,7 +60,7 @@ pub struct Continued {
 
 impl Continued {
     /// One that lies far from where its iteration began.
-    fn far(at: &Uniform, state: State, iterations: u32, negative: Option<Negative>) -> Self {
+    fn far(at: &Uniform, state: State, iterations: u32, negative: Negative) -> Self {
         Self {
             scale: at.scale,
             state,
@@ -228,7 +228,7 @@ fn settled(scene: &mut dyn Scene, newton: &mut Newton, at: &Uniform, start: &Sta
         (result, more) = newton.solve(scene, at, &mut state, Patience::Patient);
         iterations += more;
         negative = newton.count(at);
-        if distance(scene, &near, &state) > NEAR || negative.is_some_and(Negative::is_any) {
+        if distance(scene, &near, &state) > NEAR || negative.is_any() {
             return None;
         }
     }
@@ -325,14 +325,14 @@ pub fn sagged(scene: &mut dyn Scene, at: &Uniform) -> Option<Continued> {
         let (result, more) = newton.solve(scene, &at, state, patience);
         iterations += more;
         let negative = newton.count(&at);
-        (result.is_ok() && !negative.is_some_and(Negative::is_any)).then_some(negative)
+        (result.is_ok() && !negative.is_any()).then_some(negative)
     };
     let (greater, mut state) = (1..=DOUBLINGS).find_map(|doublings| {
         let mut state = start.clone();
         solve(doublings, &mut state, Patience::Patient)?;
         Some((doublings, state))
     })?;
-    let mut negative = None;
+    let mut negative = Negative::Even;
     for doublings in (0..greater).rev() {
         negative = solve(doublings, &mut state, Patience::Strict)?;
     }

@@ -89,16 +89,13 @@ impl Newton {
         largest
     }
 
-    /// What is known of the negative directions where the iteration to a static equilibrium ended.
-    pub fn count(&self, at: &Uniform) -> Option<Negative> {
-        (at.kind == Kind::Static).then(|| self.negative())
-    }
-
-    fn negative(&self) -> Negative {
+    /// What is known of the negative directions where the iteration ended; of a relative equilibrium the determinant alone tells them.
+    pub fn count(&self, at: &Uniform) -> Negative {
         let pattern = self.lu.pattern();
         let size = pattern.columns();
         let bordering = size - self.inverse_sizes.len();
-        if let Some(whole) = self.symmetric().filter(|_| size <= LARGEST_COUNTED)
+        if at.kind == Kind::Static
+            && let Some(whole) = self.symmetric().filter(|_| size <= LARGEST_COUNTED)
             && let Ok(negative) = negative_eigenvalues(size, &whole)
         {
             // Every bordering row has one negative eigenvalue of its own.

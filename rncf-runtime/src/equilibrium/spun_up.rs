@@ -13,7 +13,7 @@ const SMALLEST: f64 = 1.0 / 1024.0;
 pub(super) struct SpunUp {
     pub state: State,
     pub iterations: u32,
-    pub negative: Option<Negative>,
+    pub negative: Negative,
 }
 
 /// The equilibrium at the whole spin of `at`, followed from that at `rest`; `None` where the way ends.

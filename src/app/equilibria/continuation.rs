@@ -9,7 +9,7 @@ use crate::app::results::error::RunError;
 use crate::app::results::history::Column;
 use crate::app::writing::numbers::in_unit;
 use crate::equilibrium::{
-    Continued, Equilibrium, Kind, Uniform, assembled, continue_from, follow, sagged, settle, unloaded,
+    Continued, Equilibrium, Kind, Negative, Uniform, assembled, continue_from, follow, sagged, settle, unloaded,
 };
 use crate::error::SolveErrorKind;
 use crate::{AnyModel, Scene, SolveError, State};
@@ -67,7 +67,9 @@ pub(in crate::app) struct Found {
     pub share: f64,
     /// Carried back to t = 0 ([`Scene::carried`]).
     pub state: State,
-    /// Of a static equilibrium the negative directions of the stiffness, where they are known.
+    /// What the way to it knows of the negative directions of the stiffness.
+    negative: Option<Negative>,
+    /// Of a static equilibrium their number, where it is known.
     pub measured: Option<Measured>,
 }
 
@@ -154,7 +156,7 @@ impl<'m> Line<'m> {
         let is_loaded = is_along_spin && !begins_balanced && is_balanced(scene.as_mut(), &at.scaled(0.0), &rest);
         let is_followed = settings.range.is_some() || is_loaded;
         begins_balanced |= is_loaded;
-        let (state, measured) = if is_followed {
+        let (state, negative, measured) = if is_followed {
             let mut found = follow(scene.as_mut(), &at, 1.0, |_, _| ());
             // Where there is no equilibrium at the first value, as of hinged blades at rest, it begins at a later one; not where nothing could be one.
             let may_begin_later = kind == Kind::Steady && scene.uniform_obstacle(&at, &rest).is_none();
@@ -175,16 +177,17 @@ impl<'m> Line<'m> {
             })?;
             iterations = u64::from(found.iterations());
             match found.path.last() {
-                Some(step) => (step.state.clone(), ask(scene.as_mut(), &at, step)),
-                None => (rest, None),
+                Some(step) => (step.state.clone(), Some(step.negative), ask(scene.as_mut(), &at, step)),
+                None => (rest, None, None),
             }
         } else {
             scene.uniform_state(&at, &mut rest);
-            let near = (kind == Kind::Static && begins_balanced).then(|| unloaded(scene.as_mut(), &at));
+            let near = begins_balanced.then(|| unloaded(scene.as_mut(), &at));
+            let near = near.flatten();
             let measured = near
-                .flatten()
-                .and_then(|near| ask(scene.as_mut(), &at.scaled(near.scale), &near));
-            (rest, measured)
+                .as_ref()
+                .and_then(|near| ask(scene.as_mut(), &at.scaled(near.scale), near));
+            (rest, near.map(|near| near.negative), measured)
         };
         let full_spin = spin(
             scene.as_ref(),
@@ -204,6 +207,7 @@ impl<'m> Line<'m> {
             last: Found {
                 share: place as f64 / (u64::from(settings.steps) * PARTS) as f64,
                 state: scene.carried(&at, &state, true),
+                negative,
                 measured,
             },
             unmeasured,
@@ -445,8 +449,7 @@ impl<'m> Line<'m> {
         }
         let leapt = match &found {
             Ok(found) if self.kind == Kind::Static => self.leaps(scene, at, share, found),
-            // Where short steps are none either, what follows is the other side of a critical speed.
-            Ok(found) => found.strayed && self.increment > 2 * SHORT,
+            Ok(found) => self.leaps_turning(scene, at, share, found),
             Err(_) => false,
         };
         let is_first = self.kind == Kind::Static && self.place == 0;
@@ -471,6 +474,7 @@ impl<'m> Line<'m> {
         let last = Found {
             share,
             state: scene.carried(&at, &found.state, true),
+            negative: Some(found.negative),
             measured,
         };
         self.before = Some(std::mem::replace(&mut self.last, last));

@@ -2,7 +2,7 @@
 //! critical speed is passed.
 
 use crate::app::equilibria::way;
-use crate::equilibrium::{Continued, Negative, Uniform};
+use crate::equilibrium::{Continued, Kind, Negative, Uniform};
 use crate::modes::{self, Stiffness};
 use crate::{Scene, SolveError, State};
 
@@ -51,9 +51,9 @@ pub(in crate::app) fn at_rest(
     found: &Continued,
 ) -> Result<Option<Measured>, SolveError> {
     match found.negative {
-        None => Ok(None),
-        Some(Negative::Counted(negative)) => Ok(Some(Measured::counted(negative))),
-        Some(Negative::Even | Negative::Odd) => {
+        _ if at.kind == Kind::Steady => Ok(None),
+        Negative::Counted(negative) => Ok(Some(Measured::counted(negative))),
+        Negative::Even | Negative::Odd => {
             let circulates = modes::is_circulatory(scene, at, &found.state);
             // Without circulatory forces the signature tells as much, and does not mind many equal values, as of the bars of a truss.
             if !circulates && found.state.x.len() <= LARGEST_AT_REST {

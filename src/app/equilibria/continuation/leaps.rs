@@ -1,12 +1,14 @@
 //! Whether an equilibrium continues the last one, or lies on another branch.
 
-use super::{Found, Line, continued, secant};
-use crate::equilibrium::{CUTS, Continued, Negative, Uniform, distance, goes_back};
+use super::{Found, Line, SHORT, continued, secant};
+use crate::equilibrium::{CUTS, Continued, Kind, Negative, Uniform, distance, goes_back};
 use crate::{Scene, State};
 
 /// Halvings of a step after which equilibria that continue each other are nearer than this part of their distance before.
 const FORKED: u32 = 16;
 const APART: f64 = 1.0 / 4096.0;
+/// Equilibria that grow so many times as far apart lie on both sides of a pole, as those of an unbalanced shaft beside its critical speed.
+const POLE: f64 = 16.0;
 /// Distance up to which nothing moves in a step.
 const STILL: f64 = 1e-6;
 /// Part of a step by which it is beside the secant where the way bends.
@@ -38,6 +40,13 @@ impl Line<'_> {
         is_doubtful && self.has_leapt(scene, at, found) || self.increment > 1 && self.forks(scene, at, share, found)
     }
 
+    /// The same of relative equilibria. Where short steps are none either, what follows is the other side of a critical speed.
+    pub(super) fn leaps_turning(&mut self, scene: &mut dyn Scene, at: &Uniform, share: f64, found: &Continued) -> bool {
+        let is_long = self.increment > 2 * SHORT;
+        is_long && (found.strayed || found.moved_far && self.has_leapt(scene, at, found))
+            || self.increment > 1 && self.forks(scene, at, share, found)
+    }
+
     /// Whether something in a step is no continuation: half of it, a quarter and so on, the one in which the negative directions change or else more
     /// moves, does not become shorter. Next to a fork the way of what is not perfect bends away, and one step may find the branch that goes straight on,
     /// or bends to the other side.
@@ -49,7 +58,8 @@ impl Line<'_> {
         let guess = self.before.is_some().then(|| self.predicted(scene, share));
         let bends = guess.is_some_and(|guess| guess.is_ok_and(|guess| is_bent(scene, [&low.1, &guess, &high.1])));
         let changes = self.changes(found.negative);
-        if apart <= STILL || !(bends || changes) {
+        let is_static = self.kind == Kind::Static;
+        if apart <= STILL || !(changes || bends && is_static) {
             return false;
         }
         for _ in 0..FORKED {
@@ -58,8 +68,10 @@ impl Line<'_> {
                 Some(before) => secant(scene, [before, &low], middle),
                 None => low.1.clone(),
             };
-            let Some((state, negative)) = self.beside(middle, &guess) else {
-                return true;
+            let guesses = [&guess, &low.1, &high.1];
+            let Some((state, negative)) = guesses.into_iter().find_map(|guess| self.beside(middle, guess)) else {
+                // Beside a critical speed nothing need be found.
+                return is_static || self.increment > 2 * SHORT;
             };
             let is_beyond = if changes {
                 self.changes(negative)
@@ -72,24 +84,17 @@ impl Line<'_> {
                 before = Some(std::mem::replace(&mut low, (middle, state)));
             }
         }
-        distance(scene, &low.1, &high.1) > APART * apart
+        let left = distance(scene, &low.1, &high.1) / apart;
+        left > APART && (is_static || left < POLE)
     }
 
     /// Whether these are not the negative directions of the last equilibrium.
-    fn changes(&self, negative: Option<Negative>) -> bool {
-        let Some(known) = self.last.measured.as_ref().map(|measured| measured.negative) else {
-            return false;
-        };
-        match negative {
-            Some(Negative::Counted(count)) => count != known,
-            Some(Negative::Even) => known % 2 == 1,
-            Some(Negative::Odd) => known % 2 == 0,
-            None => false,
-        }
+    fn changes(&self, negative: Negative) -> bool {
+        self.last.negative.is_some_and(|known| negative.differs(known))
     }
 
     /// The equilibrium near a guess at a part of the way, carried back, and its negative directions.
-    fn beside(&mut self, share: f64, guess: &State) -> Option<(State, Option<Negative>)> {
+    fn beside(&mut self, share: f64, guess: &State) -> Option<(State, Negative)> {
         let (mut scene, at) = self.placed(share).ok()?;
         let found = continued(scene.as_mut(), &at, guess).ok();
         let found = found.map(|found| (scene.carried(&at, &found.state, true), found.negative));
