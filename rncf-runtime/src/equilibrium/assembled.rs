@@ -19,6 +19,7 @@ const NEXT: f64 = 0.5;
 /// it is tied to, the state without loads that has followed them from t = 0. A joint that turned by more than a quarter turn holds half
 /// a turn away, too.
 pub fn assembled(scene: &mut dyn Scene, at: &Uniform) -> State {
+    scene.measure_length(at);
     let guess = scene.uniform_guess(at);
     if at.t == 0.0 {
         return guess;

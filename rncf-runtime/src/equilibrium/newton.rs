@@ -13,6 +13,8 @@ const ROUND_OFF: f64 = 1e-14;
 const NOISE: f64 = 1e-7;
 /// Shrinkage that noise does not reach.
 const STAGNANT: f64 = 0.25;
+/// Part of the stiffness times the sizes up to which forces are balanced: where lengths are far below the sizes, increments are no noise.
+const BALANCED: f64 = 1e-12;
 /// Increments above this, relative to the sizes of the unknowns, end a strict iteration.
 const ASTRAY: f64 = 10.0;
 /// Largest entry of an increment that a patient iteration takes, relative to the size of its unknown.
@@ -185,7 +187,7 @@ impl Newton {
             unbalanced: Vec::new(),
             acting: 0.0,
             first: Vec::new(),
-            moved: Vec::new(),
+            moved: vec![0.0; n],
             wandered: false,
             untied: Vec::new(),
             lu: Lu::new(&whole),
@@ -358,6 +360,7 @@ impl Newton {
         for iteration in 1..=ITERATIONS {
             taken = iteration;
             self.linearize(scene, at, state);
+            let away = self.away_from_balance();
             let all = self.increments.iter().chain(&self.values);
             if !all.copied().all(f64::is_finite) {
                 return (Err(Failure::NotFinite(scene.undefined(state))), iteration);
@@ -382,7 +385,8 @@ impl Newton {
             let increments = self.moved.iter_mut().zip(&self.increments);
             increments.for_each(|(sum, change)| *sum += part * change);
             state.rebase(scene.turns());
-            if size <= ROUND_OFF || size <= NOISE && size > STAGNANT * last {
+            let is_noise = size <= NOISE && size > STAGNANT * last && away <= BALANCED * self.stiffest(|_| true);
+            if size <= ROUND_OFF || is_noise {
                 return (Ok(()), iteration);
             }
             // An iteration that wanders may end on another branch; a patient one is judged by where it ended.
@@ -532,6 +536,14 @@ impl Newton {
             .map(|(&(row, _), mass)| mass / self.inverse_sizes[row].powi(2))
             .sum();
         (acting / inert).sqrt()
+    }
+
+    /// Largest force that is not balanced, over the size of its unknown, J.
+    fn away_from_balance(&self) -> f64 {
+        let forces = self.increments.iter().zip(&self.inverse_sizes);
+        forces.fold(0.0, |largest: f64, (force, inverse)| {
+            largest.max((force / inverse).abs())
+        })
     }
 
     /// Root mean square of the increments of `x`, relative to the sizes of the unknowns.

@@ -126,6 +126,9 @@ pub trait Scene: System + Send {
     /// an equilibrium of `x`.
     fn is_referenced(&self) -> bool;
 
+    /// Where nothing in the scene has a length, as in one of a single point: takes for it how far all loads at the time of `at` move what is stiff.
+    fn measure_length(&mut self, _at: &Uniform) {}
+
     /// A state from which an equilibrium may be looked for: as [`Scene::rest`] at the time of `at`, what
     /// moves freely turned on with the prescribed frames since t = 0.
     fn uniform_guess(&self, at: &Uniform) -> State {

@@ -202,7 +202,8 @@ impl MeshScene {
         scene.load_rest();
         scene.resolve_markers()?;
         scene.refer_rigid_sections();
-        scene.tabulated.sizes = scene.unknown_sizes();
+        (scene.tabulated.sizes, scene.tabulated.distance) = scene.unknown_sizes();
+        scene.measure_distance();
         scene.follow_far_starts();
         scene.find_anchors();
         Ok(scene)

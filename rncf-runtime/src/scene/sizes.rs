@@ -1,10 +1,11 @@
 //! Sizes of the kinds of unknowns, by which every tolerance is measured: lengths of the scene, never of a round-off.
 
 use super::mesh_scene::MeshScene;
+use crate::model::{Kind, Scene, Uniform};
 use crate::scene::frames::free_frames::FreeFrame;
 use crate::scene::pieces::marker::Marker;
 use crate::space::Vector;
-use crate::system::{State, System};
+use crate::system::{State, System, Tangent};
 
 /// Round-off of a difference of two places, as a part of their coordinates: of a few operations on each.
 const ROUND_OFF: f64 = 1e3 * f64::EPSILON;
@@ -14,6 +15,10 @@ const NOTHING: f64 = 1e-9;
 /// Smallest size of a frame's position as a part of the scene's length: below it tolerances meet the round-off of
 /// what the frame is joined to.
 const LEAST: f64 = 1e-6;
+/// Length of a scene in which nothing has one, m; the shortest one that such a scene has for its place, and for its loads.
+const LENGTH: f64 = 1.0;
+const NEAREST: f64 = 1e-9;
+const SHORTEST: f64 = 1e-12;
 /// Speed of light, m/s.
 const LIGHT: f64 = 299_792_458.0;
 
@@ -22,8 +27,8 @@ impl MeshScene {
     ///
     /// Positions of nodes have the length of their body. Positions of a free frame have the largest length of what it
     /// carries: bodies' lines and distances of its points from its origin, which are levers. Where there is none, or
-    /// what there is is a round-off, it is the length of the scene.
-    pub(crate) fn unknown_sizes(&self) -> Vec<f64> {
+    /// what there is is a round-off, it is the length of the scene. Beside them, where nothing has a length, the distance from the origin.
+    pub(crate) fn unknown_sizes(&self) -> (Vec<f64>, Option<f64>) {
         let origins = self.layout.origins();
         let size = |&(vector, _): &(usize, usize)| {
             let (body, _, local) = self.locate(vector);
@@ -37,7 +42,10 @@ impl MeshScene {
         let places = self.places();
         let coordinates = places.iter().map(|place| place.at.norm()).fold(0.0, f64::max);
         let round_off = ROUND_OFF * coordinates;
-        let scene = self.scene_length(&places, round_off);
+        let (scene, distance) = match self.scene_length(&places, round_off) {
+            Ok(length) => (length, None),
+            Err(distance) => (known_distance(distance).unwrap_or(LENGTH), Some(distance)),
+        };
         for frame in &self.frames.free {
             let turns = frame.count() - frame.shifts();
             sizes.extend(std::iter::repeat_n(
@@ -46,7 +54,69 @@ impl MeshScene {
             ));
             sizes.extend(std::iter::repeat_n(1.0, turns));
         }
-        sizes
+        (sizes, distance)
+    }
+
+    /// The length of a scene that has none but its distance from the origin: how far it moves for its start and its loads there.
+    pub(crate) fn measure_distance(&mut self) {
+        let Some(distance) = self.tabulated.distance.filter(|distance| *distance > 0.0) else {
+            return;
+        };
+        let moved = self.moved_by(&Uniform::at_rest(0.0), &self.rest(0.0));
+        self.take_length(known_distance(distance.max(moved)).unwrap_or(LENGTH));
+    }
+
+    /// The same for all loads at a time, of what is at rest.
+    pub(crate) fn measure_loads(&mut self, at: &Uniform) {
+        let Some(distance) = self.tabulated.distance else {
+            return;
+        };
+        let at = Uniform {
+            kind: Kind::Static,
+            ..at.scaled(1.0)
+        };
+        let mut state = self.rest(at.t);
+        state.v.fill(0.0);
+        let moved = distance.max(self.moved_by(&at, &state));
+        if moved > SHORTEST {
+            self.take_length(moved);
+        }
+    }
+
+    /// How far forces and speeds of a state move what is stiff in the directions of the unknowns, m, and what is not.
+    fn moved_by(&mut self, at: &Uniform, state: &State) -> f64 {
+        let pattern = self.pattern().clone();
+        let zeros = || vec![0.0; pattern.entries()];
+        let mut tangent = Tangent {
+            mass: zeros(),
+            stiffness: zeros(),
+            damping: zeros(),
+        };
+        let mut forces = vec![0.0; state.x.len()];
+        self.uniform_residual(at, state, &mut forces);
+        self.small_motions(at, state, &mut tangent);
+        let mut longest: f64 = 0.0;
+        for (unknown, (force, speed)) in forces.iter().zip(&state.v).enumerate() {
+            let Some(entry) = pattern.find(unknown, unknown).filter(|_| self.is_length(unknown)) else {
+                continue;
+            };
+            let [mass, stiffness] = [tangent.mass[entry], tangent.stiffness[entry].abs()];
+            let moved = match force.abs() + speed.abs() > 0.0 {
+                true if stiffness > 0.0 => (force / stiffness).abs().max(speed.abs() * (mass / stiffness).sqrt()),
+                true => LENGTH,
+                false => 0.0,
+            };
+            longest = longest.max(moved);
+        }
+        longest.min(LENGTH)
+    }
+
+    fn take_length(&mut self, length: f64) {
+        for unknown in 0..self.tabulated.sizes.len() {
+            if self.is_length(unknown) {
+                self.tabulated.sizes[unknown] = length;
+            }
+        }
     }
 
     /// The fastest unknown position, where it is faster than light.
@@ -97,8 +167,8 @@ impl MeshScene {
 
     /// Length of the scene, m: the largest that bodies and levers have; else how far apart its free parts are; else the
     /// size of a rigid body by its inertia; else how far apart its free parts and the points are that they are joined
-    /// to; else the distance from the origin, as of a point in an orbit; else 1 m. Lengths of round-off do not count.
-    fn scene_length(&self, places: &[Spot], round_off: f64) -> f64 {
+    /// to. Where there is none of these, as of one point, its distance from the origin is an error. Lengths of round-off do not count.
+    fn scene_length(&self, places: &[Spot], round_off: f64) -> Result<f64, f64> {
         let lines = self.bodies.iter().map(|body| body.spec.line.length());
         let levers = self.frames.free.iter().map(|frame| self.longest_lever(frame));
         let carried = lines.chain(levers).fold(0.0, f64::max);
@@ -112,8 +182,8 @@ impl MeshScene {
         let distance = moving.iter().map(|&at| at.norm()).fold(0.0, f64::max);
         let moving = extent(&moving);
         let known = |length: &f64| *length > round_off.max(NOTHING * moving) && length.is_finite();
-        let lengths = [carried, moving, by_inertia, extent(&all), distance];
-        lengths.into_iter().find(known).unwrap_or(1.0)
+        let lengths = [carried, moving, by_inertia, extent(&all)];
+        lengths.into_iter().find(known).ok_or(distance)
     }
 
     fn longest_body(&self, frame: &FreeFrame) -> f64 {
@@ -171,6 +241,11 @@ impl MeshScene {
         }
         places
     }
+}
+
+/// A distance from the origin that is no round-off.
+fn known_distance(distance: f64) -> Option<f64> {
+    Some(distance).filter(|distance| *distance > NEAREST && distance.is_finite())
 }
 
 /// A place in space.

@@ -125,6 +125,10 @@ impl Scene for MeshScene {
         self.formulation == crate::model::Formulation::Rncf
     }
 
+    fn measure_length(&mut self, at: &Uniform) {
+        self.measure_loads(at);
+    }
+
     fn uniform_guess(&self, at: &Uniform) -> State {
         self.guess(at)
     }

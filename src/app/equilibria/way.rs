@@ -37,9 +37,10 @@ pub(in crate::app) fn placed(
         model.set(range.param, between(range, share));
     }
     let at = uniform(model.as_ref(), kind, settings, share)?;
-    let scene = model
+    let mut scene = model
         .build(Formulation::Rncf, Joints::Eliminated)
         .map_err(Unplaced::Model)?;
+    scene.measure_length(&at);
     Ok((scene, at))
 }
 

@@ -16,6 +16,8 @@ pub(crate) struct Tabulated {
     pub rows: Rows,
     /// Sizes of the unknowns.
     pub sizes: Vec<f64>,
+    /// Distance from the origin of what moves freely, m, where nothing in the scene has a length.
+    pub distance: Option<f64>,
     /// Mass matrix of the nodal vectors.
     pub mass: Vec<f64>,
     /// For every body the places beside its free frame.
