@@ -170,15 +170,21 @@ impl<'r> Kind<'r> {
         let (mut meshes, mut steps) = (self.of(meshes), self.of(steps));
         let is_exact = is_exact(&self.run);
         let [by_meshes, by_steps] = [largest(&meshes), largest(&steps)];
+        let of = |parts: &[Off], index: usize| parts.iter().find(|of| of.output == index).map_or(0.0, |of| of.part);
         let mut is_clear = by_steps <= STEPS * by_meshes.max(TOLD);
         if !self.is_of_motion {
             // Steps that suffice for one force do not for another.
-            let of = |parts: &[Off], index: usize| parts.iter().find(|of| of.output == index).map_or(0.0, |of| of.part);
             is_clear = steps
                 .iter()
                 .all(|off| off.part <= STEPS * of(&meshes, off.output).max(TOLD));
             meshes.retain(|off| of(&steps, off.output) <= (STEPS * off.part).max(TOLD));
         }
+        // What differs with larger steps alone is none of the mesh.
+        let is_seen = |mesh: &Off| {
+            let part = of(&meshes, mesh.output);
+            part > TOLD && part > of(&steps, mesh.output)
+        };
+        let mesh: Vec<Off> = self.mesh.iter().copied().filter(is_seen).collect();
         let looser = rtol / self.run.options.rtol;
         if !is_exact && is_last || is_exact && looser < 2.0 * TEN {
             // The error of the run is at most so much less than that of larger steps.
@@ -210,6 +216,8 @@ impl<'r> Kind<'r> {
         if (self.is_settled || by_meshes > by_steps) && until >= self.until {
             meshes.retain(|mesh| mesh.part > TOLD);
             (self.until, self.mesh) = (until, meshes);
+        } else if until >= self.until {
+            self.mesh = mesh;
         }
     }
 

@@ -9,7 +9,7 @@ use crate::app::judged::accumulated::{Ended, accumulated};
 use crate::app::judged::compared::Off;
 use crate::app::judged::doubts::doubts;
 use crate::app::judged::finer::{self, Begun, FINER, Found, Judging};
-use crate::app::judged::marks::{Marks, round_off};
+use crate::app::judged::marks::{Marks, largest, round_off};
 use crate::app::judged::unfollowed::{Followed, unfollowed};
 use crate::app::judged::{agreement, cautions};
 use crate::app::machine::clock::{Clock, Seconds};
@@ -172,7 +172,7 @@ fn look_again(
         let added = accumulated(scene, start.clone(), run, model.outputs(), &mut goes_on);
         (added_up, run.is_compared) = (added.told, added.is_known);
         missed = lost.told;
-        off = [lost.off, added.off].concat();
+        off = finer::each([lost.off, added.off].concat());
     }
     let own = Begun {
         scene,
@@ -180,12 +180,16 @@ fn look_again(
     };
     let found = compared(model, own, run, &result.settings, &mut goes_on);
     result.judged_until = Some(found.until).filter(|&until| until > 0.0);
-    off.extend(found.off);
-    let off = finer::each(off);
-    result.off_by = off.iter().filter_map(Off::known).collect();
     // What outputs are off by says more than the energy of single moments.
     let coarse = found.mesh.or_else(|| result.coarse.take().filter(|_| !found.is_whole));
-    let told = coarse.into_iter().chain(missed).chain(added_up.or(found.steps));
+    let steps = match (added_up, found.steps) {
+        // What a run with larger steps promises is the least that those of the run are off by.
+        (Some(_), Some(steps)) if largest(&found.off) > largest(&off) => Some(steps),
+        (added_up, steps) => added_up.or(steps),
+    };
+    let off = finer::each([off, found.off].concat());
+    result.off_by = off.iter().filter_map(Off::known).collect();
+    let told = coarse.into_iter().chain(missed).chain(steps);
     let told: Vec<String> = told.chain(found.rest).collect();
     if found.is_whole && told.is_empty() {
         result.agreement = agreement::of_run(model.outputs(), &off, found.has_meshes, found.looser);

@@ -18,8 +18,9 @@ struct Sizes {
     length: f64,
     /// Largest rate of an unknown over its size, 1/s.
     rate: f64,
-    /// Of all that moves: of places and momenta, kg m/s.
+    /// Of all that moves: of places and momenta, kg m/s, and of moments of these, kg m^2/s.
     momentum: f64,
+    angular_momentum: f64,
 }
 
 impl Sizes {
@@ -58,14 +59,17 @@ impl MeshScene {
             .map(|(v, size)| (v / size).abs());
         let everything = self.balance_of(Owner::All, BalanceQuantity::KineticEnergy, state.t, 0);
         let mass = self.balance_of(Owner::All, BalanceQuantity::Mass, state.t, 0);
+        let rate = rates.fold(0.0, f64::max);
         let sizes = Sizes {
             length: self
                 .bodies
                 .iter()
                 .map(|body| body.spec.line.length())
                 .fold(0.0, f64::max),
-            rate: rates.fold(0.0, f64::max),
+            rate,
             momentum: (2.0 * mass * everything).max(0.0).sqrt(),
+            // What turns one way and another the other way has no sum.
+            angular_momentum: if rate > 0.0 { 2.0 * everything / rate } else { 0.0 },
         };
         let mut observed = self.observed_values(state.t, &state.lambda);
         let mut squares = vec![0.0; columns];
@@ -134,7 +138,7 @@ impl MeshScene {
                 };
                 match what {
                     BalanceQuantity::Momentum => norm(3) + sizes.momentum,
-                    BalanceQuantity::AngularMomentum(_) => norm(3) + sizes.length * sizes.momentum,
+                    BalanceQuantity::AngularMomentum(_) => norm(3) + sizes.angular_momentum.max(sizes.length * sizes.momentum),
                     BalanceQuantity::CenterOfMass => sizes.length_or(norm(3)),
                     _ => self.balance_of(of, what, state.t, component).abs(),
                 }
