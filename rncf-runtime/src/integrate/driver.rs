@@ -376,33 +376,49 @@ impl Driver {
             .get_or_insert_with(|| Sight::new(system.courses(), segments.start(), segments.end()))
     }
 
-    /// Ends the present segment where the step just taken first passed a kink of a law; false if it passed none, or if something rattles.
+    /// Ends the present segment where the step just taken first passed a kink of a law, at its end or inside, where it may have been and come back;
+    /// false if it passed none, or if something rattles.
     fn ends_at_passed_kink(&mut self, system: &mut dyn System, branches: &[Branch], before: &State) -> bool {
-        let passed = |system: &mut dyn System, state: &State| {
-            let now = system.branches(state);
-            now.iter()
-                .zip(branches)
-                .position(|(now, before)| now.is_kink_passed_from(before))
+        let passed = |now: &[Branch], before: &[Branch]| {
+            let mut pairs = now.iter().zip(before);
+            pairs.position(|(now, before)| now.is_kink_passed_from(before))
         };
         let mut state = self.state().clone();
-        let Some(first) = passed(system, &state) else {
-            self.segments.pass_none();
-            return false;
-        };
-        let (from, to) = (before.t, state.t);
-        if self.segments.rattles(self.statistics.steps) {
-            self.statistics.note_rattling(from, &system.describe_branch(first));
-            return false;
+        let (from, end) = (before.t, state.t);
+        let (mut low, mut last) = (from, branches.to_vec());
+        let mut is_any = false;
+        for part in 0..=self.scheme.inside().len() {
+            let inside = self.scheme.inside().get(part);
+            let to = inside.map_or(end, |part| from + part * (end - from));
+            match inside {
+                Some(_) => self.scheme.interpolate(to, &mut state),
+                None => state.clone_from(self.scheme.state()),
+            }
+            let now = system.branches(&state);
+            if let Some(first) = passed(&now, &last) {
+                if self.segments.rattles(self.statistics.steps) {
+                    self.statistics.note_rattling(from, &system.describe_branch(first));
+                    return false;
+                }
+                let scheme = &self.scheme;
+                let kink = first_that(low, to, |t| {
+                    scheme.interpolate(t, &mut state);
+                    passed(&system.branches(&state), &last).is_some()
+                });
+                // At the end of a step the formulas of the method are better than what lies between.
+                if kink < end && !self.segments.is_near(from, kink) {
+                    let is_new = self.segments.meet(kink);
+                    self.at_corner |= is_new && system.is_branch_of_constraint(first);
+                    return is_new;
+                }
+                is_any = true;
+            }
+            (low, last) = (to, now);
         }
-        let scheme = &self.scheme;
-        let kink = first_that(from, to, |t| {
-            scheme.interpolate(t, &mut state);
-            passed(system, &state).is_some()
-        });
-        // At the end of a step the formulas of the method are better than what lies between.
-        let is_new = kink < to && !self.segments.is_near(from, kink) && self.segments.meet(kink);
-        self.at_corner |= is_new && system.is_branch_of_constraint(first);
-        is_new
+        if !is_any {
+            self.segments.pass_none();
+        }
+        false
     }
 
     /// Counts an accepted step from `t` and says where it ended.

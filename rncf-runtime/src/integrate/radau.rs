@@ -354,6 +354,10 @@ impl<const S: usize> Scheme for Radau<S> {
         }
     }
 
+    fn inside(&self) -> &[f64] {
+        &self.coefficients.nodes[..S - 1]
+    }
+
     fn balance(&mut self, system: &mut dyn System, state: &mut State) {
         if let Some(last) = &self.last
             && last.misses_multipliers(&self.coefficients, &self.before, state, self.missed)

@@ -57,6 +57,11 @@ pub(super) trait Scheme: Keep {
     /// The state at `t` within the last accepted step.
     fn interpolate(&self, t: f64, out: &mut State);
 
+    /// Parts of a step at which forces are evaluated inside of it, ascending.
+    fn inside(&self) -> &[f64] {
+        &[]
+    }
+
     /// Balances the forces of a state from [`Scheme::interpolate`] by its multipliers, where steps do not follow these.
     fn balance(&mut self, _system: &mut dyn System, _state: &mut State) {}
 

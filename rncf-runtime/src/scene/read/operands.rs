@@ -138,7 +138,9 @@ impl MeshScene {
                 };
                 match what {
                     BalanceQuantity::Momentum => norm(3) + sizes.momentum,
-                    BalanceQuantity::AngularMomentum(_) => norm(3) + sizes.angular_momentum.max(sizes.length * sizes.momentum),
+                    BalanceQuantity::AngularMomentum(_) => {
+                        norm(3) + sizes.angular_momentum.max(sizes.length * sizes.momentum)
+                    }
                     BalanceQuantity::CenterOfMass => sizes.length_or(norm(3)),
                     _ => self.balance_of(of, what, state.t, component).abs(),
                 }
