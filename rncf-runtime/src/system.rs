@@ -274,12 +274,24 @@ impl Branch {
         matches!(self, Branch::Kink(_) | Branch::Peak { .. })
     }
 
-    /// Whether a step that ends here has passed a kink at which it did not begin, or a peak that was out of sight there.
+    /// Whether a step that begins `before` has passed a kink here at which it did not begin, or a peak that was out of sight there.
     pub fn is_kink_passed_from(&self, before: &Branch) -> bool {
+        let begins_at_kink = match (self, before) {
+            (Branch::Kink(now), Branch::Kink(before)) => before.abs() <= AT_KINK * (now - before).abs(),
+            _ => false,
+        };
+        !begins_at_kink && self.is_kink_passed_since(before)
+    }
+
+    /// Whether it is on the other side of a kink.
+    pub fn is_across_from(&self, other: &Branch) -> bool {
+        matches!((self, other), (Branch::Kink(one), Branch::Kink(other)) if one * other < 0.0)
+    }
+
+    /// The same of two places within a step.
+    pub fn is_kink_passed_since(&self, before: &Branch) -> bool {
         match (self, before) {
-            (Branch::Kink(now), Branch::Kink(before)) => {
-                now * before < 0.0 && before.abs() > AT_KINK * (now - before).abs()
-            }
+            (Branch::Kink(now), Branch::Kink(before)) => now * before < 0.0,
             (Branch::Peak { t, rate: now }, Branch::Peak { t: from, rate: before }) => {
                 // The rise of a parabola with these slopes.
                 *before > 0.0 && *now < 0.0 && 0.5 * before * before * (t - from) > OUT_OF_SIGHT * (before - now)

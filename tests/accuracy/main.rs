@@ -30,6 +30,7 @@ mod moved_by_tables;
 mod moving_loads;
 mod multibody;
 mod narrow_curves;
+mod one_sided;
 mod orbit;
 mod orders;
 mod peaks;

@@ -232,6 +232,17 @@ pub trait DistributedLoads {
         by_value: &mut [f64],
         by_velocity: &mut [f64],
     );
+    /// Appends what changes its sign at each kink of such a load, at a particle. Default: it has none.
+    fn distributed_gaps(
+        &self,
+        _load: usize,
+        _t: f64,
+        _at: [f64; 2],
+        _z: &[Vector],
+        _velocity: &[Vector],
+        _out: &mut Vec<f64>,
+    ) {
+    }
     /// What such a load does along the axis and over time that points and steps could jump over, at an arclength of an axis with a length (m).
     fn distributed_course(&self, load: usize, at: [f64; 2]) -> Option<Courses>;
 }
@@ -275,6 +286,8 @@ pub trait PlacedGravity {
     fn around(&self, load: usize, t: f64, place: Vector) -> [f64; 3];
     /// Its derivatives by the place, rows first.
     fn around_gradient(&self, load: usize, t: f64, place: Vector, gradient: &mut [f64; 9]);
+    /// Appends what changes its sign at each kink of it, at a place. Default: it has none.
+    fn around_gaps(&self, _load: usize, _t: f64, _place: Vector, _out: &mut Vec<f64>) {}
     /// What it does over the place that steps could jump over.
     fn around_course(&self, load: usize) -> Option<Courses>;
 }

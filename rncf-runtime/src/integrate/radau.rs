@@ -358,6 +358,10 @@ impl<const S: usize> Scheme for Radau<S> {
         &self.coefficients.nodes[..S - 1]
     }
 
+    fn linearized(&self) -> Option<&State> {
+        Some(&self.middle)
+    }
+
     fn balance(&mut self, system: &mut dyn System, state: &mut State) {
         if let Some(last) = &self.last
             && last.misses_multipliers(&self.coefficients, &self.before, state, self.missed)

@@ -62,6 +62,11 @@ pub(super) trait Scheme: Keep {
         &[]
     }
 
+    /// The state at which the matrix of the iteration was last evaluated, where that is known.
+    fn linearized(&self) -> Option<&State> {
+        None
+    }
+
     /// Balances the forces of a state from [`Scheme::interpolate`] by its multipliers, where steps do not follow these.
     fn balance(&mut self, _system: &mut dyn System, _state: &mut State) {}
 

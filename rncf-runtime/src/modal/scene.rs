@@ -488,7 +488,7 @@ impl System for ModalScene {
     }
 
     fn branches(&mut self, state: &State) -> Vec<Branch> {
-        if self.scene.angles_read() == 0 {
+        if !self.scene.has_branches() {
             return Vec::new();
         }
         self.expand(state);

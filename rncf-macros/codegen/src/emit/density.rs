@@ -27,10 +27,12 @@ impl Equations {
         for distributed in &self.distributed {
             single.push(&distributed.force);
             single.extend(&distributed.tangent);
+            single.extend(&distributed.gaps);
             single.extend(distributed.course.as_ref().and_then(CourseKernel::kernel));
         }
         for around in &self.around {
             single.extend(&around.kernels);
+            single.extend(&around.gaps);
             single.extend(around.course.as_ref().and_then(CourseKernel::kernel));
         }
         for field in &self.fields {

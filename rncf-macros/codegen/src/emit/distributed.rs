@@ -10,6 +10,15 @@ use crate::model::{Distributed, fold};
 
 const VECTORS: &str = "&[::rncf::emitted::Vector]";
 
+/// Where functions of kinks write.
+const GAPS: &str = "&mut out[first..]";
+
+/// The arm of a load whose function appends what it writes.
+fn appended(index: usize, call: &str, kernel: &Kernel) -> String {
+    let count = kernel.outputs.len();
+    format!("{index} => {{\nlet first = out.len();\nout.resize(first + {count}, 0.0);\n{call}\n}}\n")
+}
+
 impl Parts<'_> {
     /// Such loads and their functions.
     pub(super) fn distributed(&self) -> String {
@@ -44,10 +53,12 @@ impl Parts<'_> {
                 } else {
                     ""
                 };
-                let name = &kernel(kernels)?.name;
-                Some(format!(
-                    "{index} => {name}(&self.model, t, at, {number}z, velocity, {results}),\n"
-                ))
+                let kernel = kernel(kernels)?;
+                let call = format!("{}(&self.model, t, at, {number}z, velocity, {results})", kernel.name);
+                Some(match results {
+                    GAPS => appended(index, &call, kernel),
+                    _ => format!("{index} => {call},\n"),
+                })
             });
             format!("match load {{\n{}_ => {{}}\n}}\n", arms.collect::<String>())
         };
@@ -59,6 +70,13 @@ impl Parts<'_> {
             arms(&|kernels| Some(&kernels.force), "out"),
             arms(&|kernels| kernels.tangent.as_ref(), "by_value, by_velocity"),
         );
+        if self.equations.distributed.iter().any(|kernels| kernels.gaps.is_some()) {
+            let _ = write!(
+                text,
+                "fn distributed_gaps(&self, {arguments}, out: &mut ::std::vec::Vec<f64>) {{\n{kind}{}}}\n",
+                arms(&|kernels| kernels.gaps.as_ref(), GAPS)
+            );
+        }
         let courses = self.equations.distributed.iter().enumerate();
         let courses = courses.filter_map(|(index, kernels)| {
             let made = made(kernels.course.as_ref()?, "at[0]", "at, ");
@@ -122,10 +140,21 @@ impl Parts<'_> {
             let made = made(one.course.as_ref()?, "0.0", "");
             Some(format!("{} => ::std::option::Option::Some({made}),\n", one.load))
         });
+        let gaps = kernels.iter().filter_map(|one| {
+            let kernel = one.gaps.as_ref()?;
+            let call = format!("{}(&self.model, t, place, {GAPS})", kernel.name);
+            Some(appended(one.load, &call, kernel))
+        });
+        let mut gaps: String = gaps.collect();
+        if !gaps.is_empty() {
+            gaps = format!(
+                "fn around_gaps(&self, load: usize, t: f64, place: ::rncf::emitted::Vector, out: &mut ::std::vec::Vec<f64>) {{\nmatch load {{\n{gaps}_ => {{}}\n}}\n}}\n"
+            );
+        }
         format!(
             "fn around(&self, load: usize, t: f64, place: ::rncf::emitted::Vector) -> [f64; 3] {{\nlet mut gravity = [0.0; 3];\nmatch load {{\n{}_ => {{}}\n}}\ngravity\n}}\n\
              fn around_gradient(&self, load: usize, t: f64, place: ::rncf::emitted::Vector, gradient: &mut [f64; 9]) {{\ngradient.fill(0.0);\nmatch load {{\n{}_ => {{}}\n}}\n}}\n\
-             fn around_course(&self, load: usize) -> ::std::option::Option<::rncf::emitted::Courses> {{\n{}}}\n",
+             fn around_course(&self, load: usize) -> ::std::option::Option<::rncf::emitted::Courses> {{\n{}}}\n{gaps}",
             arms(0, "&mut gravity"),
             arms(1, "gradient"),
             looked_up("load", &courses.collect::<String>())

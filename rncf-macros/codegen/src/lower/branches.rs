@@ -139,6 +139,13 @@ pub fn outputs(marked: &mut Marked, components: &[Expr]) -> Vec<(String, Id)> {
             outputs.push((format!("out[{}]", NUMBERS * number + place), id));
         }
     }
+    let gaps = gaps(marked, components);
+    outputs.extend(told(&mut marked.time.graph, KINK, gaps, outputs.len()));
+    outputs
+}
+
+/// What changes its sign at each kink.
+pub(super) fn gaps(marked: &mut Marked, components: &[Expr]) -> Vec<Id> {
     let mut gaps = Vec::new();
     for kink in kinks(components) {
         let Expr::Call(_, arguments) = &kink else { continue };
@@ -153,8 +160,7 @@ pub fn outputs(marked: &mut Marked, components: &[Expr]) -> Vec<(String, Id)> {
         let row = graph.number(row);
         gaps.push(graph.subtract(at, row));
     }
-    outputs.extend(told(&mut marked.time.graph, KINK, gaps, outputs.len()));
-    outputs
+    gaps
 }
 
 /// What is written for each value that changes its sign at a kink or peak, with the number that tells which, from a place on.

@@ -1,10 +1,14 @@
 //! Loads per length at a particle, with both tangents; gravity that changes from place to place.
 
+use super::branches;
 use super::courses::{CourseKernel, course_along, course_of};
 use super::kernel::{Kernel, derivatives, values};
 use super::markers::{Marked, function_name};
 use crate::model::{Distributed, Expr, LoadKind, MarkerId, Model, Observable, ParticleVector};
 use crate::symbolic::Id;
+
+/// What functions of kinks write.
+const GAPS: &str = "writes what changes its sign at each kink.";
 
 /// The functions of one load.
 #[derive(Clone, Debug)]
@@ -15,6 +19,8 @@ pub struct DistributedKernels {
     pub force: Kernel,
     /// Their derivatives, where not zero.
     pub tangent: Option<Kernel>,
+    /// What changes its sign at each kink, where there is one.
+    pub gaps: Option<Kernel>,
     /// What it does along the axis and over time that points and steps could jump over.
     pub course: Option<CourseKernel>,
 }
@@ -108,10 +114,20 @@ fn kernels(model: &Model, load: &Distributed, name: &str) -> DistributedKernels 
     let title = "writes df/dz and df/dz', rows first; entries that are always zero are left alone.";
     let results = ["by_value: &mut [f64]", "by_velocity: &mut [f64]"];
     let tangent = (!outputs.is_empty()).then(|| kernel(marked, "tangent", title, outputs, &results));
+    let components: Vec<Expr> = load
+        .forces
+        .iter()
+        .flat_map(|(_, components)| components)
+        .map(|one| localise(one, &vectors))
+        .collect();
+    let mut marked = Marked::values_and_rates(model, count);
+    let gaps = branches::gaps(&mut marked, &components);
+    let gaps = (!gaps.is_empty()).then(|| kernel(marked, "gaps", GAPS, values(&gaps, "out"), &["out: &mut [f64]"]));
     DistributedKernels {
         vectors,
         force,
         tangent,
+        gaps,
         course: course_along(model, load, name),
     }
 }
@@ -123,6 +139,8 @@ pub struct AroundKernels {
     pub load: usize,
     /// Its value and its derivatives.
     pub kernels: [Kernel; 2],
+    /// What changes its sign at each kink, where there is one.
+    pub gaps: Option<Kernel>,
     /// What it does over the place that steps could jump over.
     pub course: Option<CourseKernel>,
 }
@@ -160,9 +178,16 @@ pub fn around_kernels(model: &Model) -> Vec<AroundKernels> {
         );
         let arguments = ["place: ::rncf::emitted::Vector", "gradient: &mut [f64; 9]"];
         let gradient = marked.kernel(format!("around_gradient_{name}"), title, outputs, &arguments);
+        let mut marked = Marked::new(model, 1, &[&|_, component| format!("place[{component}]")]);
+        let gaps = branches::gaps(&mut marked, &components);
+        let title = format!("Gravity `{}`: {GAPS}", load.name);
+        let arguments = ["place: ::rncf::emitted::Vector", "out: &mut [f64]"];
+        let gaps = (!gaps.is_empty())
+            .then(|| marked.kernel(format!("around_gaps_{name}"), title, values(&gaps, "out"), &arguments));
         Some(AroundKernels {
             load: index,
             kernels: [value, gradient],
+            gaps,
             course: course_of(
                 model,
                 &components,

@@ -12,7 +12,7 @@ pub(crate) struct Push {
     pub conservative: bool,
     /// Whether it depends on differences of places alone.
     pub of_differences: bool,
-    /// Number of angles in it.
+    /// Number of angles and kinks in it.
     pub branches: usize,
     pub law: Law,
     /// Body and element that it is spread over; else it acts at one place.
@@ -28,6 +28,17 @@ pub(crate) enum Law {
     Distributed { load: usize, at: [f64; 2], weight: f64 },
     /// Gravity at the place of a mass, kg.
     Gravity { load: usize, mass: f64 },
+}
+
+impl Law {
+    /// Whether it is at another place of the same load along a body, or of the same gravity.
+    pub fn is_of_same_load(self, other: Self) -> bool {
+        match (self, other) {
+            (Self::Distributed { load, .. }, Self::Distributed { load: other, .. }) => load == other,
+            (Self::Gravity { load, .. }, Self::Gravity { load: other, .. }) => load == other,
+            _ => false,
+        }
+    }
 }
 
 impl From<(usize, ForceSpec)> for Push {

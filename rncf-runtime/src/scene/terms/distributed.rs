@@ -11,7 +11,7 @@ use crate::scene::bodies::place::{MeshPoint, PlaceVector, point_of};
 use crate::scene::mesh_scene::MeshScene;
 use crate::scene::pieces::marker::Marker;
 use crate::scene::pieces::push::{Law, Push, Spread};
-use crate::space::{Matrix, rows};
+use crate::space::{Matrix, Vector, rows};
 
 /// The vectors of a place, as a load counts them.
 const VECTORS: [PlaceVector; 4] = [
@@ -116,12 +116,15 @@ impl MeshScene {
                     }),
                 }
             }
+            let markers: Vec<usize> = (first..self.links.markers.len()).collect();
+            let nowhere = vec![Vector::zeros(); markers.len()];
+            let branches = self.gaps_of(law, 0.0, &nowhere, &nowhere).len();
             self.links.forces.push(Push {
                 name,
-                markers: (first..self.links.markers.len()).collect(),
+                markers,
                 of_differences: false,
                 conservative: false,
-                branches: 0,
+                branches,
                 law,
                 element,
             });

@@ -1,37 +1,75 @@
-//! Angles that forces and constraints read by their sines and cosines, and kinks and peaks of forces.
+//! Angles that forces and constraints read by their sines and cosines, and kinks and peaks of forces and of loads along bodies.
 
 use crate::scene::mesh_scene::MeshScene;
 use crate::scene::pieces::push::Law;
+use crate::space::Vector;
 use crate::system::{Branch, State};
 
 /// What is written in the place of the jump of an angle: -1 of a kink, -2 of a peak.
 const KINK: f64 = -1.0;
 
 impl MeshScene {
-    /// Number of these angles, kinks and peaks.
-    pub(crate) fn angles_read(&self) -> usize {
-        let of_constraints: usize = self.links.constraints.iter().map(|linked| linked.spec.branches).sum();
-        self.branches_of_forces() + of_constraints
+    /// Whether there are any.
+    pub(crate) fn has_branches(&self) -> bool {
+        self.links.forces.iter().any(|push| push.branches > 0) || self.branches_of_constraints() > 0
     }
 
-    /// Those of forces, which stand before those of constraints.
+    /// Those of forces, which stand before those of constraints; loads along bodies come last.
     fn branches_of_forces(&self) -> usize {
-        self.links.forces.iter().map(|push| push.branches).sum()
+        let forces = self.links.forces.iter();
+        let forces = forces.filter(|push| matches!(push.law, Law::Force(_)));
+        forces.map(|push| push.branches).sum()
+    }
+
+    fn branches_of_constraints(&self) -> usize {
+        self.links.constraints.iter().map(|linked| linked.spec.branches).sum()
     }
 
     /// Whether a branch is of a constraint.
     pub(in crate::scene) fn is_constrained_by_branch(&self, index: usize) -> bool {
-        index >= self.branches_of_forces()
+        let first = self.branches_of_forces();
+        (first..first + self.branches_of_constraints()).contains(&index)
     }
 
-    /// Of all forces, then of all constraints.
+    /// What changes its sign at each kink of a load along a body, or of gravity, where it acts.
+    pub(in crate::scene) fn gaps_of(&self, law: Law, t: f64, z: &[Vector], velocity: &[Vector]) -> Vec<f64> {
+        let mut gaps = Vec::new();
+        match law {
+            Law::Distributed { load, at, .. } => self.parts.distributed_gaps(load, t, at, z, velocity, &mut gaps),
+            Law::Gravity { load, .. } => self.parts.around_gaps(load, t, z[0], &mut gaps),
+            Law::Force(_) => {}
+        }
+        gaps
+    }
+
+    /// Largest and smallest of these over all places of each load: where its first particle passes a kink, and where its last does.
+    fn extremes(&self, t: f64) -> Vec<(&'static str, [f64; 2])> {
+        let mut loads: Vec<(Law, Vec<(&'static str, [f64; 2])>)> = Vec::new();
+        for (index, push) in self.links.forces.iter().enumerate() {
+            if matches!(push.law, Law::Force(_)) || push.branches == 0 {
+                continue;
+            }
+            let (z, velocity) = self.force_arguments(index);
+            let gaps = self.gaps_of(push.law, t, &z, &velocity);
+            match loads.iter_mut().find(|(law, _)| law.is_of_same_load(push.law)) {
+                Some((_, extremes)) => {
+                    for ((_, [most, least]), gap) in extremes.iter_mut().zip(gaps) {
+                        (*most, *least) = (most.max(gap), least.min(gap));
+                    }
+                }
+                None => loads.push((push.law, gaps.into_iter().map(|gap| (push.name, [gap; 2])).collect())),
+            }
+        }
+        loads.into_iter().flat_map(|(_, extremes)| extremes).collect()
+    }
+
+    /// Of all forces, of all constraints, and of loads along bodies.
     pub(in crate::scene) fn branches_at(&mut self, state: &State) -> Vec<Branch> {
-        let count = self.angles_read();
-        if count == 0 {
+        if !self.has_branches() {
             return Vec::new();
         }
         self.load_state(state);
-        let mut numbers = vec![[0.0; 4]; count];
+        let mut numbers = vec![[0.0; 4]; self.branches_of_forces() + self.branches_of_constraints()];
         let mut rest = numbers.as_flattened_mut();
         for (index, push) in self.links.forces.iter().enumerate() {
             if let (Law::Force(force), 1..) = (push.law, push.branches) {
@@ -61,19 +99,27 @@ impl MeshScene {
                 }
             }
         };
-        numbers.iter().map(branch).collect()
+        let extremes = self.extremes(state.t).into_iter().flat_map(|(_, extremes)| extremes);
+        numbers.iter().map(branch).chain(extremes.map(Branch::Kink)).collect()
     }
 
     /// The force or constraint of a branch.
     pub(in crate::scene) fn law_of_branch(&self, index: usize) -> String {
-        let forces = self.links.forces.iter().map(|spec| (spec.branches, spec.name));
+        let forces = self
+            .links
+            .forces
+            .iter()
+            .filter(|push| matches!(push.law, Law::Force(_)));
+        let forces = forces.map(|push| (push.branches, push.name));
         let constraints = self
             .links
             .constraints
             .iter()
             .map(|linked| (linked.spec.branches, linked.spec.name));
+        let loads = self.extremes(0.0).into_iter().map(|(name, both)| (both.len(), name));
         let mut names = forces
             .chain(constraints)
+            .chain(loads)
             .flat_map(|(count, name)| std::iter::repeat_n(name, count));
         names.nth(index).map_or_else(String::new, |name| format!("`{name}`"))
     }

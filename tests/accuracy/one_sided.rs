@@ -1,0 +1,109 @@
+//! Contacts that are shorter than a step: what was passed is seen inside of a step, too.
+
+use rncf::app::{Judging, RunSettings, run};
+use rncf::{Method, Options};
+
+mod ball {
+    rncf::model! {
+        /// A ball flies against a stiff wall, by a load, the law of a spring and a table.
+        pub model Walls {
+            param k = 1e9 N/m; param v = 0.3 m/s;
+            table wall { at = d; d = [-10, 0, 1] m; f = [0, 0, 1] m; interpolation = linear; }
+            rigid a { mass = 1 kg; velocity = [v, 0, 0]; }
+            load stop = force(a, [-k * max(a.x - 0.1 [m], 0 m), 0, 0]);
+            rigid b { mass = 1 kg; velocity = [v, 0, 0]; origin = [0, 1, 0] m; }
+            spring bumper = law(b, inertial.at([10, 1, 0] m), force = -k * max(9.9 [m] - length, 0 m));
+            rigid c { mass = 1 kg; velocity = [v, 0, 0]; origin = [0, 2, 0] m; }
+            load looked = force(c, [-k * wall.f(c.x - 0.1 [m]), 0, 0]);
+            output va = a.velocity.x;
+            output vb = b.velocity.x;
+            output vc = c.velocity.x;
+            run { t_end = 0.6 s; every = 10 ms; }
+        }
+    }
+}
+use ball::Walls;
+
+mod bar {
+    rncf::model! {
+        /// A rigid bar falls flat on a bed that only pushes, and a stone on a field that does.
+        pub model Bed {
+            param v = 1.3 m/s; param k = 1e9 N/m^2; param elements: count = 4;
+            section strip { EA = 42 MN; EI = 350 N*m^2; mass = 1.57 kg/m; }
+            rigid core { plane xy; mass = 1 g; inertia = 1e-4 kg*m^2; origin = [0, 0.1, 0] m; velocity = [0 [m/s], -v, 0 [m/s]]; }
+            body bar in core { planar xy; line from [-0.5, 0, 0] m to [0.5, 0, 0] m; mesh elements * cable(strip, axial = engineering, bending = exact); rigid; }
+            joint held = clamp(bar.start, core);
+            load bed = distributed(bar, [0, k * max(-position.y, 0 m), 0]);
+            output vy = total.momentum.y / total.mass;
+            run { t_end = 0.5 s; every = 10 ms; }
+        }
+    }
+}
+use bar::Bed;
+
+mod field {
+    rncf::model! {
+        /// A stone falls into a field that pushes below the ground alone.
+        pub model Field {
+            param v = 0.37 m/s; param k = 1e10 1/s^2;
+            rigid stone { plane xy; mass = 1 kg; origin = [0, 0.1, 0] m; velocity = [0 [m/s], -v, 0 [m/s]]; }
+            load ground = gravity([0, k * max(-position.y, 0 m), 0]);
+            output vy = stone.velocity.y;
+            run { t_end = 0.4 s; every = 10 ms; }
+        }
+    }
+}
+use field::Field;
+
+fn settings(t_end: f64, method: Method, rtol: f64) -> RunSettings {
+    RunSettings {
+        method,
+        options: Options {
+            rtol,
+            ..Options::default()
+        },
+        t_end: Some(t_end),
+        judged: Judging::No,
+        ..RunSettings::default()
+    }
+}
+
+/// One step went into the wall and out again: 0.0687 m/s came back of 0.3, "differ by at most 1e-5".
+#[test]
+fn no_step_goes_through_a_wall_and_back() {
+    for k in [1e7, 1e9, 1e11] {
+        for t_end in [0.55, 0.59, 0.6, 0.61, 0.73, 1.0, 1.9, 3.0] {
+            for method in [Method::Radau, Method::Radau9] {
+                let model = Walls { k, ..Walls::default() };
+                let found = run(&model, &settings(t_end, method, 1e-6)).unwrap();
+                let row = found.history.values.rchunks(3).next().unwrap();
+                for v in row {
+                    assert!((v + 0.3).abs() < 1e-4, "{k} N/m, {t_end} s, {method:?}: {row:?}");
+                }
+            }
+        }
+    }
+}
+
+/// What acts along a body, and gravity of the place, had no kinks: 472 kJ came of 0.785 J.
+#[test]
+fn what_falls_flat_leaves_with_its_speed() {
+    for (k, v, t_end) in [
+        (1e12, 1.0, 0.4),
+        (1e9, 1.3, 1.5),
+        (1e10, 1.2, 1.3),
+        (1e7, 0.362, 0.941),
+        (1e12, 0.25, 0.65),
+    ] {
+        let model = Bed { k, v, ..Bed::default() };
+        let found = run(&model, &settings(t_end, Method::Radau, 1e-6)).unwrap();
+        let left = found.history.values.last().unwrap();
+        assert!((left / v - 1.0).abs() < 1e-4, "{k} N/m^2, {v} m/s: {left}");
+        assert!(found.statistics.restarts >= 2, "{:?}", found.statistics);
+    }
+    for (k, v) in [(1e10, 0.37), (1e12, 0.37), (1e11, 1.1)] {
+        let found = run(&Field { k, v }, &settings(0.4, Method::Radau, 1e-6)).unwrap();
+        let left = found.history.values.last().unwrap();
+        assert!((left / v - 1.0).abs() < 1e-4, "{k} 1/s^2, {v} m/s: {left}");
+    }
+}
