@@ -463,3 +463,54 @@ fn energy_that_is_kept_to_the_tolerance_is_not_warned_of() {
         );
     }
 }
+
+mod opposed {
+    rncf::model! {
+        /// Two discs on one axle, which a spring turns against each other: their momenta have no sum.
+        pub model Opposed {
+            param stiffness = 0.5 N*m;
+            rigid a { plane xy; mass = 2 kg; inertia = 50 kg*m^2; }
+            rigid b { plane xy; mass = 5 kg; inertia = 2 kg*m^2; center = [0.5, 0, 0] m; angle = 90 deg; }
+            joint axle = revolute(a.at([0, 0, 0] m), b.at([0, 0, 0] m));
+            spring coil = torsional_law(axle, moment = stiffness * angle);
+            output angle = axle.angle;
+            output momentum = total.angular_momentum;
+            run { t_end = 30 s; every = 0.02 s; }
+        }
+    }
+}
+
+/// What remains of the sum is an error of the tolerance, and was "another motion, by more than 50 %" at each.
+#[test]
+fn a_momentum_of_zero_is_no_other_motion() {
+    for rtol in [1e-6, 1e-8] {
+        let found = run(&opposed::Opposed::default(), &judged(rtol, Judging::Affordable)).unwrap();
+        assert!(found.warnings.is_empty(), "{rtol}: {:?}", found.warnings);
+    }
+}
+
+mod shaken {
+    rncf::model! {
+        /// A column that a pulsating force shakes along its axis, and that bends by 26 um.
+        pub model Shaken {
+            param speed = 100 rad/s;
+            section bar { EA = 4.2 MN; EI = 100 N*m^2; mass = 1.5 kg/m; }
+            body c { planar xy; line from [0, 0, 0] m to [1, 0, 0] m; mesh 12 * cable(bar, axial = engineering, bending = exact);
+                initial velocity [0 [m/s], 1e-3 [m/s] * sin(pi * x / 1 [m]), 0 [m/s]]; }
+            joint foot = pin(c.start, inertial);
+            joint top = hold(c.end.y);
+            load push = force(c.end, [-300 [N] - 400 [N] * cos(speed * t), 0, 0]);
+            load air = distributed(c, -1 [N*s/m^2] * velocity);
+            output y = c.at(0.5 m).y;
+            run { t_end = 1 s; every = 2 ms; }
+        }
+    }
+}
+
+/// A tolerance of 1e-4 knows nothing of the bending, and the mesh was blamed for "more than 50 %".
+#[test]
+fn a_mesh_is_not_blamed_for_what_larger_steps_lose() {
+    let found = run(&shaken::Shaken::default(), &judged(1e-6, Judging::Affordable)).unwrap();
+    let blamed = found.warnings.iter().find(|note| note.contains("too coarse"));
+    assert!(blamed.is_none(), "{blamed:?}");
+}

@@ -14,7 +14,7 @@ const NOISE: f64 = 1e-7;
 /// Shrinkage that noise does not reach.
 const STAGNANT: f64 = 0.25;
 /// Part of the stiffness times the sizes up to which forces are balanced: where lengths are far below the sizes, increments are no noise.
-const BALANCED: f64 = 1e-12;
+const BALANCED: f64 = 1e-9;
 /// Increments above this, relative to the sizes of the unknowns, end a strict iteration.
 const ASTRAY: f64 = 10.0;
 /// Largest entry of an increment that a patient iteration takes, relative to the size of its unknown.
