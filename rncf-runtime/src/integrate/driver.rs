@@ -2,6 +2,7 @@
 //!
 //! It sees the system as `dyn`, so that it is compiled once, here, and not again for every model.
 
+mod passed;
 mod taken_up;
 
 use super::alpha::Alpha;
@@ -21,7 +22,7 @@ use super::sight::Sight;
 use super::start::{self, describe};
 use super::statistics::Statistics;
 use super::strays::{self, Strays};
-use super::switches::{Switches, first_that};
+use super::switches::Switches;
 use super::watch::{Trouble, Watch};
 use crate::error::{SolveError, SolveErrorKind};
 use crate::linalg::Singular;
@@ -32,8 +33,6 @@ const AHEAD: f64 = 2.0;
 /// A step within this part of the ceiling is at the ceiling.
 const AT_CEILING: f64 = 0.99;
 
-/// Most times that a step is shortened because its matrix is of another side of a kink.
-const ACROSS: u32 = 8;
 /// Steps after which it is looked whether something moves faster than light.
 const LIGHT: u64 = 16;
 /// Where to look when a motion grows without end.
@@ -178,7 +177,7 @@ impl Driver {
                 Outcome::Accepted { next } => {
                     if let Some(before) = &before {
                         let passed = self.ends_at_passed_kink(system, &branches, before);
-                        let may_retry = has_kinks && !fixed && !passed && across < ACROSS;
+                        let may_retry = has_kinks && !fixed && !passed && across < passed::ACROSS;
                         let is_across = may_retry && self.is_on_other_side(system, before);
                         across += u32::from(is_across);
                         if passed || is_across || self.strays(system, h) {
@@ -380,81 +379,6 @@ impl Driver {
         let segments = &self.segments;
         self.sight
             .get_or_insert_with(|| Sight::new(system.courses(), segments.start(), segments.end()))
-    }
-
-    /// Ends the present segment where the step just taken first passed a kink of a law, at its end or inside, where it may have been and come back;
-    /// false if it passed none, or if something rattles.
-    fn ends_at_passed_kink(&mut self, system: &mut dyn System, branches: &[Branch], before: &State) -> bool {
-        let mut state = self.state().clone();
-        let (from, end) = (before.t, state.t);
-        let (mut low, mut last) = (from, branches.to_vec());
-        let mut is_any = false;
-        for part in 0..=self.scheme.inside().len() {
-            let inside = self.scheme.inside().get(part);
-            let to = inside.map_or(end, |part| from + part * (end - from));
-            match inside {
-                Some(_) => self.scheme.interpolate(to, &mut state),
-                None => state.clone_from(self.scheme.state()),
-            }
-            let is_passed = |now: &Branch, before: &Branch| match low == from {
-                true => now.is_kink_passed_from(before),
-                false => now.is_kink_passed_since(before),
-            };
-            let now = system.branches(&state);
-            let passed: Vec<usize> = (0..last.len())
-                .filter(|&law| is_passed(&now[law], &last[law]))
-                .collect();
-            if let Some(&law) = passed.first()
-                && self.segments.rattles(self.statistics.steps)
-            {
-                self.statistics.note_rattling(from, &system.describe_branch(law));
-                return false;
-            }
-            let mut first: Option<(f64, usize)> = None;
-            for law in passed {
-                is_any = true;
-                let scheme = &self.scheme;
-                let kink = first_that(low, to, |t| {
-                    scheme.interpolate(t, &mut state);
-                    is_passed(&system.branches(&state)[law], &last[law])
-                });
-                // At the end of a step the formulas of the method are better than what lies between.
-                let counts = kink < end && !self.segments.is_near(from, kink);
-                if counts && first.is_none_or(|(earlier, _)| kink < earlier) {
-                    first = Some((kink, law));
-                }
-            }
-            if let Some((kink, law)) = first {
-                let is_new = self.segments.meet(kink);
-                self.at_corner |= is_new && system.is_branch_of_constraint(law);
-                return is_new;
-            }
-            (low, last) = (to, now);
-        }
-        if !is_any {
-            self.segments.pass_none();
-        }
-        false
-    }
-
-    /// Whether the matrix of the step just taken is of another side of a kink than a state of it: beside what is stiff on one side alone a force that is not
-    /// there looks balanced, and its momentum remains.
-    fn is_on_other_side(&mut self, system: &mut dyn System, before: &State) -> bool {
-        let Some(of_matrix) = self.scheme.linearized().map(|state| system.branches(state)) else {
-            return false;
-        };
-        let mut state = self.state().clone();
-        let (from, end) = (before.t, state.t);
-        let mut differs = |state: &State| {
-            let now = system.branches(state);
-            now.iter().zip(&of_matrix).any(|(now, other)| now.is_across_from(other))
-        };
-        // At a kink round-off says on which side.
-        !self.segments.is_at_kink(end) && differs(&state)
-            || self.scheme.inside().iter().any(|part| {
-                self.scheme.interpolate(from + part * (end - from), &mut state);
-                differs(&state)
-            })
     }
 
     /// Counts an accepted step from `t` and says where it ended.

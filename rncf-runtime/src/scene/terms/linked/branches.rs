@@ -8,6 +8,15 @@ use crate::system::{Branch, State};
 /// What is written in the place of the jump of an angle: -1 of a kink, -2 of a peak.
 const KINK: f64 = -1.0;
 
+/// Largest and smallest of what changes its sign at a kink, over all places of a load along a body: where its first particle passes the kink, and where
+/// its last does.
+struct Extremes {
+    name: &'static str,
+    law: Law,
+    most: f64,
+    least: f64,
+}
+
 impl MeshScene {
     /// Whether there are any.
     pub(crate) fn has_branches(&self) -> bool {
@@ -42,25 +51,31 @@ impl MeshScene {
         gaps
     }
 
-    /// Largest and smallest of these over all places of each load: where its first particle passes a kink, and where its last does.
-    fn extremes(&self, t: f64) -> Vec<(&'static str, [f64; 2])> {
-        let mut loads: Vec<(Law, Vec<(&'static str, [f64; 2])>)> = Vec::new();
+    /// Those of all places of each load, one for each of its kinks.
+    fn extremes(&self, t: f64) -> Vec<Extremes> {
+        let mut all: Vec<Extremes> = Vec::new();
         for (index, push) in self.links.forces.iter().enumerate() {
             if matches!(push.law, Law::Force(_)) || push.branches == 0 {
                 continue;
             }
             let (z, velocity) = self.force_arguments(index);
             let gaps = self.gaps_of(push.law, t, &z, &velocity);
-            match loads.iter_mut().find(|(law, _)| law.is_of_same_load(push.law)) {
-                Some((_, extremes)) => {
-                    for ((_, [most, least]), gap) in extremes.iter_mut().zip(gaps) {
-                        (*most, *least) = (most.max(gap), least.min(gap));
+            match all.iter().position(|one| one.law.is_of_same_load(push.law)) {
+                Some(first) => {
+                    for (one, gap) in all[first..].iter_mut().zip(gaps) {
+                        one.most = one.most.max(gap);
+                        one.least = one.least.min(gap);
                     }
                 }
-                None => loads.push((push.law, gaps.into_iter().map(|gap| (push.name, [gap; 2])).collect())),
+                None => all.extend(gaps.into_iter().map(|gap| Extremes {
+                    name: push.name,
+                    law: push.law,
+                    most: gap,
+                    least: gap,
+                })),
             }
         }
-        loads.into_iter().flat_map(|(_, extremes)| extremes).collect()
+        all
     }
 
     /// Of all forces, of all constraints, and of loads along bodies.
@@ -99,7 +114,7 @@ impl MeshScene {
                 }
             }
         };
-        let extremes = self.extremes(state.t).into_iter().flat_map(|(_, extremes)| extremes);
+        let extremes = self.extremes(state.t).into_iter().flat_map(|one| [one.most, one.least]);
         numbers.iter().map(branch).chain(extremes.map(Branch::Kink)).collect()
     }
 
@@ -116,7 +131,7 @@ impl MeshScene {
             .constraints
             .iter()
             .map(|linked| (linked.spec.branches, linked.spec.name));
-        let loads = self.extremes(0.0).into_iter().map(|(name, both)| (both.len(), name));
+        let loads = self.extremes(0.0).into_iter().map(|one| (2, one.name));
         let mut names = forces
             .chain(constraints)
             .chain(loads)

@@ -1,0 +1,85 @@
+//! Kinks that a step has passed, at its end or inside of it, and those whose other side its matrix is of.
+
+use super::Driver;
+use crate::integrate::switches::first_that;
+use crate::system::{Branch, State, System};
+
+/// Most times that a step is shortened because its matrix is of another side of a kink.
+pub(super) const ACROSS: u32 = 8;
+
+impl Driver {
+    /// Ends the present segment where the step just taken first passed a kink of a law, at its end or inside, where it may have been and come back;
+    /// false if it passed none, or if something rattles.
+    pub(super) fn ends_at_passed_kink(&mut self, system: &mut dyn System, branches: &[Branch], before: &State) -> bool {
+        let mut state = self.state().clone();
+        let (from, end) = (before.t, state.t);
+        let (mut low, mut last) = (from, branches.to_vec());
+        let mut is_any = false;
+        for part in 0..=self.scheme.inside().len() {
+            let inside = self.scheme.inside().get(part);
+            let to = inside.map_or(end, |part| from + part * (end - from));
+            match inside {
+                Some(_) => self.scheme.interpolate(to, &mut state),
+                None => state.clone_from(self.scheme.state()),
+            }
+            let is_passed = |now: &Branch, before: &Branch| match low == from {
+                true => now.is_kink_passed_from(before),
+                false => now.is_kink_passed_since(before),
+            };
+            let now = system.branches(&state);
+            let passed: Vec<usize> = (0..last.len())
+                .filter(|&law| is_passed(&now[law], &last[law]))
+                .collect();
+            if let Some(&law) = passed.first()
+                && self.segments.rattles(self.statistics.steps)
+            {
+                self.statistics.note_rattling(from, &system.describe_branch(law));
+                return false;
+            }
+            let mut first: Option<(f64, usize)> = None;
+            for law in passed {
+                is_any = true;
+                let scheme = &self.scheme;
+                let kink = first_that(low, to, |t| {
+                    scheme.interpolate(t, &mut state);
+                    is_passed(&system.branches(&state)[law], &last[law])
+                });
+                // At the end of a step the formulas of the method are better than what lies between.
+                let counts = kink < end && !self.segments.is_near(from, kink);
+                if counts && first.is_none_or(|(earlier, _)| kink < earlier) {
+                    first = Some((kink, law));
+                }
+            }
+            if let Some((kink, law)) = first {
+                let is_new = self.segments.meet(kink);
+                self.at_corner |= is_new && system.is_branch_of_constraint(law);
+                return is_new;
+            }
+            (low, last) = (to, now);
+        }
+        if !is_any {
+            self.segments.pass_none();
+        }
+        false
+    }
+
+    /// Whether the matrix of the step just taken is of another side of a kink than a state of it: beside what is stiff on one side alone a force that is not
+    /// there looks balanced, and its momentum remains.
+    pub(super) fn is_on_other_side(&mut self, system: &mut dyn System, before: &State) -> bool {
+        let Some(of_matrix) = self.scheme.linearized().map(|state| system.branches(state)) else {
+            return false;
+        };
+        let mut state = self.state().clone();
+        let (from, end) = (before.t, state.t);
+        let mut differs = |state: &State| {
+            let now = system.branches(state);
+            now.iter().zip(&of_matrix).any(|(now, other)| now.is_across_from(other))
+        };
+        // At a kink round-off says on which side.
+        !self.segments.is_at_kink(end) && differs(&state)
+            || self.scheme.inside().iter().any(|part| {
+                self.scheme.interpolate(from + part * (end - from), &mut state);
+                differs(&state)
+            })
+    }
+}
