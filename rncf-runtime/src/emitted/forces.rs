@@ -232,17 +232,16 @@ pub trait DistributedLoads {
         by_value: &mut [f64],
         by_velocity: &mut [f64],
     );
-    /// Appends what changes its sign at each kink of such a load, at a particle. Default: it has none.
+    /// Appends what changes its sign at each kink of such a load, at a particle.
     fn distributed_gaps(
         &self,
-        _load: usize,
-        _t: f64,
-        _at: [f64; 2],
-        _z: &[Vector],
-        _velocity: &[Vector],
-        _out: &mut Vec<f64>,
-    ) {
-    }
+        load: usize,
+        t: f64,
+        at: [f64; 2],
+        z: &[Vector],
+        velocity: &[Vector],
+        out: &mut Vec<f64>,
+    );
     /// What such a load does along the axis and over time that points and steps could jump over, at an arclength of an axis with a length (m).
     fn distributed_course(&self, load: usize, at: [f64; 2]) -> Option<Courses>;
 }
@@ -275,6 +274,16 @@ impl<T: WithoutDistributedLoads> DistributedLoads for T {
         _by_velocity: &mut [f64],
     ) {
     }
+    fn distributed_gaps(
+        &self,
+        _load: usize,
+        _t: f64,
+        _at: [f64; 2],
+        _z: &[Vector],
+        _velocity: &[Vector],
+        _out: &mut Vec<f64>,
+    ) {
+    }
     fn distributed_course(&self, _load: usize, _at: [f64; 2]) -> Option<Courses> {
         None
     }
@@ -286,8 +295,8 @@ pub trait PlacedGravity {
     fn around(&self, load: usize, t: f64, place: Vector) -> [f64; 3];
     /// Its derivatives by the place, rows first.
     fn around_gradient(&self, load: usize, t: f64, place: Vector, gradient: &mut [f64; 9]);
-    /// Appends what changes its sign at each kink of it, at a place. Default: it has none.
-    fn around_gaps(&self, _load: usize, _t: f64, _place: Vector, _out: &mut Vec<f64>) {}
+    /// Appends what changes its sign at each kink of it, at a place.
+    fn around_gaps(&self, load: usize, t: f64, place: Vector, out: &mut Vec<f64>);
     /// What it does over the place that steps could jump over.
     fn around_course(&self, load: usize) -> Option<Courses>;
 }
@@ -300,6 +309,7 @@ impl<T: WithoutPlacedGravity> PlacedGravity for T {
         [0.0; 3]
     }
     fn around_gradient(&self, _load: usize, _t: f64, _place: Vector, _gradient: &mut [f64; 9]) {}
+    fn around_gaps(&self, _load: usize, _t: f64, _place: Vector, _out: &mut Vec<f64>) {}
     fn around_course(&self, _load: usize) -> Option<Courses> {
         None
     }

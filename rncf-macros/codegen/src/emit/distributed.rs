@@ -70,13 +70,11 @@ impl Parts<'_> {
             arms(&|kernels| Some(&kernels.force), "out"),
             arms(&|kernels| kernels.tangent.as_ref(), "by_value, by_velocity"),
         );
-        if self.equations.distributed.iter().any(|kernels| kernels.gaps.is_some()) {
-            let _ = write!(
-                text,
-                "fn distributed_gaps(&self, {arguments}, out: &mut ::std::vec::Vec<f64>) {{\n{kind}{}}}\n",
-                arms(&|kernels| kernels.gaps.as_ref(), GAPS)
-            );
-        }
+        let _ = write!(
+            text,
+            "fn distributed_gaps(&self, {arguments}, out: &mut ::std::vec::Vec<f64>) {{\n{kind}{}}}\n",
+            arms(&|kernels| kernels.gaps.as_ref(), GAPS)
+        );
         let courses = self.equations.distributed.iter().enumerate();
         let courses = courses.filter_map(|(index, kernels)| {
             let made = made(kernels.course.as_ref()?, "at[0]", "at, ");
@@ -145,18 +143,14 @@ impl Parts<'_> {
             let call = format!("{}(&self.model, t, place, {GAPS})", kernel.name);
             Some(appended(one.load, &call, kernel))
         });
-        let mut gaps: String = gaps.collect();
-        if !gaps.is_empty() {
-            gaps = format!(
-                "fn around_gaps(&self, load: usize, t: f64, place: ::rncf::emitted::Vector, out: &mut ::std::vec::Vec<f64>) {{\nmatch load {{\n{gaps}_ => {{}}\n}}\n}}\n"
-            );
-        }
         format!(
             "fn around(&self, load: usize, t: f64, place: ::rncf::emitted::Vector) -> [f64; 3] {{\nlet mut gravity = [0.0; 3];\nmatch load {{\n{}_ => {{}}\n}}\ngravity\n}}\n\
              fn around_gradient(&self, load: usize, t: f64, place: ::rncf::emitted::Vector, gradient: &mut [f64; 9]) {{\ngradient.fill(0.0);\nmatch load {{\n{}_ => {{}}\n}}\n}}\n\
-             fn around_course(&self, load: usize) -> ::std::option::Option<::rncf::emitted::Courses> {{\n{}}}\n{gaps}",
+             fn around_gaps(&self, load: usize, t: f64, place: ::rncf::emitted::Vector, out: &mut ::std::vec::Vec<f64>) {{\nmatch load {{\n{}_ => {{}}\n}}\n}}\n\
+             fn around_course(&self, load: usize) -> ::std::option::Option<::rncf::emitted::Courses> {{\n{}}}\n",
             arms(0, "&mut gravity"),
             arms(1, "gradient"),
+            gaps.collect::<String>(),
             looked_up("load", &courses.collect::<String>())
         )
     }
