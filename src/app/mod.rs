@@ -72,7 +72,7 @@ pub use page::charts;
 pub use page::figure::Figure;
 pub use page::map::{Axis, Cells, Map};
 pub use pictures::{Pictures, Scale, Shapes};
-pub use results::campbell::{Campbell, Crossing};
+pub use results::campbell::{Campbell, Crossing, Onset};
 pub use results::envelopes::{BodyEnvelope, Envelopes, Peak};
 pub use results::equilibria::{Equilibria, EquilibriumSettings, Range};
 pub use results::error::RunError;

@@ -145,3 +145,56 @@ fn what_loads_alone_hold_has_its_equilibrium() {
         "{last:?}"
     );
 }
+
+mod damped_inside {
+    rncf::model! {
+        /// A disc on a shaft with damping that turns, `inside`, and damping that does not; `softens` takes stiffness with the square of the speed.
+        pub model Inside {
+            param speed = 20 rad/s; param inside = 0.1 N*s/m; param outside = 0.2 N*s/m; param softens = 0 kg; param k = 100 N/m;
+            rigid disc { plane xy; mass = 1 kg; inertia = 0.1 kg*m^2; }
+            constraint turned = disc.angle;
+            load shaft = force(disc, [-(k - softens * speed^2) * disc.x, -(k - softens * speed^2) * disc.y, 0]);
+            load around = force(disc, [-inside * (disc.velocity.x + speed * disc.y), -inside * (disc.velocity.y - speed * disc.x), 0]);
+            load beside = force(disc, [-outside * disc.velocity.x, -outside * disc.velocity.y, 0]);
+            output x = disc.x;
+            run { t_end = 1 s; every = 0.1 s; }
+        }
+    }
+}
+use damped_inside::Inside;
+
+/// The whirl grows beyond `sqrt(k / m) (1 + outside / inside)`, with the frequency `sqrt(k / m)`.
+#[test]
+fn where_a_whirl_begins_to_grow_is_told() {
+    for (from, to) in [(20.0, 41.0), (41.0, 20.0)] {
+        let settings = EquilibriumSettings {
+            range: Some(Range { param: 0, from, to }),
+            ..EquilibriumSettings::default()
+        };
+        let found = campbell(&Inside::default(), &settings).unwrap();
+        assert_eq!(found.onsets.len(), 1, "{:?}", found.onsets);
+        let onset = found.onsets[0];
+        assert!((onset.key - 30.0).abs() < 1e-5 && onset.within < 1e-5, "{onset:?}");
+        assert!(
+            (onset.im - 10.0).abs() < 1e-5 && onset.begins == (to > from),
+            "{onset:?}"
+        );
+    }
+    // Where the stiffness vanishes, the critical value says it.
+    let settings = EquilibriumSettings {
+        range: Some(Range {
+            param: 0,
+            from: 0.0,
+            to: 15.0,
+        }),
+        ..EquilibriumSettings::default()
+    };
+    let still = Inside {
+        softens: 1.0,
+        inside: 0.0,
+        ..Inside::default()
+    };
+    let found = campbell(&still, &settings).unwrap();
+    assert!(found.onsets.is_empty(), "{:?}", found.onsets);
+    assert!((found.critical[0].value - 10.0).abs() < 1e-4, "{:?}", found.critical);
+}

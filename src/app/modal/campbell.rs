@@ -86,6 +86,7 @@ pub fn campbell_watched(
         standing: Vec::new(),
         is_near: true,
         crossings: Vec::new(),
+        onsets: Vec::new(),
         compositions: Vec::new(),
         mesh_errors: Vec::new(),
         bodies: Vec::new(),

@@ -4,4 +4,5 @@ pub(super) mod campbell;
 mod finer;
 mod known;
 pub(super) mod modes;
+mod onsets;
 pub(super) mod tracker;

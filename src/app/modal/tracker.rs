@@ -2,6 +2,7 @@
 //! with multiples of the spin.
 
 use super::known::{self, Known};
+use super::onsets::onset;
 use crate::app::equilibria::continuation::{Found, Line};
 use crate::app::equilibria::directions::{self, Measured};
 use crate::app::equilibria::way;
@@ -69,13 +70,13 @@ impl Judged {
 }
 
 /// The modes at an equilibrium, with shapes that are turned back with the system to t = 0: at one time systems have turned by other angles at other speeds.
-struct Looked {
-    modes: Vec<Mode>,
+pub(super) struct Looked {
+    pub modes: Vec<Mode>,
     weights: Vec<f64>,
 }
 
 impl Looked {
-    fn at(scene: &mut dyn Scene, at: &Uniform, state: &State, count: usize) -> Result<Self, SolveError> {
+    pub fn at(scene: &mut dyn Scene, at: &Uniform, state: &State, count: usize) -> Result<Self, SolveError> {
         let modes = |scene: &mut dyn Scene, count| modes::modes(scene, at, state, Wanted { count });
         // Those beyond what is asked for may be too many.
         let beyond = BEYOND.into_iter().find_map(|beyond| modes(scene, count + beyond).ok());
@@ -97,7 +98,7 @@ impl Looked {
 }
 
 /// A mode with the shape that it has at the time of the equilibrium.
-fn there(scene: &mut dyn Scene, at: &Uniform, mode: &Mode) -> Mode {
+pub(super) fn there(scene: &mut dyn Scene, at: &Uniform, mode: &Mode) -> Mode {
     let mut mode = mode.clone();
     scene.carried_shape(at, &mut mode.shape, false);
     mode
@@ -194,6 +195,7 @@ impl Tracker {
         let measured = [Some(symmetric), whole].map(|measured| measured.filter(|_| !(is_loose && turned)));
         self.locate(line, diagram, measured, circulated || self.circulates);
         self.cross(line, diagram, &before);
+        diagram.onsets.extend(onset(line, diagram));
         Ok(())
     }
 

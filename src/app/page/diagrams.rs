@@ -262,6 +262,22 @@ pub(in crate::app) fn campbell_lines(result: &Campbell, frequency: Frequency) ->
         }
         lines.push(line + ".");
     }
+    for onset in &result.onsets {
+        let mut line = format!(
+            "{} at {} ({} in the reference frame)",
+            if onset.begins {
+                "A mode begins to grow"
+            } else {
+                "No mode grows any more"
+            },
+            result.key.at(onset.key, 7),
+            frequency.shown(onset.im),
+        );
+        if onset.within > EXACT * onset.key.abs() {
+            let _ = write!(line, ", there within {}", result.key.quantity(onset.within, 2));
+        }
+        lines.push(line + ".");
+    }
     let known = result.compositions.iter().enumerate();
     for (index, composition) in known.filter(|(_, composition)| !composition.motions.is_empty()) {
         lines.push(format!("Mode {} is {}.", index + 1, what_moves(composition)));

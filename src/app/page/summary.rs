@@ -211,6 +211,15 @@ pub(in crate::app) fn of_campbell(model: &dyn AnyModel, result: &Campbell) -> Su
         })
     });
     put(&mut summary, "crossings", crossings.collect());
+    let onsets = result.onsets.iter().map(|onset| {
+        json!({
+            key.as_str(): onset.key,
+            "within": onset.within,
+            "im [rad/s]": onset.im,
+            "begins_to_grow": onset.begins,
+        })
+    });
+    put(&mut summary, "onsets", onsets.collect());
     let margins = result.margins();
     let largest = margins
         .iter()

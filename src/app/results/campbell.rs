@@ -38,6 +38,8 @@ pub struct Campbell {
     pub is_near: bool,
     /// Where a frequency is that of the spin, or twice it.
     pub crossings: Vec<Crossing>,
+    /// Where a mode begins to grow, or the last one ceases to, while the stiffness does not vanish.
+    pub onsets: Vec<Onset>,
     /// What moves in the modes of [`Campbell::tracks`], at the last value at which each is known.
     pub compositions: Vec<Composition>,
     /// For each of [`Campbell::tracks`] the parts by which the meshes of the bodies make its frequency too high; empty where nothing is known.
@@ -79,6 +81,19 @@ pub struct Crossing {
     pub within: f64,
     /// The frequency there, rad/s.
     pub im: f64,
+}
+
+/// Where an equilibrium becomes unstable by a mode that oscillates, or stable again.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Onset {
+    /// Value of the first column.
+    pub key: f64,
+    /// How far off it may be.
+    pub within: f64,
+    /// Angular frequency of the mode in the reference frame, rad/s.
+    pub im: f64,
+    /// Whether modes grow behind it, and not before.
+    pub begins: bool,
 }
 
 impl Campbell {

@@ -177,7 +177,7 @@ pub(in crate::app) fn neutral(modes: &[SeenMode]) -> f64 {
 }
 
 /// The largest |s|, 1/s.
-fn largest(modes: &[SeenMode]) -> f64 {
+pub(in crate::app) fn largest(modes: &[SeenMode]) -> f64 {
     modes.iter().map(|mode| mode.re.hypot(mode.im)).fold(0.0, f64::max)
 }
 
