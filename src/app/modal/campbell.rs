@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 
 use super::finer;
 use super::modes::of_finer;
+use super::onsets::onset;
 use super::tracker::Tracker;
 use crate::app::equilibria::continuation::{EquilibriumProgress, Line};
 use crate::app::equilibria::nearer::{DIAGRAM, nearer};
@@ -109,6 +110,10 @@ pub fn campbell_watched(
             .and_then(|()| tracker.look(&mut line, &mut diagram))
             .err()
             .map(Incomplete::Equilibrium);
+        if reason.is_none() {
+            let onset = onset(&mut line, &diagram);
+            diagram.onsets.extend(onset);
+        }
         if watch(&line.progress()).is_break() && !line.is_done() {
             reason = reason.or(Some(Incomplete::Interrupted));
         }

@@ -2,7 +2,6 @@
 //! with multiples of the spin.
 
 use super::known::{self, Known};
-use super::onsets::onset;
 use crate::app::equilibria::continuation::{Found, Line};
 use crate::app::equilibria::directions::{self, Measured};
 use crate::app::equilibria::way;
@@ -195,7 +194,6 @@ impl Tracker {
         let measured = [Some(symmetric), whole].map(|measured| measured.filter(|_| !(is_loose && turned)));
         self.locate(line, diagram, measured, circulated || self.circulates);
         self.cross(line, diagram, &before);
-        diagram.onsets.extend(onset(line, diagram));
         Ok(())
     }
 
