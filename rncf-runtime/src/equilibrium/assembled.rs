@@ -17,7 +17,7 @@ const NEXT: f64 = 0.5;
 
 /// A state from which an equilibrium at the time of `at` may be looked for: [`Scene::uniform_guess`], or where motions have moved what
 /// it is tied to, the state without loads that has followed them from t = 0. A joint that turned by more than a quarter turn holds half
-/// a turn away, too.
+/// a turn away, too. A scene in which nothing has a length takes the one of its loads ([`Scene::measure_length`]).
 pub fn assembled(scene: &mut dyn Scene, at: &Uniform) -> State {
     scene.measure_length(at);
     let guess = scene.uniform_guess(at);

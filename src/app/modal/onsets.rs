@@ -49,10 +49,10 @@ pub(super) fn onset(line: &mut Line<'_>, diagram: &Campbell) -> Option<Onset> {
             high = share;
         }
     }
-    let ceases = ceases(&growing, [low, high]);
-    let away = LINEAR * (ceases - low).abs() + 0.5 * (high - low).abs();
-    let key = line.key(ceases);
-    let within = (line.key(ceases + away) - key).abs();
+    let zero = zero_of(&growing, [low, high]);
+    let away = LINEAR * (zero - low).abs() + 0.5 * (high - low).abs();
+    let key = line.key(zero);
+    let within = (line.key(zero + away) - key).abs();
     let is_critical = |value: f64| (value - key).abs() <= within.max(ALIKE * key.abs());
     let is_known = diagram.critical.iter().any(|critical| is_critical(critical.value));
     (!is_known).then_some(Onset {
@@ -65,7 +65,7 @@ pub(super) fn onset(line: &mut Line<'_>, diagram: &Campbell) -> Option<Onset> {
 
 /// Where the growth of the last of some modes is zero, each with its part of the way: growth that hardly differs from round-off counts as none, so that this is
 /// beside the bracket. A rate that rises with a root does so within it.
-fn ceases(growing: &[(f64, SeenMode)], [low, high]: [f64; 2]) -> f64 {
+fn zero_of(growing: &[(f64, SeenMode)], [low, high]: [f64; 2]) -> f64 {
     let middle = low + 0.5 * (high - low);
     let Some((last, others)) = growing.split_last() else {
         return middle;
