@@ -274,6 +274,11 @@ impl Branch {
         matches!(self, Branch::Kink(_) | Branch::Peak { .. })
     }
 
+    /// Whether it is on the other side of a kink.
+    pub fn is_across_from(&self, other: &Branch) -> bool {
+        matches!((self, other), (Branch::Kink(one), Branch::Kink(other)) if one * other < 0.0)
+    }
+
     /// Whether a step that begins `before` has passed a kink here at which it did not begin, or a peak that was out of sight there.
     pub fn is_kink_passed_from(&self, before: &Branch) -> bool {
         let begins_at_kink = match (self, before) {
@@ -283,15 +288,10 @@ impl Branch {
         !begins_at_kink && self.is_kink_passed_since(before)
     }
 
-    /// Whether it is on the other side of a kink.
-    pub fn is_across_from(&self, other: &Branch) -> bool {
-        matches!((self, other), (Branch::Kink(one), Branch::Kink(other)) if one * other < 0.0)
-    }
-
     /// The same of two places within a step.
     pub fn is_kink_passed_since(&self, before: &Branch) -> bool {
         match (self, before) {
-            (Branch::Kink(now), Branch::Kink(before)) => now * before < 0.0,
+            (Branch::Kink(_), Branch::Kink(_)) => self.is_across_from(before),
             (Branch::Peak { t, rate: now }, Branch::Peak { t: from, rate: before }) => {
                 // The rise of a parabola with these slopes.
                 *before > 0.0 && *now < 0.0 && 0.5 * before * before * (t - from) > OUT_OF_SIGHT * (before - now)

@@ -360,7 +360,7 @@ impl Newton {
         for iteration in 1..=ITERATIONS {
             taken = iteration;
             self.linearize(scene, at, state);
-            let away = self.away_from_balance();
+            let away = most(self.increments.iter().copied(), &self.inverse_sizes);
             let all = self.increments.iter().chain(&self.values);
             if !all.copied().all(f64::is_finite) {
                 return (Err(Failure::NotFinite(scene.undefined(state))), iteration);
@@ -409,10 +409,7 @@ impl Newton {
         let still = forces.iter_mut().zip(&self.unbalanced);
         still.for_each(|(force, part)| *force -= part);
         scene.small_motions(at, state, &mut self.tangent);
-        let energies = forces.iter().zip(&self.inverse_sizes);
-        self.acting = energies.fold(0.0, |largest: f64, (force, inverse)| {
-            largest.max((force / inverse).abs())
-        });
+        self.acting = most(forces.iter().copied(), &self.inverse_sizes);
         if m > 0 {
             scene.constraint(ConstraintLevel::Position, state, violations);
             scene.constraint_jacobian(state, &mut self.jacobian);
@@ -448,9 +445,7 @@ impl Newton {
         scene.uniform_residual(at, state, &mut loaded);
         scene.uniform_residual(&at.scaled(0.0), state, &mut unloaded);
         let loads = loaded.iter().zip(&unloaded).map(|(with, without)| with - without);
-        let loads = loads.zip(&self.inverse_sizes);
-        let largest = loads.fold(0.0, |largest: f64, (load, inverse)| largest.max((load / inverse).abs()));
-        let rounded = ROUNDED * largest;
+        let rounded = ROUNDED * most(loads, &self.inverse_sizes);
         let known = self.phases.len() - self.untied.len();
         let twice = RESOLVED_TWICE * self.stiffest(|_| true);
         for (place, (phase, held)) in self.phases.iter().zip(&self.held).enumerate() {
@@ -538,14 +533,6 @@ impl Newton {
         (acting / inert).sqrt()
     }
 
-    /// Largest force that is not balanced, over the size of its unknown, J.
-    fn away_from_balance(&self) -> f64 {
-        let forces = self.increments.iter().zip(&self.inverse_sizes);
-        forces.fold(0.0, |largest: f64, (force, inverse)| {
-            largest.max((force / inverse).abs())
-        })
-    }
-
     /// Root mean square of the increments of `x`, relative to the sizes of the unknowns.
     fn size(&self) -> f64 {
         self.mean(self.increments.iter().copied())
@@ -557,6 +544,14 @@ impl Newton {
         let sum: f64 = parts.map(|(change, factor)| (change * factor).powi(2)).sum();
         (sum / self.inverse_sizes.len().max(1) as f64).sqrt()
     }
+}
+
+/// Largest of some forces times the sizes of their unknowns, J.
+fn most(forces: impl Iterator<Item = f64>, inverse_sizes: &[f64]) -> f64 {
+    let forces = forces.zip(inverse_sizes);
+    forces.fold(0.0, |largest: f64, (force, inverse)| {
+        largest.max((force / inverse).abs())
+    })
 }
 
 fn directions(untied: Vec<Untied>) -> Vec<Vec<f64>> {

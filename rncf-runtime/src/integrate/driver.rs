@@ -176,9 +176,10 @@ impl Driver {
             match self.scheme.attempt(system, h, &mut self.statistics) {
                 Outcome::Accepted { next } => {
                     if let Some(before) = &before {
-                        let passed = self.ends_at_passed_kink(system, &branches, before);
+                        let course = self.branches_of_step(system, (before.t, &branches));
+                        let passed = self.ends_at_passed_kink(system, &course);
                         let may_retry = has_kinks && !fixed && !passed && across < passed::ACROSS;
-                        let is_across = may_retry && self.is_on_other_side(system, before);
+                        let is_across = may_retry && self.is_on_other_side(system, &course);
                         across += u32::from(is_across);
                         if passed || is_across || self.strays(system, h) {
                             if !passed {

@@ -3,7 +3,7 @@
 use super::tracker::{Looked, there};
 use crate::app::equilibria::continuation::Line;
 use crate::app::results::campbell::{Campbell, Onset};
-use crate::app::results::modes::{SeenMode, grows, largest};
+use crate::app::results::modes::{SeenMode, fastest};
 
 /// Halvings of a step.
 const LOOKS: u32 = 20;
@@ -79,11 +79,4 @@ fn zero_of(growing: &[(f64, SeenMode)], [low, high]: [f64; 2]) -> f64 {
     } else {
         on_line
     }
-}
-
-/// The mode that grows fastest.
-fn fastest(modes: &[SeenMode]) -> Option<SeenMode> {
-    let largest = largest(modes);
-    let growing = modes.iter().filter(|mode| grows(mode.re, mode.im, largest));
-    growing.copied().max_by(|a, b| a.re.total_cmp(&b.re))
 }

@@ -177,7 +177,7 @@ pub(in crate::app) fn neutral(modes: &[SeenMode]) -> f64 {
 }
 
 /// The largest |s|, 1/s.
-pub(in crate::app) fn largest(modes: &[SeenMode]) -> f64 {
+fn largest(modes: &[SeenMode]) -> f64 {
     modes.iter().map(|mode| mode.re.hypot(mode.im)).fold(0.0, f64::max)
 }
 
@@ -188,7 +188,12 @@ pub(in crate::app) fn grows(re: f64, im: f64, largest: f64) -> bool {
 
 /// The rate of growth of an unstable equilibrium, 1/s; `None` where it is stable, or neutral to round-off.
 pub(in crate::app) fn growth(modes: &[SeenMode]) -> Option<f64> {
+    fastest(modes).map(|mode| mode.re)
+}
+
+/// The mode that grows fastest, as of [`growth`].
+pub(in crate::app) fn fastest(modes: &[SeenMode]) -> Option<SeenMode> {
     let largest = largest(modes);
     let growing = modes.iter().filter(|mode| grows(mode.re, mode.im, largest));
-    growing.map(|mode| mode.re).reduce(f64::max)
+    growing.copied().max_by(|a, b| a.re.total_cmp(&b.re))
 }

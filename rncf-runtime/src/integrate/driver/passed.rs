@@ -2,31 +2,42 @@
 
 use super::Driver;
 use crate::integrate::switches::first_that;
-use crate::system::{Branch, State, System};
+use crate::system::{Branch, System};
 
 /// Most times that a step is shortened because its matrix is of another side of a kink.
 pub(super) const ACROSS: u32 = 8;
 
 impl Driver {
+    /// Branches of the step just taken, each with its time, s: where it began, where forces were evaluated inside, and at its end.
+    pub(super) fn branches_of_step(
+        &mut self,
+        system: &mut dyn System,
+        (from, begin): (f64, &[Branch]),
+    ) -> Vec<(f64, Vec<Branch>)> {
+        let mut state = self.state().clone();
+        let end = state.t;
+        let mut course = vec![(from, begin.to_vec())];
+        for part in self.scheme.inside() {
+            let t = from + part * (end - from);
+            self.scheme.interpolate(t, &mut state);
+            course.push((t, system.branches(&state)));
+        }
+        course.push((end, system.branches(self.state())));
+        course
+    }
+
     /// Ends the present segment where the step just taken first passed a kink of a law, at its end or inside, where it may have been and come back;
     /// false if it passed none, or if something rattles.
-    pub(super) fn ends_at_passed_kink(&mut self, system: &mut dyn System, branches: &[Branch], before: &State) -> bool {
+    pub(super) fn ends_at_passed_kink(&mut self, system: &mut dyn System, course: &[(f64, Vec<Branch>)]) -> bool {
         let mut state = self.state().clone();
-        let (from, end) = (before.t, state.t);
-        let (mut low, mut last) = (from, branches.to_vec());
+        let (from, end) = (course[0].0, state.t);
         let mut is_any = false;
-        for part in 0..=self.scheme.inside().len() {
-            let inside = self.scheme.inside().get(part);
-            let to = inside.map_or(end, |part| from + part * (end - from));
-            match inside {
-                Some(_) => self.scheme.interpolate(to, &mut state),
-                None => state.clone_from(self.scheme.state()),
-            }
-            let is_passed = |now: &Branch, before: &Branch| match low == from {
+        for places in course.windows(2) {
+            let [(low, last), (to, now)] = places else { continue };
+            let is_passed = |now: &Branch, before: &Branch| match *low == from {
                 true => now.is_kink_passed_from(before),
                 false => now.is_kink_passed_since(before),
             };
-            let now = system.branches(&state);
             let passed: Vec<usize> = (0..last.len())
                 .filter(|&law| is_passed(&now[law], &last[law]))
                 .collect();
@@ -40,7 +51,7 @@ impl Driver {
             for law in passed {
                 is_any = true;
                 let scheme = &self.scheme;
-                let kink = first_that(low, to, |t| {
+                let kink = first_that(*low, *to, |t| {
                     scheme.interpolate(t, &mut state);
                     is_passed(&system.branches(&state)[law], &last[law])
                 });
@@ -55,7 +66,6 @@ impl Driver {
                 self.at_corner |= is_new && system.is_branch_of_constraint(law);
                 return is_new;
             }
-            (low, last) = (to, now);
         }
         if !is_any {
             self.segments.pass_none();
@@ -65,21 +75,16 @@ impl Driver {
 
     /// Whether the matrix of the step just taken is of another side of a kink than a state of it: beside what is stiff on one side alone a force that is not
     /// there looks balanced, and its momentum remains.
-    pub(super) fn is_on_other_side(&mut self, system: &mut dyn System, before: &State) -> bool {
+    pub(super) fn is_on_other_side(&self, system: &mut dyn System, course: &[(f64, Vec<Branch>)]) -> bool {
         let Some(of_matrix) = self.scheme.linearized().map(|state| system.branches(state)) else {
             return false;
         };
-        let mut state = self.state().clone();
-        let (from, end) = (before.t, state.t);
-        let mut differs = |state: &State| {
-            let now = system.branches(state);
-            now.iter().zip(&of_matrix).any(|(now, other)| now.is_across_from(other))
+        let differs = |(_, now): &(f64, Vec<Branch>)| {
+            let mut pairs = now.iter().zip(&of_matrix);
+            pairs.any(|(now, other)| now.is_across_from(other))
         };
         // At a kink round-off says on which side.
-        !self.segments.is_at_kink(end) && differs(&state)
-            || self.scheme.inside().iter().any(|part| {
-                self.scheme.interpolate(from + part * (end - from), &mut state);
-                differs(&state)
-            })
+        let counts = |(t, _): &&(f64, Vec<Branch>)| !self.segments.is_at_kink(*t);
+        course[1..].iter().filter(counts).any(differs)
     }
 }
