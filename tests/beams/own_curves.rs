@@ -8,6 +8,8 @@ rncf::model! {
         param size = 1 m;
         param pull = 1 mN;
         param n: count = 64;
+        /// Times which strains are taken: 1, so that params stand there, too.
+        param plain = 1;
 
         /// The library's centre line under another name.
         element wire(section, material) {
@@ -60,8 +62,8 @@ rncf::model! {
             coefficient EI: N m^2  = material.young * section.second_moment;
             coefficient rhoA: kg/m = material.density * section.area;
             inertia r = rhoA;
-            strain e = 1/2*(dot(a, a) - 1);
-            strain k in plane = cross(a, b);
+            strain e = plain/2*(dot(a, a) - 1);
+            strain k in plane = plain*cross(a, b);
             energy axial_strain = 1/2*EA*e^2;
             energy bending in plane = 1/2*EI*k^2;
             energy bending in space = 1/2*EI*(dot(a, a)*dot(b, b) - dot(a, b)^2);

@@ -1,6 +1,7 @@
 //! Models with cross-section bodies, put together from all parts of the language: each in both formulations, and
 //! against closed forms or another description of the same machine.
 
+mod blades;
 mod bushings;
 mod campbell;
 mod carried;

@@ -1,13 +1,8 @@
 //! Dense symmetric problems of moderate size: Cholesky factors, eigenvalues, and the lowest natural
 //! modes of a stiffness and a mass matrix. All matrices are square, rows first.
 
-use faer::diag::Diag;
-use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::linalg::evd::{ComputeEigenvectors, EvdParams, evd_real, evd_scratch};
 use faer::linalg::solvers::Solve;
-use faer::{Mat, Par, Side, Spec};
-
-use super::scalar::c64;
+use faer::{Mat, Side};
 
 /// Eigenvalues that differ relatively by less than this belong to one subspace of modes.
 const EQUAL: f64 = 1e-6;
@@ -96,62 +91,6 @@ pub fn symmetric_eigen(size: usize, matrix: &[f64]) -> Result<(Vec<f64>, Vec<Vec
         .map(|column| (0..size).map(|row| eigen.U()[(row, column)]).collect())
         .collect();
     Ok((values, vectors))
-}
-
-/// Eigenvalues of a real matrix in no order, conjugate ones both, and their vectors of length 1.
-///
-/// # Errors
-/// Not found, as for entries that are not finite.
-pub fn general_eigen(size: usize, matrix: &[f64]) -> Result<(Vec<c64>, Vec<Vec<c64>>), Indefinite> {
-    if size == 0 {
-        return Ok((Vec::new(), Vec::new()));
-    }
-    if !matrix.iter().all(|value| value.is_finite()) {
-        return Err(Indefinite);
-    }
-    let dense = Mat::from_fn(size, size, |i, j| matrix[i * size + j]);
-    let mut vectors = Mat::zeros(size, size);
-    let (mut re, mut im) = (Diag::zeros(size), Diag::zeros(size));
-    let no = ComputeEigenvectors::No;
-    let memory = evd_scratch::<f64>(size, no, ComputeEigenvectors::Yes, Par::Seq, unblocked());
-    evd_real(
-        dense.as_ref(),
-        re.as_mut(),
-        im.as_mut(),
-        None,
-        Some(vectors.as_mut()),
-        Par::Seq,
-        MemStack::new(&mut MemBuffer::new(memory)),
-        unblocked(),
-    )
-    .map_err(|_| Indefinite)?;
-    let column = |real: usize, imaginary: Option<usize>, sign: f64| -> Vec<c64> {
-        let part = |row: usize| imaginary.map_or(0.0, |column| sign * vectors[(row, column)]);
-        (0..size).map(|row| c64::new(vectors[(row, real)], part(row))).collect()
-    };
-    let (mut values, mut shapes) = (Vec::with_capacity(size), Vec::with_capacity(size));
-    while values.len() < size {
-        let at = values.len();
-        if im[at] == 0.0 {
-            values.push(c64::new(re[at], 0.0));
-            shapes.push(column(at, None, 1.0));
-            continue;
-        }
-        // Of a pair one column has the real parts, the next one the imaginary parts.
-        for sign in [1.0, -1.0] {
-            values.push(c64::new(re[at], sign * im[at]));
-            shapes.push(column(at, Some(at + 1), sign));
-        }
-    }
-    Ok((values, shapes))
-}
-
-/// The iteration with double shifts at any size: the blocked one (faer 0.24) does not end for some matrices of 75 and
-/// more rows, where its deflation cannot swap two pairs.
-fn unblocked() -> Spec<EvdParams, f64> {
-    let mut params = Spec::<EvdParams, f64>::default();
-    params.schur.blocking_threshold = usize::MAX;
-    params
 }
 
 /// `A^-1 B` of two full B, or `None` where A is singular or not finite.
@@ -403,18 +342,6 @@ mod tests {
         let small = |vector: &[f64], first: usize| (first..2 * n).step_by(2).all(|i| vector[i].abs() < 1e-14);
         assert!(small(&modes.vectors[0], 1) && small(&modes.vectors[1], 0), "{modes:?}");
         assert!(modes.vectors[0][2] > 0.0 && modes.vectors[1][3] > 0.0);
-    }
-
-    #[test]
-    fn a_rotation_has_imaginary_eigenvalues() {
-        let (values, vectors) = general_eigen(2, &[0.5, -2.0, 2.0, 0.5]).unwrap();
-        for (value, vector) in values.iter().zip(&vectors) {
-            assert!((value.re - 0.5).abs() < 1e-14 && (value.im.abs() - 2.0).abs() < 1e-14);
-            let rest = vector[0] * (c64::new(0.5, 0.0) - value) - vector[1] * 2.0;
-            assert!(rest.norm() < 1e-14);
-        }
-        assert!(values[0].im * values[1].im < 0.0);
-        assert!(general_eigen(1, &[f64::NAN]).is_err());
     }
 
     #[test]

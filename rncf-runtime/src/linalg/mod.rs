@@ -13,6 +13,7 @@ mod chain;
 mod column;
 mod dense;
 mod eigen;
+mod general_eigen;
 mod graph;
 mod links;
 mod lu;
@@ -28,9 +29,11 @@ pub(crate) use block_kernels::{Vectorised, dispatch};
 pub use column::Column;
 pub use dense::Dense;
 pub use eigen::{
-    Cholesky, Indefinite, NaturalModes, general_eigen, lowest_modes, natural_modes, negative_eigenvalues, product,
-    solve_full, symmetric_eigen, times,
+    Cholesky, Indefinite, NaturalModes, lowest_modes, natural_modes, negative_eigenvalues, product, solve_full,
+    symmetric_eigen, times,
 };
+pub use general_eigen::general_eigen;
+pub(crate) use general_eigen::scattered;
 pub use lu::Lu;
 pub use pattern::Pattern;
 pub use saddle::{Saddle, Singular};

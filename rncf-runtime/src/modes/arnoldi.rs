@@ -8,20 +8,24 @@
 //! as an invariant subspace, and the iteration starts again beside it, until a start finds nothing new:
 //! one vector alone does not see an eigenvalue twice.
 
-use super::pair::{Failure, Pair, better_shift, scattered};
+use super::pair::{CLOSE, Failure, Pair, better_shift};
 use super::pencil::Pencil;
-use crate::linalg::{Lu, c64, clear, general_eigen, norm};
+use crate::linalg::{Lu, c64, clear, general_eigen, norm, scattered};
 
 /// Residual of an eigenpair of the inverse, relative to the eigenvalue, at which it is locked.
 const CONVERGED: f64 = 1e-10;
+/// Largest residual of what is locked: vectors of eigenvalues that are there several times come out of a small matrix worse than it is.
+const EXACT: f64 = 1e-8;
+/// The same relative to the size of the inverse: what is slow to it is known no better.
+const ROUND_OFF: f64 = 1e-13;
 /// Residual from which on an eigenvalue tells the order of frequencies.
 const ROUGH: f64 = 1e-2;
 /// Images below this part of the first one are round-off: nothing is left.
 const EXHAUSTED: f64 = 1e-13;
 /// Eigenvalues below this part of the largest one stand for infinite frequencies.
 const INFINITE: f64 = 1e-10;
-/// Part of a vector beyond the locked ones that counts as new.
-const NEW: f64 = 1e-7;
+/// Part of a vector beyond the locked ones that counts as new. What is less is known worse by as much, and another start finds it again.
+const NEW: f64 = 1e-3;
 /// Vectors after which an iteration looks at its eigenvalues first, and the growth to the next look.
 const FIRST_LOOK: usize = 24;
 const LONGER: f64 = 1.4;
@@ -62,11 +66,16 @@ pub(super) fn spectrum(pencil: &Pencil, count: usize) -> Result<(f64, Vec<Pair>,
             return Err(Failure::Slow(found.len() / 2));
         }
         carried = iteration.combined(&ritz[ready..], wanted);
-        let fresh = iteration.vectors(&ritz[..ready]);
-        found.extend(ritz[..ready].iter().map(|ritz| ritz.value));
-        let before = locked.len();
-        fresh.into_iter().for_each(|vector| lock(&mut locked, vector));
-        if locked.len() == before || locked.len() >= 2 * pencil.unknowns() {
+        let size = iteration.size;
+        let fresh: Vec<(c64, Vec<Vec<f64>>)> = iteration.vectors(&ritz[..ready]).collect();
+        let known = locked.len();
+        for (value, parts) in fresh {
+            let count = parts.len();
+            if inverse.is_exact(value, &parts, &locked[..known], size) && lock(&mut locked, parts) {
+                found.extend([value, value.conj()].into_iter().take(count));
+            }
+        }
+        if locked.len() == known || locked.len() >= 2 * pencil.unknowns() {
             break;
         }
     }
@@ -112,18 +121,24 @@ fn choose_shift(pencil: &Pencil) -> Result<Inverse<'_>, Failure> {
     Ok(inverse)
 }
 
-/// Adds what is new in a vector to an orthonormal set.
-fn lock(locked: &mut Vec<Vec<f64>>, mut vector: Vec<f64>) {
-    let before = norm(&vector);
-    clear(&mut vector, locked, &mut []);
-    let after = norm(&vector);
-    if after > NEW * before {
-        vector.iter_mut().for_each(|value| *value /= after);
+/// Adds vectors that belong together to an orthonormal set, unless one of them is no new one.
+fn lock(locked: &mut Vec<Vec<f64>>, parts: Vec<Vec<f64>>) -> bool {
+    let before = locked.len();
+    for mut vector in parts {
+        let length = norm(&vector);
+        clear(&mut vector, locked, &mut []);
+        let rest = norm(&vector);
+        if rest <= NEW * length {
+            locked.truncate(before);
+            return false;
+        }
+        vector.iter_mut().for_each(|value| *value /= rest);
         clear(&mut vector, locked, &mut []);
         let length = norm(&vector);
         vector.iter_mut().for_each(|value| *value /= length);
         locked.push(vector);
     }
+    true
 }
 
 /// The inverse of the pencil at a shift.
@@ -172,6 +187,24 @@ impl<'a> Inverse<'a> {
         image.iter().copied().chain(rates).collect()
     }
 
+    /// Whether a vector, as its real parts and its imaginary ones, is that of an eigenvalue of the inverse beside the locked ones; `size` is that of
+    /// the inverse.
+    fn is_exact(&mut self, value: c64, parts: &[Vec<f64>], locked: &[Vec<f64>], size: f64) -> bool {
+        let image = |part: &Vec<f64>| {
+            let mut image = self.apply(part);
+            clear(&mut image, locked, &mut []);
+            image
+        };
+        let images: Vec<Vec<f64>> = parts.iter().map(image).collect();
+        let entry = |parts: &[Vec<f64>], at: usize| c64::new(parts[0][at], parts.get(1).map_or(0.0, |part| part[at]));
+        let (mut rest, mut length) = (0.0, 0.0);
+        for at in 0..parts[0].len() {
+            rest += (entry(&images, at) - value * entry(parts, at)).norm_sqr();
+            length += entry(parts, at).norm_sqr();
+        }
+        (rest / length).sqrt() <= EXACT * value.norm() + ROUND_OFF * size
+    }
+
     /// Eigenpairs of the inverse on an invariant subspace, as those of the pencil.
     fn pairs(&mut self, basis: &[Vec<f64>]) -> Result<Vec<Pair>, Failure> {
         let k = basis.len();
@@ -190,6 +223,13 @@ impl<'a> Inverse<'a> {
         };
         Ok(values.into_iter().zip(vectors).map(pair).collect())
     }
+}
+
+/// Whether an eigenvalue is there twice: one vector alone sees it once, and again when it has lost all but round-off, and then ever worse.
+fn has_twice(values: impl Iterator<Item = c64>) -> bool {
+    let upper: Vec<c64> = values.filter(|value| value.im >= 0.0).collect();
+    let is_close = |a: c64, b: c64| (a - b).norm() <= CLOSE * a.norm();
+    (1..upper.len()).any(|at| upper[..at].iter().any(|other| is_close(upper[at], *other)))
 }
 
 /// `sum_k z_k v_k`, the first `length` components.
@@ -297,7 +337,7 @@ impl<'a, 'b> Iteration<'a, 'b> {
     }
 
     /// Goes on until `wanted` eigenvalues have converged, or, where it is known how large `needed`
-    /// eigenvalues are, all of those and one smaller one; or until `most` vectors.
+    /// eigenvalues are, all of those and one smaller one; or until one comes twice; or until `most` vectors.
     fn run(&mut self, wanted: usize, needed: Option<f64>, most: usize) -> Result<End, Failure> {
         let mut look = FIRST_LOOK;
         while !self.exhausted && self.columns.len() < most {
@@ -305,6 +345,9 @@ impl<'a, 'b> Iteration<'a, 'b> {
             look = (LONGER * look as f64) as usize;
             let ritz = self.ritz()?;
             let ready = ritz.iter().take_while(|ritz| ritz.residual <= CONVERGED);
+            if has_twice(ready.clone().map(|ritz| ritz.value)) {
+                break;
+            }
             let enough = match needed {
                 Some(needed) => ready.map(|ritz| ritz.value.norm()).any(|size| size < needed),
                 None => ready.count() >= wanted,
@@ -354,23 +397,25 @@ impl<'a, 'b> Iteration<'a, 'b> {
         Ok(ritz)
     }
 
-    /// Real vectors that span those of the given eigenvalues and their conjugates.
-    fn vectors(&self, ritz: &[Ritz]) -> Vec<Vec<f64>> {
+    /// Real vectors that span those of the given eigenvalues and their conjugates: one or two of each.
+    fn vectors(&self, ritz: &[Ritz]) -> impl Iterator<Item = (c64, Vec<Vec<f64>>)> {
         let upper = ritz.iter().filter(|ritz| ritz.value.im >= 0.0);
-        let parts = upper.flat_map(|ritz| {
+        upper.map(|ritz| {
             let vector = combination(&self.basis, &ritz.vector, self.basis[0].len());
             let part = |part: fn(&c64) -> f64| vector.iter().map(part).collect::<Vec<f64>>();
             let real = part(|value| value.re);
             let imaginary = (ritz.value.im > 0.0).then(|| part(|value| value.im));
-            std::iter::once(real).chain(imaginary)
-        });
-        parts.collect()
+            (ritz.value, std::iter::once(real).chain(imaginary).collect())
+        })
     }
 
     /// The sum of the first vectors that have not converged: a start for the next iteration.
     fn combined(&self, ritz: &[Ritz], count: usize) -> Vec<f64> {
         let mut sum = vec![0.0; self.basis[0].len()];
-        for vector in self.vectors(&ritz[..count.min(ritz.len())]) {
+        for vector in self
+            .vectors(&ritz[..count.min(ritz.len())])
+            .flat_map(|(_, parts)| parts)
+        {
             sum.iter_mut().zip(&vector).for_each(|(sum, value)| *sum += value);
         }
         sum

@@ -61,15 +61,3 @@ pub(super) fn normalise(x: &mut [c64], lambda: &mut [c64]) {
         x.iter_mut().chain(lambda).for_each(|value| *value /= entry);
     }
 }
-
-/// Numbers between -1 and 1 without order, the same ones for the same start.
-pub(super) fn scattered(count: usize, start: usize) -> Vec<f64> {
-    let mut seed = 0x9e37_79b9_7f4a_7c15_u64.wrapping_mul(start as u64 + 1);
-    let next = |_| {
-        seed = seed
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (seed >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    };
-    (0..count).map(next).collect()
-}

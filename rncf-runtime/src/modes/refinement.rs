@@ -1,8 +1,8 @@
 //! Eigenpairs as exact as the entries of the pencil tell them, checked against it.
 
-use super::pair::{CLOSE, Pair, normalise, scattered};
+use super::pair::{CLOSE, Pair, normalise};
 use super::pencil::Pencil;
-use crate::linalg::{Lu, c64};
+use crate::linalg::{Lu, c64, scattered};
 
 /// Most refinements of a pair.
 const REFINEMENTS: usize = 12;

@@ -377,3 +377,8 @@ messages! {
 pub fn output_unit(own: &str, other: &str) -> String {
     format!("this output is {own}, but the unit it is to be told in is that of {other}")
 }
+
+/// Nothing became of a declaration, and nothing has been said about it.
+pub fn dropped(noun: &str, name: &str) -> String {
+    format!("nothing is made of the {noun} `{name}`, and no rule says why, a defect of rncf: write it in another way")
+}

@@ -2,6 +2,7 @@
 //! mistakes are reported at once; what depends on something already reported stays silent.
 
 mod bodies;
+mod dropped;
 pub mod element;
 mod frames;
 pub mod influence;
@@ -86,6 +87,9 @@ pub fn check_with_elements(tree: &Tree, library: &Library, errors: &mut Errors) 
     check.names_as_units();
     if tree.complete && check.errors.len() == before {
         check.ties();
+    }
+    if tree.complete && check.errors.len() == before {
+        check.dropped();
     }
     let mut model = std::mem::take(&mut check.model);
     starts::nodes::stand_where_something_acts(&mut model);

@@ -61,6 +61,15 @@ impl Signature<'_> {
         bindings
     }
 
+    /// The coefficients that expressions read, bound to their names; none where they read none.
+    fn read_coefficients(&self, graph: &Graph, roots: &[Id]) -> Option<String> {
+        let nodes = graph.reachable(roots);
+        let is_read = |name: &&str| nodes.iter().any(|&node| graph.is_input(node, name));
+        let coefficients = self.variant.coefficients(self.library).into_iter();
+        let names: Vec<&str> = coefficients.map(|one| one.name).filter(is_read).collect();
+        (!names.is_empty()).then(|| format!("let {} {{ {}, .. }} = *row;", self.row(), names.join(", ")))
+    }
+
     /// Name of the struct with the constants of an element.
     pub fn row(&self) -> String {
         camel_case(&self.variant.name(self.library))
@@ -128,11 +137,16 @@ impl Signature<'_> {
                 )
             }
         };
+        let mut bindings = self.bindings(quantity != Quantity::Reference, &states);
+        if quantity == Quantity::Reference {
+            let roots: Vec<Id> = outputs.iter().map(|(_, value)| *value).collect();
+            bindings.extend(self.read_coefficients(&graph, &roots));
+        }
         Kernel {
             name: format!("{name}_{suffix}"),
             doc: vec![format!("{what}."), self.energy_text(), self.form_text(form)],
             arguments,
-            bindings: self.bindings(quantity != Quantity::Reference, &states),
+            bindings,
             graph,
             points,
             outputs,

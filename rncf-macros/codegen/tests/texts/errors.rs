@@ -61,6 +61,7 @@ const NOT_SHOWN: &[(&str, &str)] = &[
         "check/vector_wanted",
         "its words are put together of several texts, and its entry is not told from others",
     ),
+    ("check/dropped", "it tells of a defect of the checks, and none is known"),
     ("check/energy_of_own_element", "its example would fill a page"),
     (
         "check/no_component",

@@ -14,6 +14,8 @@ use crate::symbolic::{Graph, Id, Invariant};
 
 /// Strain at which an energy has its least value that still passes for zero: of a law whose kink is rounded.
 const OFF_REST: f64 = 1e-5;
+/// Change of that strain with time that is round-off.
+const STILL: f64 = 1e-12;
 
 /// Strains at which a written stress is compared with the derivative of its energy.
 const PROBES: [f64; 4] = [-0.03, -0.002, 0.004, 0.05];
@@ -236,9 +238,9 @@ struct Look<'l> {
 impl Look<'_> {
     /// What is wrong with it at some times, each with the values of coefficients and inner products; the first is the start.
     fn wrong(&mut self, times: &[HashMap<Id, f64>], is_active: bool) -> Option<String> {
-        let mut is_still = true;
+        let (mut is_still, start) = (true, self.strain(&times[0]));
         for (at, inputs) in times.iter().enumerate() {
-            let stress = match self.stress(inputs, is_active) {
+            let stress = match self.stress(inputs, is_active, start) {
                 Ok(stress) => stress,
                 // At other times a law may have no value at these numbers.
                 Err(message) if at == 0 => return Some(message),
@@ -274,11 +276,21 @@ impl Look<'_> {
         timed.contains(&own) || expressions.into_iter().any(|id| self.graph.depends_on(id, &timed))
     }
 
-    /// Its stress where nothing is deformed, `None` where there is none.
+    /// The strain from its least energy of a law where nothing is deformed; 0 of what is no law.
+    fn strain(&mut self, inputs: &HashMap<Id, f64>) -> f64 {
+        let Density::Law { change, stress, .. } = self.term.density else {
+            return 0.0;
+        };
+        let stiffness = self.graph.partial(stress, change);
+        let [stress, stiffness, _] = self.law([stress, stiffness, change], change, 0.0, inputs);
+        stress / stiffness
+    }
+
+    /// Its stress where nothing is deformed, `None` where there is none; `start` is its strain at the start.
     ///
     /// # Errors
     /// No value, or a strain that nothing resists.
-    fn stress(&mut self, inputs: &HashMap<Id, f64>, is_active: bool) -> Result<Option<f64>, String> {
+    fn stress(&mut self, inputs: &HashMap<Id, f64>, is_active: bool, start: f64) -> Result<Option<f64>, String> {
         match self.term.density {
             Density::Law {
                 measure,
@@ -294,7 +306,9 @@ impl Look<'_> {
                 } else if is_soft {
                     Err(say::not_stiff(&format!("{:.3}", rest[1])))
                 } else {
-                    Ok((rest[0].abs() > OFF_REST * rest[1]).then_some(rest[0]))
+                    let strain = rest[0] / rest[1];
+                    let is_stressed = strain.abs() > OFF_REST || (strain - start).abs() > STILL;
+                    Ok(is_stressed.then_some(rest[0]))
                 }
             }
             Density::Energy(energy) => {

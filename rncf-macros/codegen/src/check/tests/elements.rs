@@ -50,6 +50,8 @@ fn time_may_stand_in_an_energy() {
     let laws = [
         "energy axial_strain when law is straight = 1/2*EA*e^2*exp(-t/(1 h));",
         "let heat = 1e-3*sin(t/(1 s)); energy axial_strain when law is straight = 1/2*EA*(e - heat)^2, active;",
+        // Six parts in a thousand million a second.
+        "let heat = 6e-9*t/(1 s); energy axial_strain when law is straight = 1/2*EA*(e - heat)^2, active;",
         "motion warm(t) = stiffening*t/(1 s); energy axial_strain when law is straight = 1/2*EA*(e - warm(t))^2, active;",
         "energy axial_strain when law is straight = if t < 1 s { 1/2*EA*e^2 } else { 1/2*EA*e^2/10 };",
         "energy axial_strain when law is straight = 1/2*EA*(e + 1e-3)^2, active;",

@@ -3,6 +3,7 @@
 use super::model;
 use crate::check::starts::ties::{self, Untied};
 use crate::elements::Library;
+use crate::model::fold;
 use crate::model::{
     BodyId, Constraint, Expr, Fidelity, FrameId, FrameTie, Free, Held, INERTIAL, Joint, JointKind, Location, Marker,
     MarkerId, Model, Motions, Observable, ParamId,
@@ -81,6 +82,26 @@ fn free_frames_and_their_start() {
         panic!("a number")
     };
     assert!((speed - 2.0 * std::f64::consts::PI).abs() < 1e-12);
+}
+
+#[test]
+fn angular_velocities_are_vectors_of_any_form() {
+    for text in [
+        "3 * [0, 0, 1] rad/s",
+        "[0, 0, 1] rad/s + [0, 0, 2] rad/s",
+        "2*pi * [0, 0, 0.477464829275686] Hz",
+    ] {
+        let model = model(&FREE.replace("[0, 0, 3] rad/s", text));
+        let (_, free) = frame(&model, "f");
+        let spin = free
+            .spin
+            .each_ref()
+            .map(|value| fold::with_defaults(&model, value, 0.0).unwrap());
+        assert!(
+            (spin[2] - 3.0).abs() < 1e-12 && spin[0] == 0.0 && spin[1] == 0.0,
+            "{text}: {spin:?}"
+        );
+    }
 }
 
 #[test]
@@ -435,7 +456,7 @@ fn vectors_of_params_are_multiplied_and_added() {
         ));
         let (_, disc) = frame(&model, "disc");
         let inertia = disc.parts[0].inertia.each_ref();
-        inertia.map(|value| crate::check::fold::with_defaults(&model, value, 0.0).expect("a number"))
+        inertia.map(|value| fold::with_defaults(&model, value, 0.0).expect("a number"))
     });
     for (one, other) in one_by_one.into_iter().zip(vectors) {
         assert!((one - other).abs() <= 1e-15, "{one} {other}");

@@ -1,6 +1,7 @@
 //! Values of expressions with their dimensions, and fields that ask for a certain one.
 
 use super::scope::Scope;
+use super::vector::Quantity;
 use crate::check::{Check, fold, say};
 use crate::errors::Area;
 use crate::model;
@@ -332,13 +333,14 @@ impl<'a> Check<'a> {
     pub(in crate::check) fn rates(&mut self, expr: &'a Expr, scope: Scope, wanted: Wanted) -> Option<Vector> {
         let vector = self.vector(expr, scope, wanted)?;
         let ExprKind::Vector { components, unit } = &expr.kind else {
-            return None;
+            let counts = |found: Quantity| matches!(found, Quantity::Vector(found) if found.nature.counts_cycles());
+            let is_hertz = self.value(expr, scope).is_some_and(counts);
+            return self.is_told_in_angles(expr.area, is_hertz).then_some(vector);
         };
-        if let Some(unit) = unit.as_ref().filter(|unit| hertz(unit) > 0) {
-            self.errors.at(unit.area, say::HERTZ);
-            return None;
-        }
-        let mut is_rate = true;
+        let mut is_rate = match unit.as_ref().filter(|unit| hertz(unit) > 0) {
+            Some(unit) => self.is_told_in_angles(unit.area, true),
+            None => true,
+        };
         for component in components {
             is_rate &= self.is_no_frequency(component, scope);
         }
@@ -348,8 +350,12 @@ impl<'a> Check<'a> {
     /// Whether hertz is no factor of an expression that has been resolved before.
     fn is_no_frequency(&mut self, expr: &'a Expr, scope: Scope) -> bool {
         let is_hertz = self.expr(expr, scope).is_some_and(|typed| typed.nature.counts_cycles());
+        self.is_told_in_angles(expr.area, is_hertz)
+    }
+
+    fn is_told_in_angles(&mut self, area: Area, is_hertz: bool) -> bool {
         if is_hertz {
-            self.errors.at(expr.area, say::HERTZ);
+            self.errors.at(area, say::HERTZ);
         }
         !is_hertz
     }
