@@ -114,3 +114,34 @@ fn linkages_follow_their_crank_round_and_round() {
         assert!(f64::hypot(found[0] - expected[0], found[1] - expected[1]) < 1e-7);
     }
 }
+
+rncf::model! {
+    /// A bar between a wall and a chuck that turns late.
+    pub model Twisted {
+        param turns = 1;
+        material steel { density = 7850 kg/m^3; young = 210 GPa; poisson = 0.3; }
+        section round = circle(radius = 5 mm);
+        motion turned(t) = if t < 1.7 s { 0 rad } else { 2*pi * turns * (t - 1.7 s) / 0.3 [s] };
+        frame chuck = rotating(axis = x, angle = turned(t));
+        body bar { spatial; line from [0, 0, 0] m to [2, 0, 0] m; mesh 8 * beam(round, steel); }
+        joint wall = clamp(bar.start, inertial);
+        joint grip = weld(bar.end, chuck.at([2, 0, 0] m));
+        output torque = wall.moment.x;
+        output t_end = bar.end;
+        run { t_end = 2 s; every = 0.1 s; }
+    }
+}
+
+/// Whole turns of what holds a body leave no condition violated.
+#[test]
+fn a_bar_is_twisted_by_whole_turns() {
+    for turns in [0.0, 1.0, 2.0] {
+        let found = at_rest(&Twisted { turns }, 2.0);
+        let polar = std::f64::consts::PI * 5e-3_f64.powi(4) / 2.0;
+        let torque = 210e9 / 2.6 * polar * 2.0 * std::f64::consts::PI * turns / 2.0;
+        assert!(
+            (found[0].abs() - torque).abs() < 2e-3 * torque + 1e-9,
+            "{turns}: {found:?} {torque}"
+        );
+    }
+}
