@@ -36,7 +36,7 @@ pub(crate) fn normalise(vector: &mut [f64]) {
 pub(crate) fn clear(vector: &mut [f64], basis: &[Vec<f64>], parts: &mut [f64]) {
     for _ in 0..2 {
         for (index, other) in basis.iter().enumerate() {
-            let part: f64 = other.iter().zip(&*vector).map(|(a, b)| a * b).sum();
+            let part = dot(other, vector);
             vector.iter_mut().zip(other).for_each(|(value, of)| *value -= part * of);
             if let Some(sum) = parts.get_mut(index) {
                 *sum += part;

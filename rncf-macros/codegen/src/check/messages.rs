@@ -161,7 +161,7 @@ pub const WHOLE_REPETITION: &str =
     "repetitions have whole numbers from 0: this is made of the index, whole numbers and `count` params";
 pub const REPETITION_EXPRESSION: &str =
     "the number of a repetition is made of the index, whole numbers and counts with `+`, `-`, `*` and `%`";
-pub const REMAINDER_OUTSIDE: &str = "`%` stands in the number of a repetition only, e.g. `main[(a + 1) % n]`";
+pub const REMAINDER_OUTSIDE: &str = "`%` stands in the number of a repetition, e.g. `main[(a + 1) % n]`, and in values of loops whose number is known at build time";
 pub const REDUCED_OUTSIDE: &str = "only an `output` can look at all repetitions";
 pub const NESTED_REDUCTION: &str = "a value over all repetitions does not stand in another one, or in a loop";
 pub const MOVING_REPETITION: &str = "here a repetition needs a constant number, e.g. `main[0].end`: over all of them only what a body shows in its own frame is known, such as `main[a].end.x`, `.velocity` or `.axial_force`";

@@ -83,17 +83,24 @@ fn factors(cursor: &mut Cursor, sign: i32, unit: &mut UnitText) -> Parsed<()> {
     }
 }
 
-/// Whether a number, a value that is called, or a member multiplies or divides what the unit belongs to: `[0, 1, 0] N * f(t)`.
+/// Whether a number, a value that is called, a member, or an expression in parentheses multiplies or divides what the unit belongs to:
+/// `[0, 1, 0] N * f(t)`.
 fn is_value_behind(cursor: &mut Cursor) -> bool {
     let mark = cursor.mark();
     let is_value = |cursor: &Cursor| match cursor.peek() {
         Some(TokenTree::Literal(_)) => true,
         Some(TokenTree::Ident(_)) => cursor.is_second_group(Delimiter::Parenthesis) || cursor.is_second_punct('.'),
+        Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis => !is_unit(group),
         _ => false,
     };
     let is_behind = (cursor.eat_punct('*') || cursor.eat_punct('/')) && is_value(cursor);
     cursor.reset(mark);
     is_behind
+}
+
+fn is_unit(group: &Group) -> bool {
+    let mut cursor = Cursor::of(group);
+    compound(&mut cursor).is_ok() && cursor.is_empty()
 }
 
 fn factor(cursor: &mut Cursor, sign: i32, unit: &mut UnitText) -> Parsed<()> {

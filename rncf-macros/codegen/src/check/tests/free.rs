@@ -88,6 +88,8 @@ fn free_frames_and_their_start() {
 fn angular_velocities_are_vectors_of_any_form() {
     for text in [
         "3 * [0, 0, 1] rad/s",
+        "[0, 0, 1] rad/s * (1 + 2)",
+        "[0, 0, 1] rad/s * (if speed > 0 [rad/s] { 3 } else { 1 })",
         "[0, 0, 1] rad/s + [0, 0, 2] rad/s",
         "2*pi * [0, 0, 0.477464829275686] Hz",
     ] {
