@@ -1,7 +1,6 @@
 //! Values of expressions with their dimensions, and fields that ask for a certain one.
 
 use super::scope::Scope;
-use super::vector::Quantity;
 use crate::check::{Check, fold, say};
 use crate::errors::Area;
 use crate::model;
@@ -329,31 +328,13 @@ impl<'a> Check<'a> {
         self.is_no_frequency(expr, scope).then_some(value)
     }
 
-    /// A vector of angular velocities: hertz is refused.
-    pub(in crate::check) fn rates(&mut self, expr: &'a Expr, scope: Scope, wanted: Wanted) -> Option<Vector> {
-        let vector = self.vector(expr, scope, wanted)?;
-        let ExprKind::Vector { components, unit } = &expr.kind else {
-            let counts = |found: Quantity| matches!(found, Quantity::Vector(found) if found.nature.counts_cycles());
-            let is_hertz = self.value(expr, scope).is_some_and(counts);
-            return self.is_told_in_angles(expr.area, is_hertz).then_some(vector);
-        };
-        let mut is_rate = match unit.as_ref().filter(|unit| hertz(unit) > 0) {
-            Some(unit) => self.is_told_in_angles(unit.area, true),
-            None => true,
-        };
-        for component in components {
-            is_rate &= self.is_no_frequency(component, scope);
-        }
-        is_rate.then_some(vector)
-    }
-
     /// Whether hertz is no factor of an expression that has been resolved before.
-    fn is_no_frequency(&mut self, expr: &'a Expr, scope: Scope) -> bool {
+    pub(super) fn is_no_frequency(&mut self, expr: &'a Expr, scope: Scope) -> bool {
         let is_hertz = self.expr(expr, scope).is_some_and(|typed| typed.nature.counts_cycles());
         self.is_told_in_angles(expr.area, is_hertz)
     }
 
-    fn is_told_in_angles(&mut self, area: Area, is_hertz: bool) -> bool {
+    pub(super) fn is_told_in_angles(&mut self, area: Area, is_hertz: bool) -> bool {
         if is_hertz {
             self.errors.at(area, say::HERTZ);
         }

@@ -360,6 +360,24 @@ impl<'a> Check<'a> {
         self.is_wanted_vector(expr, &vector, wanted).then_some(vector)
     }
 
+    /// A vector of angular velocities: hertz is refused.
+    pub(in crate::check) fn rates(&mut self, expr: &'a Expr, scope: Scope, wanted: Wanted) -> Option<Vector> {
+        let vector = self.vector(expr, scope, wanted)?;
+        let ExprKind::Vector { components, unit } = &expr.kind else {
+            let counts = |found: Quantity| matches!(found, Quantity::Vector(found) if found.nature.counts_cycles());
+            let is_hertz = self.value(expr, scope).is_some_and(counts);
+            return self.is_told_in_angles(expr.area, is_hertz).then_some(vector);
+        };
+        let mut is_rate = match unit.as_ref().filter(|unit| hertz(unit) > 0) {
+            Some(unit) => self.is_told_in_angles(unit.area, true),
+            None => true,
+        };
+        for component in components {
+            is_rate &= self.is_no_frequency(component, scope);
+        }
+        is_rate.then_some(vector)
+    }
+
     /// The text of a literal without unit stands for a vector's unit, too.
     fn is_wanted_vector(&mut self, expr: &Expr, vector: &Vectorial, wanted: Wanted) -> bool {
         let dimension = Dimension::of(wanted.dimension);
