@@ -79,7 +79,7 @@ fn fewer(scene: &dyn Scene, modes: &[SeenMode], asked: usize) -> Option<String> 
     let (found, wanted) = (modes.len(), asked.min(free));
     (found < wanted).then(|| {
         format!(
-            "{found} of the {wanted} modes that were asked for are found: the others have no inertia, or are lost beside masses, dampings or stiffnesses many orders larger"
+            "{found} of the {wanted} modes that were asked for are found: the others have no inertia, share eigenvalue and shape with one of them, or are lost beside masses, dampings or stiffnesses many orders larger"
         )
     })
 }

@@ -356,7 +356,7 @@ messages! {
     needs_axis(word, usage) = "a `{word}` needs its axis: write e.g. `{usage}`";
     no_coordinate(name, word, coordinate, has) = "`{name}` is a `{word}` joint and has no `{coordinate}`{has}";
     no_rate(name, word, has) = "`{name}` is a `{word}` joint and has no single `rate`{has}";
-    no_coordinates(name) = "`{name}` holds a flexible end: it has no coordinates";
+    no_coordinates(name) = "`{name}` holds a flexible end and has no coordinates: for these `weld` a `rigid` of little mass to the end, and join that";
     not_driven(name, word) = "`{name}` has no coordinate `{word}`: a planar or hinged frame has its `angle`";
     no_angle_in_space(name, word) = "`{name}` turns in space and has no single `{word}`: use its directions `ex`, `ey`, `ez` or its `angular_velocity`";
     angle_of_prescribed(name, word) = "`{name}` moves in a prescribed way: its `{word}` stands in its declaration";
