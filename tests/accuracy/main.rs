@@ -45,6 +45,7 @@ mod resumed;
 mod runs;
 mod sampled_scenes;
 mod scales;
+mod skipping_rope;
 mod slider_crank;
 mod small_motions;
 mod spin_up;

@@ -430,10 +430,25 @@ pub(super) fn attempt(
 /// # Errors
 /// As [`follow`].
 pub fn continue_from(scene: &mut dyn Scene, at: &Uniform, guess: &State) -> Result<Continued, SolveError> {
+    continue_holding(scene, at, guess, Vec::new())
+}
+
+/// The same where nothing ties some directions of the unknowns ([`untied_directions`](super::untied_directions) of an equilibrium nearby): beside one
+/// they do not show, and an iteration that nothing holds is led far along them.
+///
+/// # Errors
+/// As [`follow`].
+pub fn continue_holding(
+    scene: &mut dyn Scene,
+    at: &Uniform,
+    guess: &State,
+    untied: Vec<Vec<f64>>,
+) -> Result<Continued, SolveError> {
     check(scene, at, guess)?;
     let mut state = guess.clone();
     state.t = at.t;
     let mut newton = Newton::new(scene);
+    newton.untied = untied;
     let (result, iterations) = newton.solve(scene, at, &mut state, Patience::Strict);
     match result {
         Ok(()) => Ok(Continued {

@@ -15,14 +15,13 @@ mod untied;
 pub use crate::model::{Kind, Spin, Uniform};
 pub use assembled::assembled;
 pub use continuation::{
-    CUTS, Continued, Equilibrium, continue_from, follow, goes_back, is_nearer, sagged, settle, static_load, steady,
-    unloaded,
+    CUTS, Continued, Equilibrium, continue_from, continue_holding, follow, goes_back, is_nearer, sagged, settle,
+    static_load, steady, unloaded,
 };
 pub use critical::{Critical, critical_factor};
 pub use distance::distance;
 pub use negative::Negative;
-pub use untied::untied;
-pub(crate) use untied::untied_directions;
+pub use untied::{untied, untied_directions};
 
 #[cfg(test)]
 mod tests;

@@ -121,7 +121,7 @@ pub(super) struct Newton {
     pub(super) phases: Vec<Vec<f64>>,
     phase_places: Vec<Vec<(usize, [usize; 2])>>,
     /// Motions that nothing ties where the iteration came to last: the last ones of the phase conditions.
-    untied: Vec<Vec<f64>>,
+    pub(super) untied: Vec<Vec<f64>>,
     constraint_pattern: Pattern,
     pub(super) values: Vec<f64>,
     jacobian: Vec<f64>,

@@ -183,7 +183,7 @@ pub fn untied(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Vec<String>
 }
 
 /// The motions at the state that nothing ties: directions of the unknowns.
-pub(crate) fn untied_directions(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Vec<Vec<f64>> {
+pub fn untied_directions(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Vec<Vec<f64>> {
     let found = Newton::untied(scene, at, state, true).into_iter();
     found.map(|motion| motion.direction).collect()
 }

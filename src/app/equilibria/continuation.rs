@@ -9,7 +9,8 @@ use crate::app::results::error::RunError;
 use crate::app::results::history::Column;
 use crate::app::writing::numbers::in_unit;
 use crate::equilibrium::{
-    Continued, Equilibrium, Kind, Negative, Uniform, assembled, continue_from, follow, sagged, settle, unloaded,
+    Continued, Equilibrium, Kind, Negative, Uniform, assembled, continue_from, continue_holding, follow, sagged,
+    settle, unloaded, untied_directions,
 };
 use crate::error::SolveErrorKind;
 use crate::{AnyModel, Scene, SolveError, State};
@@ -443,9 +444,10 @@ impl<'m> Line<'m> {
     /// The equilibrium at a part of the way that is next to the last one.
     fn next(&mut self, scene: &mut dyn Scene, at: &Uniform, share: f64) -> Result<Continued, String> {
         let guess = self.predicted(scene, share)?;
-        let mut found = continued(scene, at, &guess);
+        let mut found = self.continued(scene, at, &guess);
         if found.is_err() && guess.x != self.last.state.x {
-            found = continued(scene, at, &self.last.state);
+            let last = self.last.state.clone();
+            found = self.continued(scene, at, &last);
         }
         let leapt = match &found {
             Ok(found) if self.kind == Kind::Static => self.leaps(scene, at, share, found),
@@ -483,6 +485,23 @@ impl<'m> Line<'m> {
         (self.at, self.state) = (at, found.state);
     }
 
+    /// The equilibrium near a guess that is carried back to t = 0. Of what turns, motions that nothing ties at the last equilibrium are held where it is
+    /// not found without.
+    fn continued(&mut self, scene: &mut dyn Scene, at: &Uniform, guess: &State) -> Result<Continued, SolveError> {
+        let mut guess = guess.clone();
+        guess.t = at.t;
+        let guess = scene.carried(at, &guess, false);
+        let found = continue_from(scene, at, &guess);
+        if found.is_ok() || self.kind == Kind::Static {
+            return found;
+        }
+        let untied = untied_directions(self.scene.as_mut(), &self.at, &self.state);
+        if untied.is_empty() {
+            return found;
+        }
+        continue_holding(scene, at, &guess, untied)
+    }
+
     /// On the secant through the last two equilibria; orientations as in the last one.
     fn predicted(&self, scene: &dyn Scene, share: f64) -> Result<State, String> {
         let mut guess = self.last.state.clone();
@@ -498,7 +517,7 @@ impl<'m> Line<'m> {
     /// The scene and the equilibrium near a guess at a part of the way; the last state is carried back, as the guess is.
     pub fn between(&mut self, share: f64, guess: &State) -> Option<(Box<dyn Scene>, Uniform, State, State)> {
         let (mut scene, at) = self.placed(share).ok()?;
-        let found = continued(scene.as_mut(), &at, guess).ok()?;
+        let found = self.continued(scene.as_mut(), &at, guess).ok()?;
         self.iterations += u64::from(found.iterations);
         let back = scene.carried(&at, &found.state, true);
         Some((scene, at, found.state, back))
@@ -513,7 +532,7 @@ impl<'m> Line<'m> {
         measure: &mut Measure<'_>,
     ) -> Option<Looked> {
         let (mut scene, at) = self.placed(share).ok()?;
-        let looked = continued(scene.as_mut(), &at, guess).ok().and_then(|found| {
+        let looked = self.continued(scene.as_mut(), &at, guess).ok().and_then(|found| {
             self.iterations += u64::from(found.iterations);
             let measured = measure(scene.as_mut(), &at, &found, with_values)?;
             Some(Looked {
@@ -542,14 +561,6 @@ fn secant(scene: &dyn Scene, [before, last]: [&(f64, State); 2], share: f64) -> 
         guess.x[turn..turn + 3].copy_from_slice(&last.1.x[turn..turn + 3]);
     }
     guess
-}
-
-/// The equilibrium near a guess that is carried back to t = 0.
-fn continued(scene: &mut dyn Scene, at: &Uniform, guess: &State) -> Result<Continued, SolveError> {
-    let mut guess = guess.clone();
-    guess.t = at.t;
-    let guess = scene.carried(at, &guess, false);
-    continue_from(scene, at, &guess)
 }
 
 /// A parameter and its value in the declared unit.

@@ -1,6 +1,6 @@
 //! Whether an equilibrium continues the last one, or lies on another branch.
 
-use super::{Found, Line, SHORT, continued, secant};
+use super::{Found, Line, SHORT, secant};
 use crate::equilibrium::{CUTS, Continued, Kind, Negative, Uniform, distance, goes_back};
 use crate::{Scene, State};
 
@@ -24,7 +24,8 @@ impl Line<'_> {
             let Ok((mut scene, at)) = self.placed(part * share) else {
                 return false;
             };
-            let found = continued(scene.as_mut(), &at, &self.last.state);
+            let last = self.last.state.clone();
+            let found = self.continued(scene.as_mut(), &at, &last);
             self.give_back(scene);
             found.map_or(true, |found| found.strayed)
         };
@@ -96,7 +97,7 @@ impl Line<'_> {
     /// The equilibrium near a guess at a part of the way, carried back, and its negative directions.
     fn beside(&mut self, share: f64, guess: &State) -> Option<(State, Negative)> {
         let (mut scene, at) = self.placed(share).ok()?;
-        let found = continued(scene.as_mut(), &at, guess).ok();
+        let found = self.continued(scene.as_mut(), &at, guess).ok();
         let found = found.map(|found| (scene.carried(&at, &found.state, true), found.negative));
         self.give_back(scene);
         found
