@@ -182,7 +182,8 @@ pub fn untied(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Vec<String>
     told.into_iter().map(sentence).collect()
 }
 
-/// The motions at the state that nothing ties: directions of the unknowns.
+/// The motions at the state that nothing ties: of each the velocities of all unknowns, in their units and in the frames in which these stand, the
+/// largest over the size of its unknown being 1.
 pub fn untied_directions(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Vec<Vec<f64>> {
     let found = Newton::untied(scene, at, state, true).into_iter();
     found.map(|motion| motion.direction).collect()
