@@ -89,29 +89,31 @@ fn normalise(vector: &mut [c64]) {
     vector.iter_mut().for_each(|value| *value /= length);
 }
 
-/// Finds those vectors anew that do not satisfy their equations; conjugates follow each other.
-fn repair(matrix: &Mat<f64>, values: &[c64], vectors: &mut [Vec<c64>]) {
+/// Places of the vectors that do not satisfy their equations, of two conjugate ones the first.
+fn poor(matrix: &Mat<f64>, values: &[c64], vectors: &[Vec<c64>]) -> Vec<usize> {
     let size = values.len();
-    let part = |place: usize, row: usize| match values[place].im < 0.0 {
+    // Of a pair the second column has the imaginary parts, with the other sign.
+    let part = |row: usize, place: usize| match values[place].im < 0.0 {
         true => vectors[place][row].im,
         false => vectors[place][row].re,
     };
-    let image = matrix * Mat::from_fn(size, size, |row, place| part(place, row));
+    let image = matrix * Mat::from_fn(size, size, part);
     let limit = POOR * matrix.norm_l2();
-    let is_poor = |place: usize| {
+    let is_poor = |&place: &usize| {
         let (value, vector) = (values[place], &vectors[place]);
         let rest = |row: usize| {
-            // Of a pair the next column has the imaginary parts, with the other sign.
-            let of = c64::new(
-                image[(row, place)],
-                if value.im > 0.0 { -image[(row, place + 1)] } else { 0.0 },
-            );
-            (of - value * vector[row]).norm_sqr()
+            let imaginary = if value.im > 0.0 { -image[(row, place + 1)] } else { 0.0 };
+            (c64::new(image[(row, place)], imaginary) - value * vector[row]).norm_sqr()
         };
         let rest = (0..size).map(rest).sum::<f64>().sqrt();
         value.im >= 0.0 && (rest > limit || !rest.is_finite())
     };
-    let poor: Vec<usize> = (0..size).filter(|&place| is_poor(place)).collect();
+    (0..size).filter(is_poor).collect()
+}
+
+/// Finds those vectors anew that do not satisfy their equations; conjugates follow each other.
+fn repair(matrix: &Mat<f64>, values: &[c64], vectors: &mut [Vec<c64>]) {
+    let (size, poor) = (values.len(), poor(matrix, values, vectors));
     if poor.is_empty() {
         return;
     }

@@ -1,6 +1,8 @@
 //! Equilibria one after the other along a parameter, along the spin or along the load: the way that
 //! `steady`, `static` and `campbell` share; nothing is printed or written here.
 
+use std::cell::OnceCell;
+
 use super::balanced::is_balanced;
 use super::directions::{self, Measured};
 use super::way::{Unplaced, between, check, placed, spin, uniform};
@@ -72,6 +74,8 @@ pub(in crate::app) struct Found {
     negative: Option<Negative>,
     /// Of a static equilibrium their number, where it is known.
     pub measured: Option<Measured>,
+    /// Motions that nothing ties there, once they were asked for: directions of the unknowns.
+    untied: OnceCell<Vec<Vec<f64>>>,
 }
 
 impl Found {
@@ -210,6 +214,7 @@ impl<'m> Line<'m> {
                 state: scene.carried(&at, &state, true),
                 negative,
                 measured,
+                untied: OnceCell::new(),
             },
             unmeasured,
             scene,
@@ -478,6 +483,7 @@ impl<'m> Line<'m> {
             state: scene.carried(&at, &found.state, true),
             negative: Some(found.negative),
             measured,
+            untied: OnceCell::new(),
         };
         self.before = Some(std::mem::replace(&mut self.last, last));
         let old = std::mem::replace(&mut self.scene, scene);
@@ -495,11 +501,12 @@ impl<'m> Line<'m> {
         if found.is_ok() || self.kind == Kind::Static {
             return found;
         }
-        let untied = untied_directions(self.scene.as_mut(), &self.at, &self.state);
+        let directions = || untied_directions(self.scene.as_mut(), &self.at, &self.state);
+        let untied = self.last.untied.get_or_init(directions);
         if untied.is_empty() {
             return found;
         }
-        continue_holding(scene, at, &guess, untied)
+        continue_holding(scene, at, &guess, untied.clone())
     }
 
     /// On the secant through the last two equilibria; orientations as in the last one.

@@ -51,12 +51,12 @@ impl<'a> Check<'a> {
     fn is_made(&self, item: &Item, made: &HashSet<&str>) -> bool {
         let name = item.name.text.as_str();
         match item.keyword {
-            Keyword::Frame | Keyword::Rigid => self.frames.get(name).is_none_or(Option::is_some),
+            Keyword::Frame | Keyword::Rigid => self.frames.get(name).is_some_and(Option::is_some),
             Keyword::Body => self.bodies.contains_key(name),
             Keyword::Joint => self
                 .joints
                 .get(name)
-                .is_none_or(|joint| joint.kind.is_some() || joint.built.is_some() || joint.is_share),
+                .is_some_and(|joint| joint.kind.is_some() || joint.built.is_some() || joint.is_share),
             Keyword::Output
             | Keyword::Start
             | Keyword::Constraint

@@ -52,16 +52,17 @@ pub fn compound(cursor: &mut Cursor) -> Parsed<UnitText> {
         is_delimited: false,
         area: start.into(),
     };
-    factors(cursor, 1, &mut unit)?;
+    factors(cursor, (1, false), &mut unit)?;
     unit.area = cursor.since(start);
     Ok(unit)
 }
 
-fn factors(cursor: &mut Cursor, sign: i32, unit: &mut UnitText) -> Parsed<()> {
+/// Factors, or divisors where the sign is -1; in parentheses nothing but a unit stands.
+fn factors(cursor: &mut Cursor, (sign, is_inside): (i32, bool), unit: &mut UnitText) -> Parsed<()> {
     factor(cursor, sign, unit)?;
     let mut divided = false;
     loop {
-        if is_value_behind(cursor) {
+        if !is_inside && is_value_behind(cursor) {
             return Ok(());
         }
         if cursor.eat_punct('*') {
@@ -98,9 +99,16 @@ fn is_value_behind(cursor: &mut Cursor) -> bool {
     is_behind
 }
 
+/// Whether what stands in parentheses is a unit, and no value.
 fn is_unit(group: &Group) -> bool {
     let mut cursor = Cursor::of(group);
-    compound(&mut cursor).is_ok() && cursor.is_empty()
+    let mut unit = UnitText {
+        factors: Vec::new(),
+        text: String::new(),
+        is_delimited: false,
+        area: group.span().into(),
+    };
+    factors(&mut cursor, (1, true), &mut unit).is_ok() && cursor.is_empty()
 }
 
 fn factor(cursor: &mut Cursor, sign: i32, unit: &mut UnitText) -> Parsed<()> {
@@ -115,7 +123,7 @@ fn factor(cursor: &mut Cursor, sign: i32, unit: &mut UnitText) -> Parsed<()> {
     if let Some(group) = cursor.eat_group(Delimiter::Parenthesis) {
         let mut inner = Cursor::of(&group);
         unit.text.push('(');
-        factors(&mut inner, sign, unit)?;
+        factors(&mut inner, (sign, true), unit)?;
         unit.text.push(')');
         return if inner.is_empty() {
             Ok(())

@@ -306,7 +306,7 @@ impl Look<'_> {
                 } else if is_soft {
                     Err(say::not_stiff(&format!("{:.3}", rest[1])))
                 } else {
-                    let strain = rest[0] / rest[1];
+                    let strain = self.strain(inputs);
                     let is_stressed = strain.abs() > OFF_REST || (strain - start).abs() > STILL;
                     Ok(is_stressed.then_some(rest[0]))
                 }

@@ -3,10 +3,9 @@
 use super::model;
 use crate::check::starts::ties::{self, Untied};
 use crate::elements::Library;
-use crate::model::fold;
 use crate::model::{
     BodyId, Constraint, Expr, Fidelity, FrameId, FrameTie, Free, Held, INERTIAL, Joint, JointKind, Location, Marker,
-    MarkerId, Model, Motions, Observable, ParamId,
+    MarkerId, Model, Motions, Observable, ParamId, fold,
 };
 use Expr::{Number, Param};
 

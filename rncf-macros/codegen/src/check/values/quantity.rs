@@ -334,6 +334,7 @@ impl<'a> Check<'a> {
         self.is_told_in_angles(expr.area, is_hertz)
     }
 
+    /// Reports what counts cycles where angles are asked for.
     pub(super) fn is_told_in_angles(&mut self, area: Area, is_hertz: bool) -> bool {
         if is_hertz {
             self.errors.at(area, say::HERTZ);

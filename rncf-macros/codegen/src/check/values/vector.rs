@@ -368,10 +368,9 @@ impl<'a> Check<'a> {
             let is_hertz = self.value(expr, scope).is_some_and(counts);
             return self.is_told_in_angles(expr.area, is_hertz).then_some(vector);
         };
-        let mut is_rate = match unit.as_ref().filter(|unit| hertz(unit) > 0) {
-            Some(unit) => self.is_told_in_angles(unit.area, true),
-            None => true,
-        };
+        let mut is_rate = unit
+            .as_ref()
+            .is_none_or(|unit| self.is_told_in_angles(unit.area, hertz(unit) > 0));
         for component in components {
             is_rate &= self.is_no_frequency(component, scope);
         }
