@@ -10,7 +10,7 @@ use super::pattern::Pattern;
 
 /// Half-bandwidth up to which the banded factorization is used; with this and fewer unknowns a
 /// full matrix is a banded one.
-const LARGEST_BANDWIDTH: usize = 40;
+pub(super) const LARGEST_BANDWIDTH: usize = 40;
 
 /// Number of unknowns from which on wide matrices are factored by node blocks. Measured with 100 chains
 /// on a ring (10,000 unknowns, 176,800 entries, random values, for which faer exchanges many rows): blocks

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::analysis::{Analysis, Shape};
+use super::analysis::{Analysis, LARGEST_BANDWIDTH, Shape};
 use super::banded::Banded;
 use super::blocks::{Blocks, Failure};
 use super::chain::Chain;
@@ -70,6 +70,18 @@ impl<T: Scalar> Lu<T> {
         Self::with(pattern, factors.unwrap_or_else(|| banded(pattern, &place)), place)
     }
 
+    /// Of a square pattern whose values need row exchanges, with the place of every unknown in an order with a small
+    /// bandwidth: banded where it is narrow, else by faer.
+    pub(super) fn exchanging(pattern: &Pattern, place: Vec<usize>) -> Self {
+        let is_narrow = half_bandwidth(pattern, &place) <= LARGEST_BANDWIDTH;
+        let factors = if is_narrow { None } else { sparse(pattern) };
+        Self::with(
+            pattern,
+            factors.unwrap_or_else(|| banded(pattern, &place)),
+            place.into(),
+        )
+    }
+
     fn with(pattern: &Pattern, factors: Factors<T>, place: Arc<[usize]>) -> Self {
         let size = pattern.columns();
         let (scaled, work) = match &factors {
@@ -106,6 +118,17 @@ impl<T: Scalar> Lu<T> {
         factored
     }
 
+    /// Factors the values with row exchanges.
+    ///
+    /// # Errors
+    /// The unknown at which no pivot of the equilibrated matrix exceeds `smallest`, or a value is not finite.
+    pub(super) fn factor_above(&mut self, values: &[T], smallest: f64) -> Result<(), usize> {
+        let starts = std::mem::take(&mut self.starts);
+        let factored = self.factor_exchanging(values, &starts, smallest);
+        self.starts = starts;
+        factored
+    }
+
     /// Factors values of which those of column j begin at `starts[j]`: the matrix may be a part of
     /// another one.
     ///
@@ -128,17 +151,17 @@ impl<T: Scalar> Lu<T> {
                 }
                 |pattern: &Pattern, place: &[usize]| sparse(pattern).unwrap_or_else(|| banded(pattern, place))
             }
-            Factors::Banded(..) | Factors::Sparse(_) => return self.factor_exchanging(values, starts),
+            Factors::Banded(..) | Factors::Sparse(_) => return self.factor_exchanging(values, starts, SMALLEST_PIVOT),
         };
         self.is_fallback_used = true;
         let (pattern, place) = (&self.pattern, &self.place);
         self.fallback
             .get_or_insert_with(|| Box::new(Self::with(pattern, row_exchanges(pattern, place), Arc::clone(place))))
-            .factor_exchanging(values, starts)
+            .factor_exchanging(values, starts, SMALLEST_PIVOT)
     }
 
-    /// [`Lu::factor_from`] with row exchanges.
-    fn factor_exchanging(&mut self, values: &[T], starts: &[usize]) -> Result<(), usize> {
+    /// [`Lu::factor_from`] with row exchanges, and pivots above `smallest`.
+    fn factor_exchanging(&mut self, values: &[T], starts: &[usize], smallest: f64) -> Result<(), usize> {
         self.equilibrate(values, starts)?;
         let indices = self.pattern.indices();
         let scaled = |entry: usize, from: usize, column: usize| {
@@ -154,7 +177,7 @@ impl<T: Scalar> Lu<T> {
                         target[places[entry]] = scaled(entry, ends[0], column);
                     }
                 }
-                banded.factor(SMALLEST_PIVOT).map_err(|at| {
+                banded.factor(smallest).map_err(|at| {
                     let unknown = self.place.iter().position(|&place| place == at);
                     unknown.unwrap_or(at)
                 })
@@ -166,7 +189,7 @@ impl<T: Scalar> Lu<T> {
                         target[entry] = scaled(entry, ends[0], column);
                     }
                 }
-                sparse.factor(&self.pattern, target, SMALLEST_PIVOT)
+                sparse.factor(&self.pattern, target, smallest)
             }
             Factors::Chain(_) | Factors::Blocks(_) => Err(0),
         }

@@ -11,6 +11,7 @@ mod blocks;
 mod border_kernels;
 mod chain;
 mod column;
+mod complement;
 mod dense;
 mod eigen;
 mod general_eigen;
@@ -24,6 +25,7 @@ mod saddle;
 mod scalar;
 mod span;
 mod sparse;
+mod whole;
 
 pub(crate) use block_kernels::{Vectorised, dispatch};
 pub use column::Column;

@@ -31,17 +31,21 @@ pub(crate) struct Inertia;
 impl Force for Inertia {
     fn couple(&self, scene: &MeshScene, entries: &mut Vec<(usize, usize)>) {
         let layout = &scene.layout;
-        let border = layout.unknowns() - layout.border()..layout.unknowns();
-        couple_all(&border.clone().collect::<Vec<_>>(), entries);
+        let unknowns_of = |free: usize| {
+            let first = scene.first_unknown(free);
+            first..first + scene.frames.free[free].count()
+        };
+        // Frames do not feel each other: each moves in one that is prescribed.
+        for free in 0..scene.frames.free.len() {
+            couple_all(&unknowns_of(free).collect::<Vec<_>>(), entries);
+        }
         for body in &scene.bodies {
             let Some(free) = scene.frames.free_of[body.frame] else {
                 continue;
             };
-            let first = border.start + scene.frames.free[free].first;
             let own = layout.offset(body.first_vector)..layout.offset(body.first_vector + body.spec.vectors());
             for unknown in scene.unknowns_of(own) {
-                let frame = first..first + scene.frames.free[free].count();
-                entries.extend(frame.flat_map(|border| [(unknown, border), (border, unknown)]));
+                entries.extend(unknowns_of(free).flat_map(|border| [(unknown, border), (border, unknown)]));
             }
         }
     }

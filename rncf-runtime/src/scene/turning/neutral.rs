@@ -8,6 +8,7 @@ use crate::model::{Spin, Uniform};
 use crate::scene::MeshScene;
 use crate::scene::pieces::displacement::Displacement;
 use crate::scene::pieces::marker::Marker;
+use crate::scene::turning::symmetry::Undisplaced;
 use crate::space::{Vector, exp, matrix};
 use crate::system::State;
 
@@ -72,15 +73,21 @@ impl MeshScene {
             for &free in &frames {
                 moved[self.frames.free[free].spec.frame] = true;
             }
+            let before = self.undisplaced(at.t, &moved, None);
             for screw in self.screws(&spin, &frames, at.t) {
-                self.try_screw(at, screw, &moved, false, &mut found);
+                self.try_screw(at, screw, (&moved, &before), false, &mut found);
             }
         }
         for free in 0..self.frames.free.len() {
+            let screws = self.own_screws(free);
+            if screws.is_empty() {
+                continue;
+            }
             let mut moved = vec![false; self.buffers.frames.len()];
             moved[self.frames.free[free].spec.frame] = true;
-            for screw in self.own_screws(free) {
-                self.try_screw(at, screw, &moved, true, &mut found);
+            let before = self.undisplaced(at.t, &moved, None);
+            for screw in screws {
+                self.try_screw(at, screw, (&moved, &before), true, &mut found);
             }
         }
         let sizes = &self.tabulated.sizes;
@@ -90,9 +97,16 @@ impl MeshScene {
             .collect()
     }
 
-    /// Keeps the direction of a motion, relative to the sizes of the unknowns, if it is new and changes
-    /// nothing.
-    fn try_screw(&mut self, at: &Uniform, screw: Screw, moved: &[bool], is_own: bool, found: &mut Vec<Vec<f64>>) {
+    /// Keeps the direction of a motion of the moved frames, relative to the sizes of the unknowns, if it is new and changes
+    /// nothing of what acts on them.
+    fn try_screw(
+        &mut self,
+        at: &Uniform,
+        screw: Screw,
+        (moved, before): (&[bool], &Undisplaced),
+        is_own: bool,
+        found: &mut Vec<Vec<f64>>,
+    ) {
         let mut direction = self.direction(screw, moved);
         let whole: f64 = direction.iter().map(|x| x * x).sum::<f64>().sqrt();
         if whole == 0.0 || !whole.is_finite() || reduce(&mut direction, found) < 1e-6 * whole {
@@ -106,7 +120,7 @@ impl MeshScene {
         for displacement in screw.displacements(moved, is_own, size) {
             let is_free = self.follows(&displacement)
                 && (is_own || !self.is_pulled(at, &displacement))
-                && self.changed_by(at.t, &displacement).is_none();
+                && self.changed_from(before, at.t, &displacement).is_none();
             if !is_free {
                 return;
             }

@@ -18,7 +18,18 @@ const A_WHILE: f64 = 1e-3;
 /// What constraint or force is at a place.
 struct Acting {
     values: Vec<f64>,
+    /// Of a constraint those of its rows by the components that its markers depend on, of a force those by the values and by
+    /// the velocities of its markers.
     derivatives: Vec<Vec<f64>>,
+}
+
+/// What acts on some frames before they are displaced.
+pub(crate) struct Undisplaced {
+    /// With their places among all.
+    constraints: Vec<(usize, Acting)>,
+    forces: Vec<(usize, Acting)>,
+    loads: Vec<(&'static str, Vec<f64>)>,
+    timed: Vec<bool>,
 }
 
 /// Whether two lists of numbers differ by more than round-off of the given size.
@@ -61,49 +72,79 @@ impl MeshScene {
     /// The first constraint or force on markers, in the user's words, that a displacement changes at the
     /// loaded state, which is left as it was.
     pub(crate) fn changed_by(&mut self, t: f64, displacement: &Displacement) -> Option<String> {
-        let is_looked_at = |is_timed: bool| displacement.later.is_none_or(|later| (later != 0.0) == is_timed);
-        let later = t + A_WHILE;
-        let touches = |scene: &Self, markers: &[usize]| {
-            let moved = |&marker: &usize| displacement.moved[scene.marker_frame(&scene.links.markers[marker])];
-            markers.iter().any(moved)
+        let before = self.undisplaced(t, &displacement.moved, displacement.later);
+        self.changed_from(&before, t, displacement)
+    }
+
+    /// What acts on the moved frames at the loaded state, as far as displacements look at it meanwhile `later`.
+    pub(crate) fn undisplaced(&self, t: f64, moved: &[bool], later: Option<f64>) -> Undisplaced {
+        let touches = |markers: &[usize]| {
+            let mut frames = markers
+                .iter()
+                .map(|&marker| self.marker_frame(&self.links.markers[marker]));
+            frames.any(|frame| moved[frame])
         };
-        let constraints: Vec<usize> = (0..self.links.constraints.len())
-            .filter(|&index| touches(self, self.links.constraints[index].spec.markers))
-            .filter(|&index| is_looked_at(self.constraining(index, t).values != self.constraining(index, later).values))
-            .collect();
-        let forces: Vec<usize> = (0..self.links.forces.len())
-            .filter(|&index| touches(self, &self.links.forces[index].markers))
-            .filter(|&index| is_looked_at(self.forcing(index, t).values != self.forcing(index, later).values))
-            .collect();
-        let look = |scene: &Self, t: f64| -> [Vec<Acting>; 2] {
-            [
-                constraints.iter().map(|&index| scene.constraining(index, t)).collect(),
-                forces.iter().map(|&index| scene.forcing(index, t)).collect(),
-            ]
+        let is_looked_at = |acting: &dyn Fn(f64) -> Acting| {
+            later.is_none_or(|later| (later != 0.0) == (acting(t).values != acting(t + A_WHILE).values))
         };
-        let before = look(self, t);
-        let (loads, timed) = (self.marked_values(t), self.timed_values(t));
-        let (frames, q) = (self.buffers.frames.clone(), self.buffers.q.clone());
+        let constraints = (0..self.links.constraints.len())
+            .filter(|&index| touches(self.links.constraints[index].spec.markers))
+            .filter(|&index| is_looked_at(&|t| self.constraining(index, t)))
+            .map(|index| (index, self.constraining(index, t)));
+        let forces = (0..self.links.forces.len())
+            .filter(|&index| touches(&self.links.forces[index].markers))
+            .filter(|&index| is_looked_at(&|t| self.forcing(index, t)))
+            .map(|index| (index, self.forcing(index, t)));
+        Undisplaced {
+            constraints: constraints.collect(),
+            forces: forces.collect(),
+            loads: self.marked_values(t),
+            timed: self.timed_values(t),
+        }
+    }
+
+    /// [`MeshScene::changed_by`] of what acts on the frames that are moved.
+    pub(crate) fn changed_from(&mut self, before: &Undisplaced, t: f64, displacement: &Displacement) -> Option<String> {
+        let frames = self.buffers.frames.iter().enumerate();
+        let frames: Vec<_> = frames
+            .filter(|&(index, _)| displacement.moved[index])
+            .map(|(index, frame)| (index, *frame))
+            .collect();
+        let q = self.buffers.q.clone();
         self.displace(displacement);
-        let after = look(self, t + displacement.later.unwrap_or(0.0));
-        let mut names = Vec::new();
-        for (place, &index) in constraints.iter().enumerate() {
-            if self.is_constraint_changed(displacement, &before[0][place], &after[0][place]) {
-                let spec = &self.links.constraints[index].spec;
-                names.push(match spec.kind {
-                    "constraint" => format!("constraint `{}`", spec.name),
-                    kind => format!("joint `{}` ({kind})", spec.name),
-                });
+        let changed = self.first_changed(before, t, displacement);
+        frames
+            .into_iter()
+            .for_each(|(index, frame)| self.buffers.frames[index] = frame);
+        self.buffers.q = q;
+        changed
+    }
+
+    /// The first that is another at the displaced state.
+    fn first_changed(&self, before: &Undisplaced, t: f64, displacement: &Displacement) -> Option<String> {
+        let later = t + displacement.later.unwrap_or(0.0);
+        let constraint = before.constraints.iter().find(|(index, before)| {
+            self.is_constraint_changed(*index, displacement, before, &self.constraining(*index, later))
+        });
+        let constraint = constraint.map(|&(index, _)| {
+            let spec = &self.links.constraints[index].spec;
+            match spec.kind {
+                "constraint" => format!("constraint `{}`", spec.name),
+                kind => format!("joint `{}` ({kind})", spec.name),
             }
-        }
-        for (place, &index) in forces.iter().enumerate() {
-            if self.is_force_changed(index, displacement, &before[1][place], &after[1][place]) {
-                names.push(format!("force `{}`", self.links.forces[index].name));
-            }
-        }
-        names.extend(self.changed_loads(t, displacement, &loads, &timed));
-        (self.buffers.frames, self.buffers.q) = (frames, q);
-        names.into_iter().next()
+        });
+        let force = || {
+            let is_changed = |(index, before): &&(usize, Acting)| {
+                self.is_force_changed(*index, displacement, before, &self.forcing(*index, later))
+            };
+            let (index, _) = before.forces.iter().find(is_changed)?;
+            Some(format!("force `{}`", self.links.forces[*index].name))
+        };
+        let load = || {
+            let loads = self.changed_loads(t, displacement, &before.loads, &before.timed);
+            loads.into_iter().next()
+        };
+        constraint.or_else(force).or_else(load)
     }
 
     /// Displaces the loaded frames.
@@ -123,7 +164,17 @@ impl MeshScene {
         }
     }
 
-    /// Rows of a constraint, and their derivatives by all components.
+    /// Components that a constraint depends on, in ascending order.
+    fn constrained(&self, index: usize) -> Vec<usize> {
+        let linked = &self.links.constraints[index];
+        let of_markers = self.of_markers(linked, |marker| self.marker_components(marker));
+        let mut components = of_markers.concat();
+        components.sort_unstable();
+        components.dedup();
+        components
+    }
+
+    /// Rows of a constraint, and their derivatives by the components that it depends on.
     fn constraining(&self, index: usize, t: f64) -> Acting {
         let linked = &self.links.constraints[index];
         let jets: Vec<[Vector; 4]> = self.of_markers(linked, |marker| self.jet(marker));
@@ -135,13 +186,15 @@ impl MeshScene {
         let mut gradient = vec![0.0; values.len() * width];
         self.parts
             .marker_constraint_gradient(linked.index, t, &z, &mut gradient);
+        let components = self.constrained(index);
         let columns = self.of_markers(linked, |marker| self.columns(marker));
         let derivatives = gradient.chunks_exact(width).map(|gradient| {
-            let mut row = vec![0.0; self.layout.components()];
+            let mut row = vec![0.0; components.len()];
             for (place, columns) in columns.iter().enumerate() {
                 let pull = Vector::from_fn(|i, _| gradient[3 * place + i]);
                 for column in columns {
-                    row[column.component] += pull.dot(&column.value);
+                    let own = components.binary_search(&column.component);
+                    row[own.expect("a marker depends on its components")] += pull.dot(&column.value);
                 }
             }
             row
@@ -174,14 +227,17 @@ impl MeshScene {
     }
 
     /// Whether rows change, or what they hold: the span of their derivatives in displaced axes.
-    fn is_constraint_changed(&self, by: &Displacement, before: &Acting, after: &Acting) -> bool {
+    fn is_constraint_changed(&self, index: usize, by: &Displacement, before: &Acting, after: &Acting) -> bool {
         let back = matrix(&by.rotation().inverse());
         let border = self.layout.vector_components();
+        let components = self.constrained(index);
+        let unknowns = self.unknowns_of(components.iter().copied());
         let sized = |row: &[f64]| -> Vec<f64> {
-            let mut result = vec![0.0; self.tabulated.sizes.len()];
-            for (component, value) in row.iter().enumerate() {
+            let mut result = vec![0.0; unknowns.len()];
+            for (&component, value) in components.iter().zip(row) {
                 for (unknown, factor) in self.layout.unknowns_at(component) {
-                    result[unknown] += factor * value * self.tabulated.sizes[unknown];
+                    let own = unknowns.binary_search(&unknown);
+                    result[own.expect("of these components")] += factor * value * self.tabulated.sizes[unknown];
                 }
             }
             result
@@ -199,15 +255,28 @@ impl MeshScene {
                 basis.push(row);
             }
         }
+        let mut frames = self.of_markers(&self.links.constraints[index], |marker| self.marker_frame(marker));
+        frames.sort_unstable();
+        frames.dedup();
+        let moved = frames.into_iter().filter(|&frame| by.moved[frame]);
+        let moved = moved.filter_map(|frame| self.frames.free_of[frame]);
+        let frames: Vec<_> = moved
+            .map(|free| {
+                let frame = &self.frames.free[free];
+                // All components of a frame, or its angle alone.
+                let own = |place| components.binary_search(&(border + frame.first + place)).ok();
+                (frame, (0..frame.count()).map(own).collect::<Vec<_>>())
+            })
+            .collect();
         after.derivatives.iter().any(|row| {
             let mut row = row.clone();
-            for frame in self.frames.free.iter().filter(|frame| by.moved[frame.spec.frame]) {
-                let first = border + frame.first;
-                let own = &mut row[first..first + frame.count()];
+            for (frame, places) in &frames {
                 let (mut along, mut about) = (Vector::zeros(), Vector::zeros());
-                for (direction, value) in frame.directions.iter().zip(own.iter()) {
-                    along += *value * direction.shift;
-                    about += *value * direction.turn;
+                let present = || places.iter().zip(&frame.directions);
+                for (place, direction) in present() {
+                    let value = place.map_or(0.0, |place| row[place]);
+                    along += value * direction.shift;
+                    about += value * direction.turn;
                 }
                 if by.is_own {
                     let motion = &self.buffers.frames[frame.spec.frame];
@@ -216,8 +285,10 @@ impl MeshScene {
                 } else {
                     along = back * along;
                 }
-                for (value, direction) in own.iter_mut().zip(&frame.directions) {
-                    *value = direction.shift.dot(&along) + direction.turn.dot(&about);
+                for (place, direction) in present() {
+                    if let Some(place) = *place {
+                        row[place] = direction.shift.dot(&along) + direction.turn.dot(&about);
+                    }
                 }
             }
             let mut row = sized(&row);

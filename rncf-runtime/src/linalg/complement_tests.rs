@@ -29,7 +29,7 @@ fn subtract<T: Scalar>(terms: impl Iterator<Item = (usize, usize, T)>, x: &[T], 
 }
 
 /// Residual of a solution relative to its terms.
-fn residual<T: Scalar>(
+pub(in super::super) fn residual<T: Scalar>(
     (block, transposed): (&Pattern, &Pattern),
     (k, forces, derivatives): (&[T], &[f64], &[f64]),
     (b, c): (&[T], &[T]),
@@ -72,7 +72,7 @@ fn check<T: Scalar>(
         Border::Full => constraints(n, count),
         Border::Zero => Pattern::new(n, count, (0..n).flat_map(|i| (0..count).map(move |j| (i, j)))),
     };
-    let mut saddle = Saddle::<T>::new(&block, border, &transposed);
+    let mut complement = Complement::<T>::new(&block, border, &transposed);
     let factor = |i: usize| if i % 3 == 1 { scale } else { 1.0 };
     let k: Vec<T> = entries(&block)
         .map(|(_, row, column)| {
@@ -85,11 +85,11 @@ fn check<T: Scalar>(
     let b: Vec<T> = (0..n).map(|i| number().times(factor(i))).collect();
     let c: Vec<T> = (0..count).map(|_| number()).collect();
     for forces in [&derivatives, &other] {
-        saddle
+        complement
             .factor(&k, forces, &derivatives)
             .expect("random matrices are regular");
         let (mut x, mut multipliers) = (b.clone(), c.clone());
-        saddle.solve(&mut x, &mut multipliers);
+        complement.solve(&mut x, &mut multipliers);
         let values = (&k[..], &forces[..], &derivatives[..]);
         let rest = residual((&block, &transposed), values, (&b, &c), (&x, &multipliers));
         assert!(rest < 1e-12, "{nodes} {border} {count} {kind:?} {scale}: {rest:e}");
@@ -126,17 +126,20 @@ fn redundant_and_empty_constraints_are_named() {
     let block = chain(4);
     let transposed = Pattern::new(16, 3, [(0, 0), (5, 0), (0, 1), (5, 1), (9, 2)]);
     for border in [0, 8, 16] {
-        let mut saddle = Saddle::<f64>::new(&block, border, &transposed);
+        let mut complement = Complement::<f64>::new(&block, border, &transposed);
         let mut number = numbers(4);
         let k: Vec<f64> = (0..block.entries()).map(|_| number()).collect();
-        assert_eq!(saddle.factor_symmetric(&k, &[1.0, 2.0, 3.0, 5.0, 1.0]), Ok(()));
         assert_eq!(
-            saddle.factor_symmetric(&k, &[1.0, 2.0, 1.0, 5.0, 0.0]),
+            complement.factor(&k, &[1.0, 2.0, 3.0, 5.0, 1.0], &[1.0, 2.0, 3.0, 5.0, 1.0]),
+            Ok(())
+        );
+        assert_eq!(
+            complement.factor(&k, &[1.0, 2.0, 1.0, 5.0, 0.0], &[1.0, 2.0, 1.0, 5.0, 0.0]),
             Err(Singular::Constraint(2))
         );
-        let redundant = saddle.factor_symmetric(&k, &[1.0, 2.0, 1.5, 3.0, 1.0]);
+        let redundant = complement.factor(&k, &[1.0, 2.0, 1.5, 3.0, 1.0], &[1.0, 2.0, 1.5, 3.0, 1.0]);
         assert_eq!(redundant, Err(Singular::Constraint(1)));
-        let empty = saddle.factor_symmetric(&vec![0.0; k.len()], &[1.0; 5]);
+        let empty = complement.factor(&vec![0.0; k.len()], &[1.0; 5], &[1.0; 5]);
         assert!(matches!(empty, Err(Singular::Unknown(_))), "{empty:?}");
     }
 }
@@ -145,7 +148,7 @@ fn redundant_and_empty_constraints_are_named() {
 fn border_that_nothing_holds_is_named() {
     let (block, inner) = (bordered(3, 3), 12);
     let transposed = Pattern::new(15, 1, [(0, 0), (13, 0)]);
-    let mut saddle = Saddle::<f64>::new(&block, 3, &transposed);
+    let mut complement = Complement::<f64>::new(&block, 3, &transposed);
     let mut number = numbers(8);
     // The last border unknown is a copy of a leading one: K is singular, and no constraint helps.
     let mut k: Vec<f64> = entries(&block).map(|_| number()).collect();
@@ -154,9 +157,15 @@ fn border_that_nothing_holds_is_named() {
         let source = block.find(2, column).map_or(0.0, |entry| k[entry]);
         k[place(inner + 2, column)] = source;
     }
-    assert_eq!(saddle.factor_symmetric(&k, &[1.0, 1.0]), Err(Singular::Unknown(14)));
+    assert_eq!(
+        complement.factor(&k, &[1.0, 1.0], &[1.0, 1.0]),
+        Err(Singular::Unknown(14))
+    );
     k[place(13, 13)] = f64::NAN;
-    assert_eq!(saddle.factor_symmetric(&k, &[1.0, 1.0]), Err(Singular::Unknown(13)));
+    assert_eq!(
+        complement.factor(&k, &[1.0, 1.0], &[1.0, 1.0]),
+        Err(Singular::Unknown(13))
+    );
 }
 
 /// Times of tethers with a border of a frame and two full constraints; run with `--release --ignored`.
@@ -176,7 +185,7 @@ fn time_of_bordered_tethers() {
         .map(|(_, row, column)| number() + heavy(row, column))
         .collect();
     let c: Vec<f64> = (0..transposed.entries()).map(|_| number()).collect();
-    let mut saddle = Saddle::<f64>::new(&block, 6, &transposed);
+    let mut complement = Complement::<f64>::new(&block, 6, &transposed);
     let (mut x, mut multipliers) = (vec![1.0; n], vec![1.0; 2]);
     let mut times = [const { Vec::new() }; 6];
     for _ in 0..1000 {
@@ -185,20 +194,22 @@ fn time_of_bordered_tethers() {
             what();
             times[kind].push(start.elapsed().as_secs_f64() * 1e6);
         };
-        time(0, &mut || saddle.factor_symmetric(&k, &c).expect("regular"));
+        time(0, &mut || complement.factor(&k, &c, &c).expect("regular"));
         x.fill(1.0);
-        time(1, &mut || saddle.solve(&mut x, &mut multipliers));
+        time(1, &mut || complement.solve(&mut x, &mut multipliers));
         time(2, &mut || {
-            saddle.leading.factor_from(&k, &saddle.starts).expect("regular")
+            complement.leading.factor_from(&k, &complement.starts).expect("regular")
         });
         time(3, &mut || {
-            saddle.columns.load(&k, &c);
-            saddle.rows.load(&k, &c, 6);
+            complement.columns.load(&k, &c);
+            complement.rows.load(&k, &c, 6);
         });
         time(4, &mut || {
-            saddle.leading.solve_many(&mut saddle.columns.responses.values, 8)
+            complement
+                .leading
+                .solve_many(&mut complement.columns.responses.values, 8)
         });
-        time(5, &mut || saddle.fill_schur(&k, &c, &c));
+        time(5, &mut || complement.fill_schur(&k, &c, &c));
     }
     let names = [
         "factor",
@@ -224,7 +235,7 @@ fn tethers_with_a_border_are_solved() {
     let own: Vec<_> = entries(&leading).map(|(_, row, column)| (row, column)).collect();
     let block = Pattern::new(n, n, own.into_iter().chain(full));
     let transposed = Pattern::new(n, 3, (0..n).flat_map(|i| [(i, 0), (i, 1)]).chain([(5, 2), (90, 2)]));
-    let (mut saddle, mut number) = (Saddle::<f64>::new(&block, 6, &transposed), numbers(3));
+    let (mut complement, mut number) = (Complement::<f64>::new(&block, 6, &transposed), numbers(3));
     let heavy = |row: usize, column: usize| if row == column { 6.0 } else { 0.0 };
     let mut k: Vec<f64> = entries(&block)
         .map(|(_, row, column)| number() + heavy(row, column))
@@ -237,11 +248,11 @@ fn tethers_with_a_border_are_solved() {
     }
     let c: Vec<f64> = (0..transposed.entries()).map(|_| number()).collect();
     let (b, right): (Vec<f64>, Vec<f64>) = ((0..n).map(|_| number()).collect(), vec![0.3, -0.2, 0.1]);
-    saddle
-        .factor_symmetric(&k, &c)
+    complement
+        .factor(&k, &c, &c)
         .expect("the constraints hold what K does not");
     let (mut x, mut multipliers) = (b.clone(), right.clone());
-    saddle.solve(&mut x, &mut multipliers);
+    complement.solve(&mut x, &mut multipliers);
     let rest = residual((&block, &transposed), (&k, &c, &c), (&b, &right), (&x, &multipliers));
     assert!(rest < 1e-12, "{rest:e}");
 }
