@@ -134,6 +134,7 @@ impl ::rncf::Model for AndrewsSqueezer {
 
     run { t_end = 0.03 s; every = 0.1 ms; }
 }"#;
+    const EQUATIONS_HASH: u64 = 0xa6e65be8f7c1f452;
     const NOTES: &'static [&'static str] = &[
         "Rigid body `k1` is free in three motions: two positions and an angle.",
         "Rigid body `k2` is free in three motions: two positions and an angle.",

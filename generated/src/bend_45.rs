@@ -39,6 +39,7 @@ impl ::rncf::Model for Bend45 {
 
     run { t_end = 100 s; every = 0.5 s; }
 }"#;
+    const EQUATIONS_HASH: u64 = 0xa2e0b132c27ecc08;
     const NOTES: &'static [&'static str] = &[
         "Body `bend` uses `beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1261 and 9795).",
         "Body `bend` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",

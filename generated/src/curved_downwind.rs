@@ -57,6 +57,7 @@ impl ::rncf::Model for CurvedDownwind {
 
     run { t_end = 20 s; every = 0.05 s; }
 }"#;
+    const EQUATIONS_HASH: u64 = 0x98435b76207905e9;
     const NOTES: &'static [&'static str] = &[
         "Body `beam` uses `beam_planar_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 459 and 1967).",
         "Body `beam` is planar: two components a vector, no motion along the normal.",

@@ -58,6 +58,7 @@ impl ::rncf::Model for CurvedOutOfPlane {
 
     run { t_end = 20 s; every = 0.05 s; }
 }"#;
+    const EQUATIONS_HASH: u64 = 0x39e388a655e791f5;
     const NOTES: &'static [&'static str] = &[
         "Body `beam` uses `beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1261 and 9795).",
         "Body `beam` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",

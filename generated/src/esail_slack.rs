@@ -120,6 +120,7 @@ impl ::rncf::Model for EsailSlack {
 
     run { t_end = 200 s; every = 1 s; }
 }"#;
+    const EQUATIONS_HASH: u64 = 0x10266c14dba55ba0;
     const NOTES: &'static [&'static str] = &[
         "Body `main` uses `cable_spatial_slack`. Form: points unrolled (the cheapest; operations of force and tangent: points unrolled: 632 and 2395; loop over points: 677 and 2601; a loop counts 1.3 times).",
         "Body `main` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.",

@@ -87,6 +87,7 @@ impl ::rncf::Model for FlyballGovernor {
 
     run { t_end = 10 s; every = 0.01 s; }
 }"#;
+    const EQUATIONS_HASH: u64 = 0x01f2f2d0cc651b86;
     const NOTES: &'static [&'static str] = &[
         "Rigid body `shaft` is free in six motions: three positions and a rotation vector that begins anew every step.",
         "Rigid body `slider` is free in six motions: three positions and a rotation vector that begins anew every step.",

@@ -58,6 +58,7 @@ impl ::rncf::Model for FourBar {
 
     run { t_end = 10 s; every = 0.01 s; }
 }"#;
+    const EQUATIONS_HASH: u64 = 0xecaa49a40e7d3770;
     const NOTES: &'static [&'static str] = &[
         "Rigid body `link_0` is free in three motions: two positions and an angle.",
         "Rigid body `link_1` is free in three motions: two positions and an angle.",

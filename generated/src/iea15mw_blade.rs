@@ -48,6 +48,7 @@ impl ::rncf::Model for Iea15mwBlade {
 
     run { t_end = 1 s; every = 0.1 s; }
 }"#;
+    const EQUATIONS_HASH: u64 = 0xa2f887b3fc60a5b2;
     const NOTES: &'static [&'static str] = &[
         "Body `blade` uses `full_beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1976 and 16994).",
         "Body `blade` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",

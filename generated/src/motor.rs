@@ -75,6 +75,7 @@ impl ::rncf::Model for Motor {
 
     run { t_end = 1.2 s; every = 1 ms; }
 }"#;
+    const EQUATIONS_HASH: u64 = 0xc78ebcb0eca87495;
     const NOTES: &'static [&'static str] = &[
         "Body `shaft` uses `beam_spatial_damped`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1945 and 23675).",
         "Body `shaft` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",

@@ -50,6 +50,7 @@ impl ::rncf::Model for Nrel5mwBlade {
 
     run { t_end = 2 s; every = 0.05 s; }
 }"#;
+    const EQUATIONS_HASH: u64 = 0x0c17c674326c6a51;
     const NOTES: &'static [&'static str] = &[
         "Body `blade` uses `full_beam_spatial_curved_damped`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 2964 and 40649).",
         "Body `blade` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",

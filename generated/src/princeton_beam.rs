@@ -47,6 +47,7 @@ impl ::rncf::Model for PrincetonBeam {
 
     run { t_end = 1 s; every = 1 ms; }
 }"#;
+    const EQUATIONS_HASH: u64 = 0x8cae99f946f8d7ba;
     const NOTES: &'static [&'static str] = &[
         "Body `beam` uses `beam_spatial`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1231 and 9765).",
         "Body `beam` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",

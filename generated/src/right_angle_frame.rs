@@ -53,6 +53,7 @@ impl ::rncf::Model for RightAngleFrame {
 
     run { t_end = 1 s; every = 1 ms; }
 }"#;
+    const EQUATIONS_HASH: u64 = 0xc300b0b651834068;
     const NOTES: &'static [&'static str] = &[
         "Body `first` uses `beam_spatial`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1231 and 9765).",
         "Body `first` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",

@@ -53,6 +53,7 @@ impl ::rncf::Model for RollUp {
 
     run { t_end = 1 s; every = 0.01 s; }
 }"#;
+    const EQUATIONS_HASH: u64 = 0xfd461f4ac70ce996;
     const NOTES: &'static [&'static str] = &[
         "Body `beam` uses `beam_planar`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 446 and 1954).",
         "Body `beam` is planar: two components a vector, no motion along the normal.",

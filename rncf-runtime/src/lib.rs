@@ -10,7 +10,6 @@ pub mod course;
 pub mod emitted;
 pub mod equilibrium;
 pub mod error;
-pub mod hash;
 mod import;
 pub mod integrate;
 pub mod linalg;
@@ -26,6 +25,7 @@ pub mod units;
 pub use emitted::TableFile;
 pub use equilibrium::{Equilibrium, steady};
 pub use error::{ModelError, SolveError};
+pub use import::hash;
 pub use integrate::{Integrator, Method, Options, Parameter, Statistics, StepSize, Stop};
 pub use modal::build_as;
 pub use model::{

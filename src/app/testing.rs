@@ -96,6 +96,7 @@ impl Model for Rotor {
     const NAME: &'static str = "Rotor";
     const DOC: &'static str = "A mass on a spring in a turning frame.";
     const SOURCE: &'static str = "pub model Rotor {\n    param omega = 3 rad/s;  // a < b & c\n}";
+    const EQUATIONS_HASH: u64 = 1;
     const NOTES: &'static [&'static str] = &["The spring has no mass."];
     const CONSTANTS: &'static [ConstantArray] = &[];
     const KERNELS: &'static [KernelCount] = &[];

@@ -20,6 +20,7 @@ mod jolts;
 mod judged_forces;
 mod judged_steps;
 mod kinks;
+mod left_rates;
 mod lone_points;
 mod looked_up;
 mod machines;

@@ -18,5 +18,6 @@ mod rotors;
 mod round;
 mod running;
 mod shafts;
+mod stiff_shear;
 mod tangents;
 mod turned;

@@ -39,6 +39,7 @@ pub fn stub(tree: &Tree) -> TokenStream {
                 const NAME: &'static str = #text;
                 const DOC: &'static str = "";
                 const SOURCE: &'static str = "";
+                const EQUATIONS_HASH: u64 = 0;
                 const NOTES: &'static [&'static str] = &[];
                 const CONSTANTS: &'static [::rncf::model::ConstantArray] = &[];
                 const KERNELS: &'static [::rncf::model::KernelCount] = &[];

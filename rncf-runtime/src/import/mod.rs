@@ -12,7 +12,7 @@ mod tests;
 mod writer;
 
 pub use body::{Imported, ImportedSpec};
-pub use files::{rows, spline};
+pub use files::{hash, rows, spline};
 pub use inertia::Inertia;
 pub use reduce::Wanted;
 pub use writer::{Named, archive};

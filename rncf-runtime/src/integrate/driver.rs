@@ -33,6 +33,8 @@ const AHEAD: f64 = 2.0;
 /// A step within this part of the ceiling is at the ceiling.
 const AT_CEILING: f64 = 0.99;
 
+/// Rejections by the error of steps from one state, after which it is the state that is looked at.
+const STUBBORN: u32 = 4;
 /// Steps after which it is looked whether something moves faster than light.
 const LIGHT: u64 = 16;
 /// Where to look when a motion grows without end.
@@ -157,7 +159,7 @@ impl Driver {
         let fixed = matches!(self.options.step, StepSize::Fixed(_));
         let may_stray = !fixed && self.may_stray(system);
         let before = (has_kinks || may_stray).then(|| self.state().clone());
-        let mut across = 0;
+        let (mut across, mut failed) = (0, 0);
         loop {
             let limited = self.wanted.min(self.options.max_step);
             let mut h = self.segments.fit((t, low), limited, fixed, self.options.max_step);
@@ -212,6 +214,10 @@ impl Driver {
                         return Err(self.rejection_error(system, t, h, cause));
                     }
                     self.wanted = next;
+                    failed += u32::from(cause == Cause::Error);
+                    if failed == STUBBORN && !self.violations.is_empty() {
+                        self.begin_on_constraints(system)?;
+                    }
                 }
             }
         }
@@ -244,6 +250,20 @@ impl Driver {
         self.scheme
             .begin(system, &state, h, &mut self.statistics)
             .map_err(|kind| error(system, kind, t, h, None))
+    }
+
+    /// Begins at the last state, with velocities that satisfy the constraints. What a method has left of their rates no step
+    /// makes smaller, and each one counts it as its own error.
+    fn begin_on_constraints(&mut self, system: &mut dyn System) -> Result<(), SolveError> {
+        let mut state = self.state().clone();
+        self.bordered.move_to(system, &state);
+        let mut change = vec![0.0; state.v.len()];
+        let (bordered, statistics) = (&mut self.bordered, &mut self.statistics);
+        bordered
+            .velocity_change(system, &state, None, &mut change, statistics)
+            .map_err(|pivot| singular(system, state.t, pivot))?;
+        add(&mut state.v, &change);
+        self.begin(system, state)
     }
 
     fn first_step(&mut self, system: &mut dyn System, state: &State) -> Result<f64, SolveError> {

@@ -160,6 +160,9 @@ pub trait Model: Default + Clone + Send + Sync + 'static {
     const DOC: &'static str;
     /// Text of the declaration as the compiler saw it.
     const SOURCE: &'static str;
+    /// Hash of the equations as the generator wrote them, with all that they are made of: the text, libraries, rows of tables,
+    /// imported files. The same models have the same, on all machines.
+    const EQUATIONS_HASH: u64;
     /// What the generator left out or chose, one sentence each, for summaries.
     const NOTES: &'static [&'static str];
     /// Constant tensors of its unit elements.
@@ -219,6 +222,8 @@ pub trait AnyModel: Send + Sync {
     fn doc(&self) -> &'static str;
     /// [`Model::SOURCE`].
     fn source(&self) -> &'static str;
+    /// [`Model::EQUATIONS_HASH`].
+    fn equations_hash(&self) -> u64;
     /// [`Model::NOTES`].
     fn notes(&self) -> &'static [&'static str];
     /// [`Model::CONSTANTS`].
@@ -270,6 +275,10 @@ impl<M: Model> AnyModel for M {
 
     fn source(&self) -> &'static str {
         M::SOURCE
+    }
+
+    fn equations_hash(&self) -> u64 {
+        M::EQUATIONS_HASH
     }
 
     fn notes(&self) -> &'static [&'static str] {

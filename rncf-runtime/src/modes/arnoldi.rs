@@ -20,6 +20,11 @@ const EXACT: f64 = 1e-8;
 const ROUND_OFF: f64 = 1e-13;
 /// Residual from which on an eigenvalue tells the order of frequencies.
 const ROUGH: f64 = 1e-2;
+/// Part of a solution that one refinement may change before all solutions are refined: beside something very stiff the rest is round-off, in which
+/// an iteration loses its way.
+const REFINED: f64 = 1e-11;
+/// Most refinements of a solution.
+const REFINEMENTS: usize = 3;
 /// Images below this part of the first one are round-off: nothing is left.
 const EXHAUSTED: f64 = 1e-13;
 /// Eigenvalues below this part of the largest one stand for infinite frequencies.
@@ -68,12 +73,17 @@ pub(super) fn spectrum(pencil: &Pencil, count: usize) -> Result<(f64, Vec<Pair>,
         carried = iteration.combined(&ritz[ready..], wanted);
         let size = iteration.size;
         let fresh: Vec<(c64, Vec<Vec<f64>>)> = iteration.vectors(&ritz[..ready]).collect();
-        let known = locked.len();
+        let (known, mut is_inexact) = (locked.len(), false);
         for (value, parts) in fresh {
             let count = parts.len();
-            if inverse.is_exact(value, &parts, &locked[..known], size) && lock(&mut locked, parts) {
+            if !inverse.is_exact(value, &parts, &locked[..known], size) {
+                is_inexact |= needed.is_none_or(|needed| value.norm() >= needed);
+            } else if lock(&mut locked, parts) {
                 found.extend([value, value.conj()].into_iter().take(count));
             }
+        }
+        if locked.len() == known && is_inexact {
+            return Err(Failure::Lost(found.len() / 2));
         }
         if locked.len() == known || locked.len() >= 2 * pencil.unknowns() {
             break;
@@ -146,6 +156,9 @@ struct Inverse<'a> {
     pencil: &'a Pencil,
     lu: Lu<f64>,
     shift: f64,
+    /// The matrix, and whether its solutions are refined.
+    values: Vec<f64>,
+    refines: bool,
     work: Vec<f64>,
 }
 
@@ -155,6 +168,8 @@ impl<'a> Inverse<'a> {
             pencil,
             lu: pencil.lu(),
             shift,
+            values: Vec::new(),
+            refines: false,
             work: vec![0.0; pencil.unknowns() + pencil.constraints()],
         };
         inverse.factor(shift)?;
@@ -166,12 +181,40 @@ impl<'a> Inverse<'a> {
         let mut worst = None;
         for part in [1.0, 1.3, 0.7, 3.0] {
             self.shift = part * shift;
-            match self.lu.factor(&self.pencil.at(self.shift)) {
-                Ok(()) => return Ok(()),
+            self.values = self.pencil.at(self.shift);
+            match self.lu.factor(&self.values) {
+                Ok(()) => {
+                    let right = scattered(self.work.len(), 0);
+                    let mut solution = right.clone();
+                    self.lu.solve(&mut solution);
+                    self.refines = self.refine(&mut solution, &right) > REFINED;
+                    return Ok(());
+                }
                 Err(row) => worst = Some(row),
             }
         }
         Err(Failure::Singular(worst))
+    }
+
+    /// Refines a solution once: the change of the unknowns, relative to them.
+    fn refine(&mut self, solution: &mut [f64], right: &[f64]) -> f64 {
+        let mut change = self.pencil.rest(&self.values, solution, right);
+        self.lu.solve(&mut change);
+        solution.iter_mut().zip(&change).for_each(|(x, change)| *x += change);
+        let n = self.pencil.unknowns();
+        norm(&change[..n]) / norm(&solution[..n])
+    }
+
+    /// Solves for the right side in `work`.
+    fn solve(&mut self) {
+        let mut solution = std::mem::take(&mut self.work);
+        let right = if self.refines { solution.clone() } else { Vec::new() };
+        self.lu.solve(&mut solution);
+        let mut left = if self.refines { REFINEMENTS } else { 0 };
+        while left > 0 && self.refine(&mut solution, &right) > REFINED {
+            left -= 1;
+        }
+        self.work = solution;
     }
 
     fn apply(&mut self, z: &[f64]) -> Vec<f64> {
@@ -181,7 +224,7 @@ impl<'a> Inverse<'a> {
         let sum: Vec<f64> = x.iter().zip(y).map(|(x, y)| self.shift * (x + y)).collect();
         self.pencil.add_mass(1.0, &sum, &mut self.work[..n]);
         self.pencil.add_damping(x, &mut self.work[..n]);
-        self.lu.solve(&mut self.work);
+        self.solve();
         let image: Vec<f64> = self.work[..n].iter().map(|value| -value).collect();
         let rates = x.iter().zip(&image).map(|(x, image)| x / self.shift + image);
         image.iter().copied().chain(rates).collect()

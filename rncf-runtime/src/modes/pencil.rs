@@ -166,6 +166,15 @@ impl Pencil {
         values
     }
 
+    /// What `right` has beside the product of the whole matrix of these `values` and `x`, each row summed with twice the digits.
+    pub(super) fn rest(&self, values: &[f64], x: &[f64], right: &[f64]) -> Vec<f64> {
+        let x: Vec<c64> = x.iter().map(|&value| c64::new(value, 0.0)).collect();
+        let mut sums = Sums::new(x.len());
+        sums.add(&self.whole, values, &x);
+        let rows = right.iter().zip(&sums.re);
+        rows.map(|(right, sum)| (right - sum[0]) - sum[1]).collect()
+    }
+
     /// `(K + s C + s^2 M) x + C_x^T lambda` and `C_x x` at the s next to `s` that fits the vector,
     /// `x^H (K + s C + s^2 M) x = 0`, and that s.
     pub(super) fn residual(&self, s: c64, x: &[c64], lambda: &[c64]) -> (Vec<c64>, c64) {

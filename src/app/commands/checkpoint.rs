@@ -141,11 +141,16 @@ fn differences(there: &Summary, here: &Summary) -> Vec<String> {
     let mut lines = Vec::new();
     if there.get("model_hash") != here.get("model_hash") {
         lines.push("  the text of the model".to_owned());
+    } else if there.get("equations_hash") != here.get("equations_hash") {
+        lines.push(
+            "  what the model reads beside its text: a table, a library or an imported file; or the generator"
+                .to_owned(),
+        );
     }
     for (key, value) in &here {
         let other = there.get(key).unwrap_or(&Value::Null);
         match key.as_str() {
-            "parameters_in_units" | "model_hash" => {}
+            "parameters_in_units" | "model_hash" | "equations_hash" => {}
             "parameters" => {
                 let (Value::Object(values), empty) = (value, Summary::new()) else {
                     continue;

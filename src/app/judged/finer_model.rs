@@ -33,6 +33,10 @@ impl AnyModel for FinerModel {
         self.model.source()
     }
 
+    fn equations_hash(&self) -> u64 {
+        self.model.equations_hash()
+    }
+
     fn notes(&self) -> &'static [&'static str] {
         self.model.notes()
     }

@@ -190,8 +190,11 @@ pub(in crate::app) fn round_off(scene: &mut dyn Scene, state: &State) -> Vec<f64
     for (index, (x, size)) in near.x.iter_mut().zip(scene.sizes()).enumerate() {
         *x += part(index) * size.max(x.abs());
     }
-    for (index, v) in near.v.iter_mut().enumerate() {
-        *v += part(index) * v.abs();
+    // What constraints keep at rest has the round-off of what moves: of the fastest, in sizes of the unknowns.
+    let speeds = near.v.iter().zip(scene.sizes()).map(|(v, size)| v.abs() / size);
+    let fastest = speeds.fold(0.0, f64::max);
+    for (index, (v, size)) in near.v.iter_mut().zip(scene.sizes()).enumerate() {
+        *v += part(index) * size * fastest;
     }
     scene.residual(state, &mut force);
     scene.residual(&near, &mut other);

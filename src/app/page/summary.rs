@@ -368,6 +368,11 @@ pub(in crate::app) fn head(model: &dyn AnyModel, command: &str) -> Summary {
         "model_hash",
         json!(format!("{:016x}", hash(model.source()))),
     );
+    put(
+        &mut summary,
+        "equations_hash",
+        json!(format!("{:016x}", model.equations_hash())),
+    );
     put(&mut summary, "model_text", json!(model.source()));
     summary
 }

@@ -54,7 +54,7 @@ pub fn structure(model: &Model, library: &Library, equations: &Equations) -> Str
 
 /// The defaults of the struct and what it says of itself. The struct stands in the module of the equations, which sees it
 /// there also where the declaration stands in a function.
-pub fn declaration(model: &Model, library: &Library, equations: &Equations) -> String {
+pub fn declaration(model: &Model, library: &Library, equations: &Equations, hash: u64) -> String {
     let (name, module) = (&model.name, module_name(model));
     let notes = notes(model, library, equations);
     let mut text = format!(
@@ -76,7 +76,7 @@ pub fn declaration(model: &Model, library: &Library, equations: &Equations) -> S
         let _ = writeln!(text, "{}: {value},", param.name);
     }
     text += "}\n}\n}\n";
-    text + &implementation(model, &notes, equations)
+    text + &implementation(model, &notes, equations, hash)
 }
 
 /// What is said of the files of a parameter.
@@ -85,7 +85,7 @@ fn form_of(model: &Model, param: &Param) -> String {
     table.map_or_else(String::new, Table::form)
 }
 
-fn implementation(model: &Model, notes: &[String], equations: &Equations) -> String {
+fn implementation(model: &Model, notes: &[String], equations: &Equations, hash: u64) -> String {
     let (name, module) = (&model.name, module_name(model));
     let notes: Vec<String> = notes.iter().map(|note| format!("{note:?}")).collect();
     let mut text = format!(
@@ -93,6 +93,7 @@ fn implementation(model: &Model, notes: &[String], equations: &Equations) -> Str
          const NAME: &'static str = {name:?};\n\
          const DOC: &'static str = {:?};\n\
          const SOURCE: &'static str = {};\n\
+         const EQUATIONS_HASH: u64 = {hash:#018x};\n\
          const NOTES: &'static [&'static str] = &[{}];\n",
         model.doc,
         raw(&model.source),

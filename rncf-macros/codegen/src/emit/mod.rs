@@ -24,15 +24,20 @@ mod start;
 pub use bodies::included;
 
 use crate::elements::Library;
+use crate::import::hash::{hash, hash_on};
 use crate::lower::Equations;
-use crate::model::Model;
+use crate::model::{Line, Model};
 
 /// The whole expansion of a model as Rust text: the struct, its [`Model`] implementation and the
 /// module with its equations.
 pub fn model(model: &Model, library: &Library, mut equations: Equations) -> String {
     let constraints = equations.constraints.iter_mut();
     constraints.for_each(|kernels| moving::document_rows(kernels, model));
-    let mut text = declaration::declaration(model, library, &equations);
+    let mut inside = declaration::structure(model, library, &equations);
+    inside += &along::tables(model);
+    inside += &equations.functions(library);
+    inside += &parts::parts(model, library, &equations);
+    let mut text = declaration::declaration(model, library, &equations, hash_of(model, &inside));
     text += &format!(
         "/// Equations of [`{0}`]: derived, checked and written by the generator.\n\
          #[allow(missing_docs, non_snake_case, unused_variables, unused_mut, unused_parens, clippy::all)]\n\
@@ -41,11 +46,16 @@ pub fn model(model: &Model, library: &Library, mut equations: Equations) -> Stri
         visibility(model),
         module_name(model),
     );
-    text += &declaration::structure(model, library, &equations);
-    text += &along::tables(model);
-    text += &equations.functions(library);
-    text += &parts::parts(model, library, &equations);
-    text + "}\n"
+    text + &inside + "}\n"
+}
+
+/// Hash of the equations as they are written, and of the files that they name.
+fn hash_of(model: &Model, equations: &str) -> u64 {
+    let files = model.bodies.iter().filter_map(|body| match &body.line {
+        Line::Imported(imported) => Some(imported.hash),
+        _ => None,
+    });
+    files.fold(hash(equations), |hash, file| hash_on(hash, &file.to_le_bytes()))
 }
 
 fn visibility(model: &Model) -> String {

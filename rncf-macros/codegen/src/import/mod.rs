@@ -4,6 +4,7 @@
 mod archive;
 mod array;
 mod fem;
+pub mod hash;
 mod market;
 mod npz;
 pub mod rows;

@@ -251,6 +251,8 @@ pub enum Line {
 pub struct Imported {
     /// Paths of the files, relative to the crate's manifest.
     pub files: Vec<String>,
+    /// Hash of what is in them.
+    pub hash: u64,
     /// Their units of length, mass and time in SI.
     pub units: [f64; 3],
     /// Names of the interfaces, and the numbers of their nodes.

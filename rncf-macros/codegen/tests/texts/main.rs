@@ -2,6 +2,7 @@
 
 mod documents;
 mod errors;
+mod identity;
 mod influence;
 mod language;
 mod needs;

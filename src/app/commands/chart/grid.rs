@@ -102,7 +102,8 @@ impl Grid {
             .collect();
         let version = env!("CARGO_PKG_VERSION");
         hash(&format!(
-            "{version}\n{}\n{params:?}\n{:?}",
+            "{version}\n{:016x}\n{}\n{params:?}\n{:?}",
+            model.equations_hash(),
             model.source(),
             self.run(setting)
         ))

@@ -5,15 +5,16 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use serde_json::Value;
+use serde_json::{Value, json};
 
-use crate::app::commands::checkpoint::NAME;
+use crate::app::commands::checkpoint::{NAME, refusal};
 use crate::app::commands::execute::execute;
 use crate::app::line::arguments::parse;
 use crate::app::line::command::Command;
 use crate::app::line::program::Program;
 use crate::app::results::failure::{Failure, INTERRUPTION, MISTAKE};
 use crate::app::testing::{Rotor, temporary_folder};
+use crate::app::writing::entries::Summary;
 
 /// A rotor with many rows and renewals, into a folder; `ends` says how many steps it takes until it is interrupted.
 fn run(out: &Path, words: &[&str], ends: Option<u64>) -> Result<String, Failure> {
@@ -191,6 +192,29 @@ fn only_the_same_run_goes_on() {
     let text_of = refused(&out, &["--resume"]);
     assert!(text_of.contains("omega: 4 rad/s there, 3 rad/s here"), "{text_of}");
     fs::remove_dir_all(out).unwrap();
+}
+
+/// Of another table, library or imported file the text says nothing.
+#[test]
+fn a_program_that_was_built_from_something_else_is_refused() {
+    let identity = |text: &str, equations: &str| -> Summary {
+        let keys = [("model_hash", text), ("equations_hash", equations)];
+        keys.map(|(key, hash)| (key.to_string(), json!(hash)))
+            .into_iter()
+            .collect()
+    };
+    let told = |there: Summary| refusal(Path::new("out"), &there, &identity("1", "1"));
+    assert_eq!(told(identity("1", "1")), None);
+    let other = told(identity("1", "2")).unwrap();
+    assert!(
+        other.contains("a table, a library or an imported file") && !other.contains("equations_hash"),
+        "{other}"
+    );
+    let other = told(identity("2", "2")).unwrap();
+    assert!(
+        other.contains("the text of the model") && !other.contains("a table"),
+        "{other}"
+    );
 }
 
 #[test]

@@ -95,6 +95,7 @@ impl Model for Wound {
     const NAME: &'static str = "Wound";
     const DOC: &'static str = "A rotor whose spring is in a table.";
     const SOURCE: &'static str = "pub model Wound { param coil: table = file(\"data/no_such_folder/coil.csv\"); }";
+    const EQUATIONS_HASH: u64 = 1;
     const NOTES: &'static [&'static str] = &[];
     const CONSTANTS: &'static [ConstantArray] = &[];
     const KERNELS: &'static [KernelCount] = &[];

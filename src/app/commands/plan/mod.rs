@@ -87,8 +87,12 @@ impl Plan {
 
 fn name_of(arguments: &Arguments, text: &str) -> String {
     let version = env!("CARGO_PKG_VERSION");
-    let (of, source) = (arguments.plan.of.name(), arguments.model().source());
-    let mut whole = format!("{version} {of}\n{text}\n{source}");
+    let (of, model) = (arguments.plan.of.name(), arguments.model());
+    let mut whole = format!(
+        "{version} {of}\n{text}\n{:016x} {}",
+        model.equations_hash(),
+        model.source()
+    );
     // Under the same path another table may stand.
     for (name, number) in checksums(arguments.model()) {
         whole += &format!("\n{name} {number}");

@@ -9,6 +9,7 @@ use crate::check::values::words::balance_words;
 use crate::check::{Check, fold, say};
 use crate::elements::BETWEEN_INTERFACES;
 use crate::errors::Area;
+use crate::import::hash::hash_on;
 use crate::import::{File, FiniteElements, bytes};
 use crate::model::{
     Body, BodyId, ElementId, Evaluation, Expr as Value, Fidelity, FrameTie, Imported, Initial, Line, Location,
@@ -31,6 +32,8 @@ const NOTHING: f64 = 1e-100;
 /// Files that have been read.
 struct Source {
     files: Vec<String>,
+    /// Of all bytes of the files.
+    hash: u64,
     /// Of length, mass and time in SI.
     units: [f64; 3],
     /// Of the interfaces, m.
@@ -109,6 +112,7 @@ impl<'a> Check<'a> {
             space: crate::model::Space::Spatial,
             line: Line::Imported(Imported {
                 files: source.files,
+                hash: source.hash,
                 units: source.units,
                 places: source.places,
                 interfaces: interfaces
@@ -283,6 +287,7 @@ impl<'a> Check<'a> {
         };
         Some(Source {
             files: files.iter().map(|(path, _)| path.clone()).collect(),
+            hash: contents.iter().fold(0, |hash, bytes| hash_on(hash, bytes)),
             units,
             places: interfaces.iter().map(middle).collect(),
         })
