@@ -22,7 +22,7 @@ use crate::space::Vector;
 /// Rotation of an interface (rad) from which a linear body is told to be bent too far: its error is half the square.
 const LARGE: f64 = 0.2;
 /// Part of the stiffness at rest that centrifugal terms may take away before it is told.
-const TAKEN: f64 = 0.5;
+const TAKEN: f64 = 0.02;
 
 /// An interface that turns farther than linear modes know.
 struct TurnsFar<'a> {
@@ -197,8 +197,9 @@ impl ModalBody {
         {
             warnings.push(Warning {
                 text: format!(
-                    "body `{}`: at a spin of {spin:.4} rad/s centrifugal effects are as large as its stiffness ({remaining:.2} of that at rest is left), and what tightens it is not in its file: its stiffness is that of the body at rest",
-                    self.nodal.name
+                    "body `{}`: at a spin of {spin:.4} rad/s centrifugal forces take {:.1} % of its stiffness at rest, and what tightens it is not in its file: it bends and vibrates as if it were softer by as much or more",
+                    self.nodal.name,
+                    100.0 * (1.0 - remaining)
                 ),
                 weight: 1.0 - remaining,
             });

@@ -394,3 +394,40 @@ fn parts_of_the_kinetic_energy_are_not_told_where_a_body_is_from_a_file() {
             .all(|of| of.motions.is_empty() && of.bodies.is_empty())
     );
 }
+
+rncf::model! {
+    /// The arm on a hub that turns evenly.
+    pub model ImportedBlade {
+        param speed = 15 rad/s;
+        frame hub = rotating(axis = z, angle = speed * t);
+        body arm in hub { import "reference/data/beam.npz"; interface root = node 10; interface tip = node 90; modal(6); }
+        joint grip = clamp(arm.root, hub);
+        output tip = arm.tip.in(hub).y;
+        run { t_end = 0.02 s; every = 0.01 s; }
+    }
+}
+
+/// What bends across the axis is pulled outwards by `spin^2` of its mass; the file does not know what holds against it.
+#[test]
+fn what_a_spin_takes_of_an_imported_stiffness_is_told() {
+    for speed in [5.0, 15.0, 40.0] {
+        let model = ImportedBlade { speed };
+        let settings = rncf::app::RunSettings {
+            judged: rncf::app::Judging::No,
+            ..rncf::app::RunSettings::default()
+        };
+        let found = rncf::app::run(&model, &settings).unwrap();
+        let told = found.warnings.iter().find_map(|text| {
+            let (_, rest) = text.split_once("centrifugal forces take ")?;
+            rest.split_once(" %")?.0.parse::<f64>().ok()
+        });
+        let taken = 100.0 * (speed / bending(CLAMPED[0], BENDING[0])).powi(2);
+        match told {
+            Some(told) => assert!(
+                taken > 2.0 && (told - taken).abs() < 0.02 * taken + 0.05,
+                "{speed}: {told} {taken}"
+            ),
+            None => assert!(taken < 2.0, "{speed}: {:?}", found.warnings),
+        }
+    }
+}
