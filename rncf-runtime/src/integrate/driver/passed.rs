@@ -67,7 +67,8 @@ impl Driver {
                 return is_new;
             }
         }
-        if !is_any {
+        // A step that was cut at one has not passed it, but says nothing of quiet either.
+        if !is_any && !self.segments.is_at_kink(end) {
             self.segments.pass_none();
         }
         false
