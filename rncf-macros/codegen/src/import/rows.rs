@@ -265,8 +265,8 @@ impl<'t> Head<'t> {
             };
         };
         match unit.strip_suffix(']') {
-            Some(unit) if !unit.contains(['[', ']']) && !name.trim().is_empty() => Ok(Self {
-                name: name.trim(),
+            Some(unit) if !unit.contains(['[', ']']) && !unquoted(name).is_empty() => Ok(Self {
+                name: unquoted(name),
                 unit: unit.trim(),
             }),
             _ => Err(Mistake::Head { line, cell }),

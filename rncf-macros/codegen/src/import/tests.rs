@@ -197,6 +197,7 @@ fn odd_texts_are_the_same_table() {
         "x [m]; EI\n0; 1.5\n2; -3e5\n",
         "x [m]\tEI\n0\t1.5\n2\t-3E5\n",
         "\"x [m]\",\"EI\"\n\"0\",\"1.5\"\n\"2\", \"-3e5\"\n",
+        "\"x\" [m],\"EI\"\n0,1.5\n2,-3e5\n",
         "# by hand\n\n  \nx[m],EI[-]\n# the root\n0,+1.50\n\n2,-3.e+5\n\n",
         // A spreadsheet with empty cells.
         "x [m],EI,,\n0,1.5,,\n,,,\n2,-3e5,\n",

@@ -66,3 +66,17 @@ fn imported_files_are_part_of_a_model() {
     assert_eq!(first, hash("beam.npz"));
     std::fs::remove_dir_all(folder).expect("the folder");
 }
+
+/// Nothing asks a file for what nothing reads.
+#[test]
+fn notes_of_a_table_are_no_columns_of_it() {
+    let folder = folder("notes");
+    std::fs::write(folder.join("road.csv"), "time[s],lift[m],_note[-]\n0,0,7\n1,2,8\n").expect("a table");
+    let text = format!(
+        r#"pub model Driven {{ {BODY} param road: table = file("road.csv", at = time, interpolation = linear); load f = force(b, [road.lift(t) * 1 [N/m], 0 N, 0]); }}"#
+    );
+    let tokens = text.parse().expect("tokens");
+    let written = expand::text_beside(tokens, &Library::standard(), Some(&folder)).expect("a model without mistakes");
+    assert!(written.contains("\"lift\"") && !written.contains("_note"));
+    std::fs::remove_dir_all(folder).expect("the folder");
+}

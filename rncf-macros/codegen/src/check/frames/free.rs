@@ -248,7 +248,10 @@ impl<'a> Check<'a> {
                 })
             }
             (Some((area, _)), None) => {
-                self.errors.at(*area, say::LONE_AXIS);
+                // An angle that could not be read is missing, too.
+                if self.tree.complete {
+                    self.errors.at(*area, say::LONE_AXIS);
+                }
                 return None;
             }
             (None, Some((area, _))) => {

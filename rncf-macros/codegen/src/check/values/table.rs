@@ -196,7 +196,7 @@ impl<'a> Check<'a> {
             }
         };
         let mut columns = Vec::new();
-        for (place, head) in rows.heads.iter().enumerate() {
+        for (place, head) in rows.heads.iter().enumerate().filter(|(_, head)| !head.is_note()) {
             let values = match unit_of(head) {
                 Some(unit) => (rows.columns(&[place], |_, cell| number(cell, unit)))
                     .map(|mut values| (unit, values.remove(0)))
@@ -211,8 +211,6 @@ impl<'a> Check<'a> {
                     values,
                     slopes: Vec::new(),
                 }),
-                // A note may be any text.
-                Err(_) if head.is_note() => {}
                 Err(message) => {
                     self.errors.at(area, message);
                     return None;
