@@ -11,6 +11,7 @@ mod discs;
 mod ladder;
 mod lateral;
 mod loose;
+mod many_bodies;
 mod materials;
 mod measures;
 mod rigid_parts;
