@@ -5,8 +5,8 @@ use super::border_kernels::Tall;
 use super::dense::Dense;
 use super::lu::Lu;
 use super::pattern::Pattern;
-use super::saddle::{Singular, entries};
 use super::scalar::Scalar;
+use super::singular::Singular;
 
 /// Factorization of `[[K, B], [C, 0]]` in the field `T` (`f64` or `c64`), for a border and constraints that are few or touch
 /// most of K.
@@ -93,7 +93,7 @@ impl<T: Scalar> Complement<T> {
                 }
             }
         }
-        for (entry, row, column) in entries(constraint_transposed) {
+        for (entry, row, column) in constraint_transposed.places() {
             if row < inner {
                 columns[border + column].push((row, entry));
                 rows[border + column].push((row, entry));
@@ -115,7 +115,7 @@ impl<T: Scalar> Complement<T> {
             diagonal: (0..n).filter_map(|i| Some((block.find(i, i)?, i))).collect(),
             sizes: Vec::new(),
             scales: vec![1.0; border + m],
-            constraint_entries: entries(constraint_transposed).collect(),
+            constraint_entries: constraint_transposed.places().collect(),
             schur: Dense::new(border + m),
             work: vec![T::default(); border + m],
         }

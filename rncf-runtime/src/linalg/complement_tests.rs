@@ -7,7 +7,7 @@ fn bordered(nodes: usize, border: usize) -> Pattern {
     let (chain, inner) = (chain(nodes), 4 * nodes);
     let all = inner + border;
     let full = (0..all).flat_map(|i| (inner..all).flat_map(move |j| [(i, j), (j, i)]));
-    let leading: Vec<_> = entries(&chain).map(|(_, row, column)| (row, column)).collect();
+    let leading: Vec<_> = chain.places().map(|(_, row, column)| (row, column)).collect();
     Pattern::new(all, all, leading.into_iter().chain(full))
 }
 
@@ -38,11 +38,15 @@ pub(in super::super) fn residual<T: Scalar>(
     let (mut dynamics, mut violations) = (b.to_vec(), c.to_vec());
     let size = |y: &[T]| y.iter().map(|value| value.size()).collect::<Vec<_>>();
     let (mut of_dynamics, mut of_violations) = (size(b), size(c));
-    let terms = entries(block).map(|(entry, row, column)| (row, column, k[entry]));
+    let terms = block.places().map(|(entry, row, column)| (row, column, k[entry]));
     subtract(terms, x, &mut dynamics, &mut of_dynamics);
-    let terms = entries(transposed).map(|(entry, row, column)| (row, column, T::real(forces[entry])));
+    let terms = transposed
+        .places()
+        .map(|(entry, row, column)| (row, column, T::real(forces[entry])));
     subtract(terms, multipliers, &mut dynamics, &mut of_dynamics);
-    let terms = entries(transposed).map(|(entry, row, column)| (column, row, T::real(derivatives[entry])));
+    let terms = transposed
+        .places()
+        .map(|(entry, row, column)| (column, row, T::real(derivatives[entry])));
     subtract(terms, x, &mut violations, &mut of_violations);
     let largest = |rest: &[T], sizes: &[f64]| {
         let scaled = rest.iter().zip(sizes).map(|(rest, size)| rest.size() / size);
@@ -74,13 +78,14 @@ fn check<T: Scalar>(
     };
     let mut complement = Complement::<T>::new(&block, border, &transposed);
     let factor = |i: usize| if i % 3 == 1 { scale } else { 1.0 };
-    let k: Vec<T> = entries(&block)
+    let k: Vec<T> = block
+        .places()
         .map(|(_, row, column)| {
             let outside = kind == Border::Zero && (row >= 4 * nodes || column >= 4 * nodes);
             number().times(if outside { 0.0 } else { factor(row) * factor(column) })
         })
         .collect();
-    let derivatives: Vec<f64> = entries(&transposed).map(|(_, row, _)| real() * factor(row)).collect();
+    let derivatives: Vec<f64> = transposed.places().map(|(_, row, _)| real() * factor(row)).collect();
     let other: Vec<f64> = derivatives.iter().map(|value| value * (1.0 + 0.3 * real())).collect();
     let b: Vec<T> = (0..n).map(|i| number().times(factor(i))).collect();
     let c: Vec<T> = (0..count).map(|_| number()).collect();
@@ -151,7 +156,7 @@ fn border_that_nothing_holds_is_named() {
     let mut complement = Complement::<f64>::new(&block, 3, &transposed);
     let mut number = numbers(8);
     // The last border unknown is a copy of a leading one: K is singular, and no constraint helps.
-    let mut k: Vec<f64> = entries(&block).map(|_| number()).collect();
+    let mut k: Vec<f64> = block.places().map(|_| number()).collect();
     let place = |row: usize, column: usize| block.find(row, column).expect("an entry");
     for column in 0..15 {
         let source = block.find(2, column).map_or(0.0, |entry| k[entry]);
@@ -176,12 +181,13 @@ fn time_of_bordered_tethers() {
     let inner = leading.columns();
     let n = inner + 6;
     let full = (0..n).flat_map(|i| (inner..n).flat_map(move |j| [(i, j), (j, i)]));
-    let own: Vec<_> = entries(&leading).map(|(_, row, column)| (row, column)).collect();
+    let own: Vec<_> = leading.places().map(|(_, row, column)| (row, column)).collect();
     let block = Pattern::new(n, n, own.into_iter().chain(full));
     let transposed = Pattern::new(n, 2, (0..n).flat_map(|i| [(i, 0), (i, 1)]));
     let mut number = numbers(3);
     let heavy = |row: usize, column: usize| if row == column { 6.0 } else { 0.0 };
-    let k: Vec<f64> = entries(&block)
+    let k: Vec<f64> = block
+        .places()
         .map(|(_, row, column)| number() + heavy(row, column))
         .collect();
     let c: Vec<f64> = (0..transposed.entries()).map(|_| number()).collect();
@@ -232,16 +238,17 @@ fn tethers_with_a_border_are_solved() {
     let inner = leading.columns();
     let n = inner + 6;
     let full = (0..n).flat_map(|i| (inner..n).flat_map(move |j| [(i, j), (j, i)]));
-    let own: Vec<_> = entries(&leading).map(|(_, row, column)| (row, column)).collect();
+    let own: Vec<_> = leading.places().map(|(_, row, column)| (row, column)).collect();
     let block = Pattern::new(n, n, own.into_iter().chain(full));
     let transposed = Pattern::new(n, 3, (0..n).flat_map(|i| [(i, 0), (i, 1)]).chain([(5, 2), (90, 2)]));
     let (mut complement, mut number) = (Complement::<f64>::new(&block, 6, &transposed), numbers(3));
     let heavy = |row: usize, column: usize| if row == column { 6.0 } else { 0.0 };
-    let mut k: Vec<f64> = entries(&block)
+    let mut k: Vec<f64> = block
+        .places()
         .map(|(_, row, column)| number() + heavy(row, column))
         .collect();
     // The last two border unknowns act on nothing by themselves.
-    for (entry, row, column) in entries(&block) {
+    for (entry, row, column) in block.places() {
         if row >= n - 2 || column >= n - 2 {
             k[entry] = 0.0;
         }

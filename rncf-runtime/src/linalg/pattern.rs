@@ -170,6 +170,13 @@ impl Pattern {
             .map(|place| start + place)
     }
 
+    /// Every entry with its row and column, column after column.
+    pub(super) fn places(&self) -> impl Iterator<Item = (usize, usize, usize)> {
+        (0..self.columns()).flat_map(move |column| {
+            (self.starts[column]..self.starts[column + 1]).map(move |entry| (entry, self.indices[entry], column))
+        })
+    }
+
     /// As [`Pattern::find`]; tried first is the place behind that of another entry of the column.
     pub fn find_behind(&self, other: Option<usize>, row: usize, column: usize) -> Option<usize> {
         let next = other.map(|other| other + 1);

@@ -3,18 +3,8 @@
 use super::complement::Complement;
 use super::pattern::Pattern;
 use super::scalar::Scalar;
+use super::singular::Singular;
 use super::whole::Whole;
-
-/// The matrix has no unique solution; the unknown or constraint at which it was noticed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Singular {
-    /// Around this unknown.
-    Unknown(usize),
-    /// Around this constraint: redundant, or not fixing anything.
-    Constraint(usize),
-    /// Somewhere.
-    Somewhere,
-}
 
 /// Factorization of `[[K, B], [C, 0]]` in the field `T` (`f64` or `c64`); the patterns are analysed
 /// once.
@@ -118,10 +108,6 @@ impl<T: Scalar> Saddle<T> {
     }
 }
 
-/// Entries of a pattern with their rows and columns.
-pub(super) fn entries(pattern: &Pattern) -> impl Iterator<Item = (usize, usize, usize)> {
-    (0..pattern.columns()).flat_map(move |column| {
-        (pattern.starts()[column]..pattern.starts()[column + 1])
-            .map(move |entry| (entry, pattern.indices()[entry], column))
-    })
-}
+#[cfg(test)]
+#[path = "saddle_tests.rs"]
+mod tests;

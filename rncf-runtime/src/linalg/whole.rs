@@ -5,7 +5,6 @@ use super::graph::Graph;
 use super::lu::Lu;
 use super::order::half_bandwidth;
 use super::pattern::Pattern;
-use super::saddle::entries;
 use super::scalar::Scalar;
 
 /// Rows of border and constraints from which on a whole is thought of.
@@ -41,8 +40,10 @@ impl<T: Scalar> Whole<T> {
         if few < MANY {
             return None;
         }
-        let own = entries(block).map(|(_, row, column)| (row, column));
-        let both = entries(constraint_transposed).flat_map(|(_, row, j)| [(row, n + j), (n + j, row)]);
+        let own = block.places().map(|(_, row, column)| (row, column));
+        let both = constraint_transposed
+            .places()
+            .flat_map(|(_, row, j)| [(row, n + j), (n + j, row)]);
         let whole = Pattern::new(n + m, n + m, own.chain(both));
         // A row of a banded factor touches half a bandwidth of others, each with two.
         let order = places(&Graph::new(&whole));
@@ -54,14 +55,16 @@ impl<T: Scalar> Whole<T> {
         }
         let place = |row, column| whole.find(row, column).expect("the whole pattern holds its parts");
         Some(Self {
-            block: entries(block).map(|(_, row, column)| place(row, column)).collect(),
-            forces: entries(constraint_transposed)
+            block: block.places().map(|(_, row, column)| place(row, column)).collect(),
+            forces: constraint_transposed
+                .places()
                 .map(|(_, row, j)| place(row, n + j))
                 .collect(),
-            derivatives: entries(constraint_transposed)
+            derivatives: constraint_transposed
+                .places()
                 .map(|(_, row, j)| place(n + j, row))
                 .collect(),
-            places: entries(&whole).map(|(_, row, column)| [row, column]).collect(),
+            places: whole.places().map(|(_, row, column)| [row, column]).collect(),
             values: vec![T::default(); whole.entries()],
             lu: Lu::exchanging(&whole, order),
             scales: vec![1.0; n + m],
@@ -126,7 +129,3 @@ impl<T: Scalar> Whole<T> {
         constraints.copy_from_slice(last);
     }
 }
-
-#[cfg(test)]
-#[path = "whole_tests.rs"]
-mod tests;
