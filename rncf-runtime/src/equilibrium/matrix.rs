@@ -1,7 +1,7 @@
 //! The matrix of an equilibrium in units in which it can be factored, and its negative directions.
 
 use super::negative::Negative;
-use super::newton::{Newton, entries};
+use super::newton::Newton;
 use crate::linalg::{negative_eigenvalues, power_of_two};
 use crate::model::{Kind, Uniform};
 
@@ -25,7 +25,7 @@ impl Newton {
             return self.lu.factor(&self.values);
         }
         let root = power_of_two(energy.sqrt());
-        let places = entries(self.lu.pattern());
+        let places: Vec<_> = self.lu.pattern().places().collect();
         self.scales.extend(
             self.inverse_sizes
                 .iter()
@@ -110,7 +110,7 @@ impl Newton {
     fn symmetric(&self) -> Option<Vec<f64>> {
         let pattern = self.lu.pattern();
         let (size, unknowns) = (pattern.columns(), self.inverse_sizes.len());
-        let places = entries(pattern);
+        let places: Vec<_> = pattern.places().collect();
         let energy = self.stiffest(|_| true);
         let least = |inverse: &f64| LEAST_STIFF * energy.max(f64::MIN_POSITIVE) * inverse * inverse;
         let mut largest: Vec<f64> = self.inverse_sizes.iter().map(least).collect();

@@ -148,7 +148,7 @@ impl Newton {
     fn with_phases(scene: &dyn Scene, phases: Vec<Vec<f64>>) -> Self {
         let (pattern, constraint_pattern) = (scene.pattern(), scene.constraint_pattern());
         let (n, m) = (pattern.rows(), constraint_pattern.columns());
-        let (block, border) = (entries(pattern), entries(constraint_pattern));
+        let [block, border] = [pattern, constraint_pattern].map(|pattern| pattern.places().collect::<Vec<_>>());
         let support = |phase: &Vec<f64>| -> Vec<usize> { (0..n).filter(|&row| phase[row] != 0.0).collect() };
         let supports: Vec<Vec<usize>> = phases.iter().map(support).collect();
         let sides = border.iter().map(|&(row, j)| (row, n + j));
@@ -556,15 +556,4 @@ fn most(forces: impl Iterator<Item = f64>, inverse_sizes: &[f64]) -> f64 {
 
 fn directions(untied: Vec<Untied>) -> Vec<Vec<f64>> {
     untied.into_iter().map(|motion| motion.direction).collect()
-}
-
-/// Row and column of every entry, in the order of the values.
-pub(super) fn entries(pattern: &Pattern) -> Vec<(usize, usize)> {
-    (0..pattern.columns())
-        .flat_map(|column| {
-            pattern.indices()[pattern.starts()[column]..pattern.starts()[column + 1]]
-                .iter()
-                .map(move |&row| (row, column))
-        })
-        .collect()
 }

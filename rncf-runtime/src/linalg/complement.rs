@@ -33,7 +33,7 @@ pub(super) struct Complement<T: Scalar> {
     diagonal: Vec<(usize, usize)>,
     sizes: Vec<f64>,
     scales: Vec<f64>,
-    constraint_entries: Vec<(usize, usize, usize)>,
+    constraint_entries: Vec<(usize, usize)>,
     schur: Dense<T>,
     /// Right sides and solution of the Schur complement; what of it multiplies the responses.
     work: Vec<T>,
@@ -93,7 +93,7 @@ impl<T: Scalar> Complement<T> {
                 }
             }
         }
-        for (entry, row, column) in constraint_transposed.places() {
+        for (entry, (row, column)) in constraint_transposed.places().enumerate() {
             if row < inner {
                 columns[border + column].push((row, entry));
                 rows[border + column].push((row, entry));
@@ -146,7 +146,7 @@ impl<T: Scalar> Complement<T> {
         }
         let rows = &mut self.scales[self.border..];
         rows.fill(0.0);
-        for &(entry, unknown, row) in &self.constraint_entries {
+        for (entry, &(unknown, row)) in self.constraint_entries.iter().enumerate() {
             rows[row] = rows[row].max(constraint_transposed[entry].abs() * self.sizes[unknown]);
         }
         for row in rows {

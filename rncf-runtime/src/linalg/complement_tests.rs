@@ -7,7 +7,7 @@ fn bordered(nodes: usize, border: usize) -> Pattern {
     let (chain, inner) = (chain(nodes), 4 * nodes);
     let all = inner + border;
     let full = (0..all).flat_map(|i| (inner..all).flat_map(move |j| [(i, j), (j, i)]));
-    let leading: Vec<_> = chain.places().map(|(_, row, column)| (row, column)).collect();
+    let leading: Vec<_> = chain.places().collect();
     Pattern::new(all, all, leading.into_iter().chain(full))
 }
 
@@ -38,15 +38,20 @@ pub(in super::super) fn residual<T: Scalar>(
     let (mut dynamics, mut violations) = (b.to_vec(), c.to_vec());
     let size = |y: &[T]| y.iter().map(|value| value.size()).collect::<Vec<_>>();
     let (mut of_dynamics, mut of_violations) = (size(b), size(c));
-    let terms = block.places().map(|(entry, row, column)| (row, column, k[entry]));
+    let terms = block
+        .places()
+        .enumerate()
+        .map(|(entry, (row, column))| (row, column, k[entry]));
     subtract(terms, x, &mut dynamics, &mut of_dynamics);
     let terms = transposed
         .places()
-        .map(|(entry, row, column)| (row, column, T::real(forces[entry])));
+        .enumerate()
+        .map(|(entry, (row, column))| (row, column, T::real(forces[entry])));
     subtract(terms, multipliers, &mut dynamics, &mut of_dynamics);
     let terms = transposed
         .places()
-        .map(|(entry, row, column)| (column, row, T::real(derivatives[entry])));
+        .enumerate()
+        .map(|(entry, (row, column))| (column, row, T::real(derivatives[entry])));
     subtract(terms, x, &mut violations, &mut of_violations);
     let largest = |rest: &[T], sizes: &[f64]| {
         let scaled = rest.iter().zip(sizes).map(|(rest, size)| rest.size() / size);
@@ -80,12 +85,12 @@ fn check<T: Scalar>(
     let factor = |i: usize| if i % 3 == 1 { scale } else { 1.0 };
     let k: Vec<T> = block
         .places()
-        .map(|(_, row, column)| {
+        .map(|(row, column)| {
             let outside = kind == Border::Zero && (row >= 4 * nodes || column >= 4 * nodes);
             number().times(if outside { 0.0 } else { factor(row) * factor(column) })
         })
         .collect();
-    let derivatives: Vec<f64> = transposed.places().map(|(_, row, _)| real() * factor(row)).collect();
+    let derivatives: Vec<f64> = transposed.places().map(|(row, _)| real() * factor(row)).collect();
     let other: Vec<f64> = derivatives.iter().map(|value| value * (1.0 + 0.3 * real())).collect();
     let b: Vec<T> = (0..n).map(|i| number().times(factor(i))).collect();
     let c: Vec<T> = (0..count).map(|_| number()).collect();
@@ -181,14 +186,14 @@ fn time_of_bordered_tethers() {
     let inner = leading.columns();
     let n = inner + 6;
     let full = (0..n).flat_map(|i| (inner..n).flat_map(move |j| [(i, j), (j, i)]));
-    let own: Vec<_> = leading.places().map(|(_, row, column)| (row, column)).collect();
+    let own: Vec<_> = leading.places().collect();
     let block = Pattern::new(n, n, own.into_iter().chain(full));
     let transposed = Pattern::new(n, 2, (0..n).flat_map(|i| [(i, 0), (i, 1)]));
     let mut number = numbers(3);
     let heavy = |row: usize, column: usize| if row == column { 6.0 } else { 0.0 };
     let k: Vec<f64> = block
         .places()
-        .map(|(_, row, column)| number() + heavy(row, column))
+        .map(|(row, column)| number() + heavy(row, column))
         .collect();
     let c: Vec<f64> = (0..transposed.entries()).map(|_| number()).collect();
     let mut complement = Complement::<f64>::new(&block, 6, &transposed);
@@ -238,17 +243,17 @@ fn tethers_with_a_border_are_solved() {
     let inner = leading.columns();
     let n = inner + 6;
     let full = (0..n).flat_map(|i| (inner..n).flat_map(move |j| [(i, j), (j, i)]));
-    let own: Vec<_> = leading.places().map(|(_, row, column)| (row, column)).collect();
+    let own: Vec<_> = leading.places().collect();
     let block = Pattern::new(n, n, own.into_iter().chain(full));
     let transposed = Pattern::new(n, 3, (0..n).flat_map(|i| [(i, 0), (i, 1)]).chain([(5, 2), (90, 2)]));
     let (mut complement, mut number) = (Complement::<f64>::new(&block, 6, &transposed), numbers(3));
     let heavy = |row: usize, column: usize| if row == column { 6.0 } else { 0.0 };
     let mut k: Vec<f64> = block
         .places()
-        .map(|(_, row, column)| number() + heavy(row, column))
+        .map(|(row, column)| number() + heavy(row, column))
         .collect();
     // The last two border unknowns act on nothing by themselves.
-    for (entry, row, column) in block.places() {
+    for (entry, (row, column)) in block.places().enumerate() {
         if row >= n - 2 || column >= n - 2 {
             k[entry] = 0.0;
         }

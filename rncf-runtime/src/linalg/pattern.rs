@@ -170,10 +170,11 @@ impl Pattern {
             .map(|place| start + place)
     }
 
-    /// Every entry with its row and column, column after column.
-    pub(super) fn places(&self) -> impl Iterator<Item = (usize, usize, usize)> {
-        (0..self.columns()).flat_map(move |column| {
-            (self.starts[column]..self.starts[column + 1]).map(move |entry| (entry, self.indices[entry], column))
+    /// Row and column of every entry, in the order of the values.
+    pub fn places(&self) -> impl Iterator<Item = (usize, usize)> {
+        (0..self.columns()).flat_map(|column| {
+            let own = self.starts[column]..self.starts[column + 1];
+            self.indices[own].iter().map(move |&row| (row, column))
         })
     }
 

@@ -19,9 +19,9 @@ fn check<T: Scalar>(mut number: impl FnMut() -> T, scale: f64) {
     let factor = |i: usize| if i % 3 == 1 { scale } else { 1.0 };
     let k: Vec<T> = block
         .places()
-        .map(|(_, row, column)| number().times(factor(row) * factor(column)))
+        .map(|(row, column)| number().times(factor(row) * factor(column)))
         .collect();
-    let derivatives: Vec<f64> = transposed.places().map(|(_, row, _)| real() * factor(row)).collect();
+    let derivatives: Vec<f64> = transposed.places().map(|(row, _)| real() * factor(row)).collect();
     let forces: Vec<f64> = derivatives.iter().map(|value| value * (1.0 + 0.3 * real())).collect();
     let b: Vec<T> = (0..UNKNOWNS).map(|i| number().times(factor(i))).collect();
     let c: Vec<T> = (0..NODES - 1).map(|_| number()).collect();
@@ -57,7 +57,7 @@ fn what_is_few_or_full_is_none() {
 #[test]
 fn redundant_conditions_are_named() {
     let (block, transposed) = (chain(NODES), between_neighbours());
-    let entries = transposed.places().map(|(_, row, j)| (row, j));
+    let entries = transposed.places();
     let twice = Pattern::new(
         UNKNOWNS,
         NODES,

@@ -40,10 +40,10 @@ impl<T: Scalar> Whole<T> {
         if few < MANY {
             return None;
         }
-        let own = block.places().map(|(_, row, column)| (row, column));
+        let own = block.places();
         let both = constraint_transposed
             .places()
-            .flat_map(|(_, row, j)| [(row, n + j), (n + j, row)]);
+            .flat_map(|(row, j)| [(row, n + j), (n + j, row)]);
         let whole = Pattern::new(n + m, n + m, own.chain(both));
         // A row of a banded factor touches half a bandwidth of others, each with two.
         let order = places(&Graph::new(&whole));
@@ -55,16 +55,16 @@ impl<T: Scalar> Whole<T> {
         }
         let place = |row, column| whole.find(row, column).expect("the whole pattern holds its parts");
         Some(Self {
-            block: block.places().map(|(_, row, column)| place(row, column)).collect(),
+            block: block.places().map(|(row, column)| place(row, column)).collect(),
             forces: constraint_transposed
                 .places()
-                .map(|(_, row, j)| place(row, n + j))
+                .map(|(row, j)| place(row, n + j))
                 .collect(),
             derivatives: constraint_transposed
                 .places()
-                .map(|(_, row, j)| place(n + j, row))
+                .map(|(row, j)| place(n + j, row))
                 .collect(),
-            places: whole.places().map(|(_, row, column)| [row, column]).collect(),
+            places: whole.places().map(|(row, column)| [row, column]).collect(),
             values: vec![T::default(); whole.entries()],
             lu: Lu::exchanging(&whole, order),
             scales: vec![1.0; n + m],

@@ -183,13 +183,13 @@ impl Reduction {
         let groups = Pattern::new(
             pattern.rows(),
             pattern.columns(),
-            entries(pattern).map(|(row, column)| (group(row), group(column))),
+            pattern.places().map(|(row, column)| (group(row), group(column))),
         );
         let places = |unknown: usize| {
             let (first, weights) = self.weights(unknown);
             first..first + weights.len()
         };
-        let pairs = entries(&groups).flat_map(|(row, column)| {
+        let pairs = groups.places().flat_map(|(row, column)| {
             let columns = places(column);
             places(row).flat_map(move |row| columns.clone().map(move |column| (row, column)))
         });
@@ -203,13 +203,13 @@ impl Reduction {
             let (first, weights) = self.weights(row);
             (first..first + weights.len()).map(move |row| (row, column))
         };
-        Pattern::new(self.unknowns, pattern.columns(), entries(pattern).flat_map(places))
+        Pattern::new(self.unknowns, pattern.columns(), pattern.places().flat_map(places))
     }
 
     /// Values of `T^T A T`: `from` and `to` are the patterns of A and of the result.
     pub fn reduce_square(&self, from: &Pattern, values: &[f64], to: &Pattern, out: &mut [f64]) {
         out.fill(0.0);
-        for ((row, column), &value) in entries(from).zip(values) {
+        for ((row, column), &value) in from.places().zip(values) {
             if value == 0.0 {
                 continue;
             }
@@ -228,7 +228,7 @@ impl Reduction {
     /// Values of `T^T A` for columns that stay.
     pub fn reduce_rows(&self, from: &Pattern, values: &[f64], to: &Pattern, out: &mut [f64]) {
         out.fill(0.0);
-        for ((row, column), &value) in entries(from).zip(values) {
+        for ((row, column), &value) in from.places().zip(values) {
             let (first, weights) = self.weights(row);
             if let Some(start) = to.find(first, column) {
                 for (entry, weight) in out[start..].iter_mut().zip(weights) {
@@ -237,12 +237,4 @@ impl Reduction {
             }
         }
     }
-}
-
-/// Rows and columns of all entries in their order.
-fn entries(pattern: &Pattern) -> impl Iterator<Item = (usize, usize)> + '_ {
-    (0..pattern.columns()).flat_map(|column| {
-        let places = pattern.starts()[column]..pattern.starts()[column + 1];
-        pattern.indices()[places].iter().map(move |&row| (row, column))
-    })
 }

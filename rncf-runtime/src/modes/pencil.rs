@@ -63,7 +63,7 @@ impl Pencil {
         let (n, m) = (pattern.columns(), constraint_pattern.columns());
         assert_eq!((pattern.rows(), constraint_pattern.rows(), sizes.len()), (n, n, n), "n");
         let scales: Vec<f64> = sizes.iter().map(|&size| power_of_two(size)).collect();
-        let places: Vec<(usize, usize)> = entries(pattern).collect();
+        let places: Vec<(usize, usize)> = pattern.places().collect();
         let energies = tangent.stiffness.iter().zip(&places);
         let energies = energies.map(|(value, &(row, column))| (value * scales[row] * scales[column]).abs());
         // Beside constraints, which are relative to themselves, the stiffness of a small machine in J is nothing.
@@ -77,7 +77,7 @@ impl Pencil {
                 .map(|(value, &(row, column))| unit * (value * scales[row] * scales[column]))
                 .collect()
         };
-        let border: Vec<(usize, usize)> = entries(constraint_pattern).collect();
+        let border: Vec<(usize, usize)> = constraint_pattern.places().collect();
         let mut rows: Vec<f64> = jacobian
             .iter()
             .zip(&border)
@@ -205,7 +205,7 @@ impl Pencil {
         let n = self.unknowns();
         [&self.mass, &self.damping, &self.stiffness].map(|values| {
             let mut full = vec![0.0; n * n];
-            for ((row, column), value) in entries(&self.pattern).zip(values) {
+            for ((row, column), value) in self.pattern.places().zip(values) {
                 full[row * n + column] = *value;
             }
             full
@@ -215,7 +215,7 @@ impl Pencil {
     /// Columns of `C_x^T`.
     pub(super) fn constraint_rows(&self) -> Vec<Vec<f64>> {
         let mut rows = vec![vec![0.0; self.unknowns()]; self.constraints()];
-        for ((row, constraint), value) in entries(&self.constraint_pattern).zip(&self.jacobian) {
+        for ((row, constraint), value) in self.constraint_pattern.places().zip(&self.jacobian) {
             rows[constraint][row] = *value;
         }
         rows
@@ -273,7 +273,7 @@ impl Pencil {
     /// `|x|^T |K| |x|`
     fn terms(&self, x: &[c64]) -> f64 {
         let sizes: Vec<f64> = x.iter().map(|value| value.norm()).collect();
-        let parts = entries(&self.pattern).zip(&self.stiffness);
+        let parts = self.pattern.places().zip(&self.stiffness);
         parts
             .map(|((row, column), value)| sizes[row] * value.abs() * sizes[column])
             .sum()
@@ -293,7 +293,7 @@ impl Pencil {
             sums.rounded()
         };
         let mut constraints = vec![c64::default(); self.constraints()];
-        for ((row, constraint), &value) in entries(&self.constraint_pattern).zip(&self.jacobian) {
+        for ((row, constraint), &value) in self.constraint_pattern.places().zip(&self.jacobian) {
             constraints[constraint] += x[row].times(value);
         }
         Products {
@@ -310,11 +310,11 @@ impl Pencil {
         let speed = s.norm();
         let largest = x.iter().map(|value| value.norm()).fold(0.0, f64::max);
         let mut terms = vec![0.0; self.unknowns()];
-        for (entry, (row, _)) in entries(&self.pattern).enumerate() {
+        for (entry, (row, _)) in self.pattern.places().enumerate() {
             let dynamic = speed * (self.damping[entry].abs() + speed * self.mass[entry].abs());
             terms[row] += largest * (self.stiffness[entry].abs() + dynamic);
         }
-        for ((row, constraint), value) in entries(&self.constraint_pattern).zip(&self.jacobian) {
+        for ((row, constraint), value) in self.constraint_pattern.places().zip(&self.jacobian) {
             terms[row] += value.abs() * lambda[constraint].norm();
         }
         let relative = residual.iter().zip(&terms).map(|(rest, term)| rest.norm() / term);
@@ -358,14 +358,6 @@ fn nearest_root([m, c, k]: [c64; 3], s: c64) -> c64 {
     finite
         .min_by(|a, b| (a - s).norm().total_cmp(&(b - s).norm()))
         .unwrap_or(s)
-}
-
-/// Row and column of every entry, in the order of the values.
-fn entries(pattern: &Pattern) -> impl Iterator<Item = (usize, usize)> {
-    (0..pattern.columns()).flat_map(move |column| {
-        let range = pattern.starts()[column]..pattern.starts()[column + 1];
-        pattern.indices()[range].iter().map(move |&row| (row, column))
-    })
 }
 
 /// Sums of products in twice the working precision: value and rest, real and imaginary parts.

@@ -42,7 +42,7 @@ impl Chart {
             first.map_or(index..index + 1, |first| first..first + 3)
         };
         let (n, m) = (constraints.rows(), constraints.columns());
-        let of = |pattern: &Pattern| entries(pattern).collect::<Vec<_>>();
+        let of = |pattern: &Pattern| pattern.places().collect::<Vec<_>>();
         let (block, constraints) = (of(block), of(constraints));
         let wide = |&(row, column): &(usize, usize)| mates(column).map(move |column| (row, column));
         let tall = |&(row, column): &(usize, usize)| mates(row).map(move |row| (row, column));
@@ -174,14 +174,6 @@ impl Chart {
             }
         }
     }
-}
-
-fn entries(pattern: &Pattern) -> impl Iterator<Item = (usize, usize)> {
-    (0..pattern.columns()).flat_map(move |column| {
-        pattern.indices()[pattern.starts()[column]..pattern.starts()[column + 1]]
-            .iter()
-            .map(move |&row| (row, column))
-    })
 }
 
 fn scatter(places: &[usize], values: &[f64], out: &mut [f64]) {
