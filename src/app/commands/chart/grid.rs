@@ -93,7 +93,7 @@ impl Grid {
         }
     }
 
-    /// Number that stands for the problem and the settings of a run: the text of the model, all parameters, the times and
+    /// Number that stands for the problem and the settings of a run: the model with all that it was built from, all parameters, the times and
     /// options, the version of this crate.
     pub fn identity(&self, model: &dyn AnyModel, setting: &Setting) -> u64 {
         let model = self.model(model, setting.mesh);
