@@ -115,3 +115,33 @@ fn time_of_many_bodies() {
     };
     time("run", &|| drop(run(&Hanging {}, &settings).unwrap()));
 }
+
+mod links {
+    rncf::model! {
+        /// Equal bars on hinges in a plane that begin level, and hang on one end.
+        pub model Links {
+            const n = 60;
+            load weight = gravity([0, 0, -9.81] m/s^2);
+            for i in 0..n {
+                rigid link[i] { plane zx; mass = 1 kg; inertia = 8.333333333333333e-4 kg*m^2; origin = [(i + 0.5) * 0.1 m, 0 m, 0 m]; }
+            }
+            joint root = revolute(link[0].at([-0.05, 0, 0] m), inertial);
+            for i in 0..n - 1 {
+                joint hinge[i] = revolute(link[i].at([0.05, 0, 0] m), link[i + 1].at([-0.05, 0, 0] m));
+            }
+            output z = link[n - 1].z;
+            output pull = root.force;
+        }
+    }
+}
+
+/// What has far to fall is followed until it hangs: "a force along a motion that nothing ties is not balanced" from 40 bars on.
+#[test]
+fn sixty_bars_fall_until_they_hang() {
+    let found = static_equilibria(&links::Links {}, &EquilibriumSettings::default()).unwrap();
+    let last = |name: &str| {
+        let column = found.history.find(name).unwrap();
+        found.history.column(column).last().unwrap()
+    };
+    assert!((last("z") + 5.95).abs() < 1e-9 && (last("pull.z").abs() / (60.0 * 9.81) - 1.0).abs() < 1e-9);
+}

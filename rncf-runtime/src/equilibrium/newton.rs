@@ -19,9 +19,11 @@ const BALANCED: f64 = 1e-9;
 const ASTRAY: f64 = 10.0;
 /// Largest entry of an increment that a patient iteration takes, relative to the size of its unknown.
 const STRIDE: f64 = 0.3;
+/// Part of it that a step of a flow aims at.
+const AIMED: f64 = 0.7;
 /// Steps of a flow; the first one, times the angular velocity squared; increments at which it is Newton's turn; the smallest step,
 /// likewise: what is compressed at the start lets go within such steps.
-const FLOWS: u32 = 400;
+const FLOWS: u32 = 2000;
 const FLOW_START: f64 = 1e-2;
 const FLOWN: f64 = 1e-4;
 const FLOW_LEAST: f64 = 1e-10;
@@ -332,7 +334,8 @@ impl Newton {
             if size <= STILL && long > 1.0 / FLOWN || size <= FLOWN && long >= 0.5 * FLOW_MOST {
                 return Ok(());
             }
-            step *= if size < last { 2.0 } else { 1.1 };
+            // What only falls goes about as far with each step as one may go.
+            step *= (AIMED * STRIDE / self.reach()).min(if size < last { 2.0 } else { 1.1 });
             step = step.min(FLOW_MOST / (speed * speed));
             last = size;
         }
@@ -466,11 +469,15 @@ impl Newton {
         if patience == Patience::Strict {
             return 1.0;
         }
+        (STRIDE / self.reach()).min(1.0)
+    }
+
+    /// Largest entry of an increment, relative to the size of its unknown.
+    fn reach(&self) -> f64 {
         let parts = self.increments.iter().zip(&self.inverse_sizes);
-        let largest = parts.fold(0.0, |largest: f64, (change, inverse)| {
+        parts.fold(0.0, |largest: f64, (change, inverse)| {
             largest.max((change * inverse).abs())
-        });
-        (STRIDE / largest).min(1.0)
+        })
     }
 
     /// Whether the last solution held motions that nothing ties.
