@@ -3,6 +3,8 @@
 use rncf::app::{Judging, RunSettings, run};
 use rncf::prelude::*;
 
+use crate::runs::adaptive;
+
 rncf::model! {
     /// A cantilever whose base moves with 1 m/s at once.
     pub model Jolted {
@@ -140,10 +142,7 @@ rncf::model! {
 fn a_smooth_run_up_ends_without_an_impact_on_what_is_damped() {
     for (rtol, c) in [(1e-3, 1e-3), (1e-5, 1e-3), (1e-6, 50e-3)] {
         let settings = RunSettings {
-            options: Options {
-                rtol,
-                ..Options::default()
-            },
+            options: adaptive(rtol),
             judged: Judging::No,
             ..RunSettings::default()
         };

@@ -2,7 +2,8 @@
 //! taken for an error of theirs.
 
 use rncf::app::{Judging, RunSettings, run};
-use rncf::prelude::*;
+
+use crate::runs::adaptive;
 
 rncf::model! {
     /// A body on a ball joint and one on a hinge beside it, thrown round: it whips through 30 rad/s.
@@ -46,10 +47,7 @@ rncf::model! {
 fn a_whip_is_followed_with_every_tolerance() {
     for (rtol, most) in [(1e-6, 1e-5), (1e-5, 4e-5), (3e-5, 2e-4), (1e-4, 6e-4)] {
         let settings = RunSettings {
-            options: Options {
-                rtol,
-                ..Options::default()
-            },
+            options: adaptive(rtol),
             judged: Judging::No,
             ..RunSettings::default()
         };
