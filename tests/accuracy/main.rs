@@ -4,6 +4,7 @@ mod agreement;
 mod between_steps;
 mod closed_forms;
 mod coarse_meshes;
+mod coordinates;
 mod dense;
 mod determinism;
 mod divergence;

@@ -94,6 +94,10 @@ pub const INERTIAL_ACCELERATION: &str =
 pub const RIGID_SLOPE: &str = "only flexible bodies have a slope: use a direction such as `arm.ex`";
 pub const NOTHING_CONSTRAINED: &str =
     "nothing that moves freely stands in this: a constraint ties positions, directions or angles";
+pub const NOTHING_SPRUNG: &str =
+    "nothing that moves freely stands in this: the coordinate of a spring is made of positions, directions or angles";
+pub const COORDINATE_IS_VECTOR: &str =
+    "the coordinate of a spring is one number: take a component, or give each its own spring";
 pub const SPRING_LENGTH: &str = "this spring needs its length without force: `length = 1 m`";
 pub const BUSHING_AXES: &str = "the second place of a bushing gives the axes, and a centre line has none: use a frame, a rigid body or a body with cross-sections, e.g. `inertial.at([1, 0, 0] m)`";
 pub const BUSHING_ANGLES: &str = "a centre line has no angles for this bushing: use a body with cross-sections, or leave out `rotational_stiffness`, `rotational_damping` and `coupling`";
@@ -337,7 +341,7 @@ messages! {
     no_center(name) = "`{name}` has no centre of mass of its own: only a `rigid` body has";
     no_component(axis) = "this vector has no {axis} component";
     only_in_outputs(word) = "only an `output` can observe `{word}`";
-    rate_in_constraint(word) = "a constraint ties positions, directions and angles: `{word}` has no place in it";
+    rate_in_constraint(word) = "this is made of positions, directions and angles: `{word}` has no place in it";
     point_mass_turns(name) = "`{name}` is a point mass and has no orientation: give it an `inertia`";
     point_mass_joint(name, word) = "`{name}` is a point mass and has no orientation for a `{word}`: give it an `inertia`, or use `spherical` or `distance`";
     end_orientation(word) = "a centre line has a tangent and no orientation for a `{word}`: use `clamp`, `clamp_full` or `spherical`, and a `constraint` for more, or mesh the body with `beam`";
@@ -370,6 +374,8 @@ messages! {
     unseen(name, others, place) = "no output, caution or start sees `{name}`{others}: observe it (e.g. `output of_{name} = {place};`), leave it out, or call it `_{name}`";
     undamped(part, body, place, element, cure, kind, name) = "this does not damp the {part} of `{body}`: {place} `{element}` has no strain of it, whose rate could be damped; {cure} where that should die away, or call the {kind} `_{name}`";
     unread_property(property, kind, name, why) = "nothing reads the {property} of {kind} `{name}`, for {why}: leave it out, or call the {kind} `_{name}`";
+    coordinate_measure(what) = "the coordinate of a spring is a length or an angle, but this is {what}: multiply or divide it by what makes it one";
+    coordinate_law(acts) = "along this coordinate acts a {acts}: write `{acts} = ..`, an expression of `value` and `rate`, and nothing else";
     spring_stiffness(word, unit) = "`{word}` needs a stiffness: for a damper alone write `stiffness = 0 [{unit}]`";
 }
 

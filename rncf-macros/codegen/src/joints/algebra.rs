@@ -153,19 +153,9 @@ pub fn intern(markers: &mut Vec<Marker>, marker: Marker) -> MarkerId {
     }))
 }
 
-/// Calls with everything that an expression observes.
-pub fn each_observable(expr: &Expr, of: &mut dyn FnMut(&Observable)) {
-    if let Expr::Observed(observable) = expr {
-        of(observable);
-    }
-    for part in expr.parts() {
-        each_observable(part, of);
-    }
-}
-
 /// Adds the markers that an expression is a function of, in the order in which they stand there.
 pub fn markers_of(expr: &Expr, found: &mut Vec<MarkerId>) {
-    each_observable(expr, &mut |observable| {
+    expr.each_observable(&mut |observable| {
         if let Observable::Marker { marker, .. } = observable
             && !found.contains(marker)
         {

@@ -172,10 +172,13 @@ pub(super) fn told(graph: &mut Graph, what: f64, values: Vec<Id>, begin: usize) 
         .collect()
 }
 
-/// An expression with a number instead of an angle.
+/// An expression with a number instead of an angle; its derivatives do not jump where the angle does.
 fn with(expr: &Expr, angle: &Expr, value: f64) -> Expr {
     if expr == angle {
         return Expr::Number(value);
+    }
+    if matches!(expr, Expr::Slope(..) | Expr::Rate(_)) {
+        return expr.clone();
     }
     let rebuilt = expr.with_parts(&mut |part| Some(with(part, angle, value)));
     rebuilt.unwrap_or_else(|| expr.clone())

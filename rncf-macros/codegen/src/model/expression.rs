@@ -60,6 +60,10 @@ pub enum Expr {
     If(Comparison, Box<Expr>, Box<Expr>, Box<Expr>, Box<Expr>),
     /// Something of the simulated system; in outputs, constraints and forces.
     Observed(Observable),
+    /// Derivative of what is a function of markers by a component of one, which the second part observes; in forces.
+    Slope(Box<Expr>, Box<Expr>),
+    /// Rate of what is a function of markers and time; in forces.
+    Rate(Box<Expr>),
 }
 
 impl Expr {
@@ -77,8 +81,10 @@ impl Expr {
             | Expr::Strain(_)
             | Expr::Element(_)
             | Expr::Observed(_) => Vec::new(),
-            Expr::Motion(_, inner) | Expr::Negate(inner) | Expr::Lookup { at: inner, .. } => vec![inner],
-            Expr::Binary(_, left, right) | Expr::Power(left, right) => vec![left, right],
+            Expr::Motion(_, inner) | Expr::Negate(inner) | Expr::Rate(inner) | Expr::Lookup { at: inner, .. } => {
+                vec![inner]
+            }
+            Expr::Binary(_, left, right) | Expr::Power(left, right) | Expr::Slope(left, right) => vec![left, right],
             Expr::Call(_, arguments) => arguments.iter().collect(),
             Expr::If(_, left, right, then, otherwise) => vec![left, right, then, otherwise],
         }
@@ -105,6 +111,8 @@ impl Expr {
                 boxed(then)?,
                 boxed(otherwise)?,
             ),
+            Expr::Slope(of, by) => Expr::Slope(boxed(of)?, boxed(by)?),
+            Expr::Rate(of) => Expr::Rate(boxed(of)?),
             leaf => leaf.clone(),
         })
     }
@@ -117,6 +125,14 @@ impl Expr {
                 .with_parts(&mut |part| Some(part.at_time_zero()))
                 .unwrap_or_else(|| other.clone()),
         }
+    }
+
+    /// Calls with everything that it observes.
+    pub fn each_observable(&self, of: &mut dyn FnMut(&Observable)) {
+        if let Expr::Observed(observable) = self {
+            of(observable);
+        }
+        self.parts().into_iter().for_each(|part| part.each_observable(of));
     }
 
     /// Whether it or something that it is made of is of a kind.
@@ -327,6 +343,25 @@ pub enum Observable {
         /// 0, 1, 2 for x, y, z.
         component: usize,
     },
+}
+
+impl Observable {
+    /// The time derivative of a component of a marker.
+    pub fn rate(&self) -> Option<Observable> {
+        let &Observable::Marker {
+            marker,
+            derivative,
+            component,
+        } = self
+        else {
+            return None;
+        };
+        Some(Observable::Marker {
+            marker,
+            derivative: derivative + 1,
+            component,
+        })
+    }
 }
 
 /// Whose mass, momentum or energy it is.

@@ -91,6 +91,8 @@ fn value(expr: &Expr, leaf: &dyn Fn(&Expr) -> Option<f64>) -> Option<f64> {
         | Expr::Element(_)
         | Expr::Motion(..)
         | Expr::Lookup { .. }
+        | Expr::Slope(..)
+        | Expr::Rate(_)
         | Expr::Observed(_) => {
             return leaf(expr);
         }

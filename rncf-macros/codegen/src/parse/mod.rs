@@ -54,7 +54,8 @@
 //! constraint  = "constraint" NAME "=" expr ";"  // scalar or vector, = 0
 //! spring      = "spring" NAME "=" call ";"      // linear(PLACE, PLACE, stiffness = .., length = .. [, damping = ..])
 //!                   // law(PLACE, PLACE, force = expr), torsional(JOINT|FRAME, stiffness = .. [, damping = .., angle = ..])
-//!                   // torsional_law(JOINT|FRAME, moment = expr)
+//!                   // torsional_law(JOINT|FRAME, moment = expr), coordinate(expr, stiffness = .. [, damping = .., value = ..])
+//!                   // coordinate_law(expr, force|moment = expr)
 //! load        = "load" NAME "=" call ";"        // gravity(vector), follower(BODY.end, expr | [expr, expr])
 //!                   // force|moment(BODY.end|BODY.at(expr), vector [, in = FRAME])
 //! output      = "output" NAME "=" right ";"

@@ -16,7 +16,7 @@ const WORDS: &[(&str, &[&str])] = &[
     ("mass", &["fixture", "rigid"]), ("point_mass", &["fixture", "rigid"]), ("parts", &["part"]), ("module", &["component"]),
     // What stands inside of an item: `gravity([0, -9.81, 0] m/s^2)` without `load weight =`.
     ("revolute", &["joint"]), ("pin", &["joint"]), ("clamp", &["joint"]), ("weld", &["joint"]), ("spherical", &["joint"]), ("universal", &["joint"]),
-    ("prismatic", &["joint"]), ("cylindrical", &["joint"]), ("distance", &["joint"]), ("hold", &["joint"]), ("drive", &["joint"]),
+    ("prismatic", &["joint"]), ("cylindrical", &["joint"]), ("distance", &["joint"]), ("coordinate", &["spring"]), ("hold", &["joint"]), ("drive", &["joint"]),
     ("circle", &["section"]), ("rectangle", &["section"]), ("tube", &["section"]), ("distributed", &["load"]), ("bushing", &["spring"]),
     ("torsional", &["spring"]), ("linear", &["spring"]), ("hinged", &["frame"]), ("moving", &["frame"]), ("rotating", &["frame"]), ("free", &["frame"]),
     ("planar", &["body"]), ("spatial", &["body"]), ("line", &["body"]), ("mesh", &["body"]), ("chord", &["body"]), ("mean_axes", &["body"]),
@@ -45,7 +45,7 @@ const WORDS: &[(&str, &[&str])] = &[
     ("rotate", &["rotating"]), ("rotation", &["rotating", "angle"]), ("spin", &["rotating", "angular_velocity"]),
     ("translate", &["moving"]), ("translating", &["moving"]), ("translation", &["moving"]), ("floating", &["free"]),
     ("spring", &["linear"]), ("nonlinear", &["law"]), ("torsion", &["torsional"]), ("k", &["stiffness"]), ("c", &["damping"]),
-    ("l0", &["length"]), ("L0", &["length"]), ("rest_length", &["length"]), ("free_length", &["length"]),
+    ("gear", &["coordinate", "constraint"]), ("gears", &["coordinate", "constraint"]), ("l0", &["length"]), ("L0", &["length"]), ("rest_length", &["length"]), ("free_length", &["length"]),
     ("dt", &["every"]), ("step", &["every"]), ("time_step", &["every"]), ("timestep", &["every"]), ("interval", &["every"]),
     ("end", &["t_end"]), ("tend", &["t_end"]), ("end_time", &["t_end"]), ("final_time", &["t_end"]), ("duration", &["t_end"]),
     ("time", &["t", "t_end"]),

@@ -165,6 +165,21 @@ impl<'m> Time<'m> {
                 self.observed.push((observable.clone(), symbol));
                 symbol
             }
+            Expr::Slope(of, by) => {
+                let (of, by) = (self.expression_at(of, t), self.expression_at(by, t));
+                self.graph.partial(of, by)
+            }
+            Expr::Rate(of) => {
+                let mut rates = HashMap::from([(t, self.graph.one())]);
+                of.each_observable(&mut |observable| {
+                    if let Some(rate) = observable.rate() {
+                        let [value, rate] = [observable.clone(), rate].map(Expr::Observed);
+                        rates.insert(self.expression_at(&value, t), self.expression_at(&rate, t));
+                    }
+                });
+                let of = self.expression_at(of, t);
+                self.graph.differentiate(of, &rates)
+            }
         }
     }
 

@@ -1,6 +1,7 @@
 //! Loads and springs.
 
 pub mod bushing;
+pub mod coordinate;
 pub mod density;
 pub mod distributed;
 pub mod load;

@@ -13,13 +13,16 @@ use crate::parse::tree::{Call, Expr, ExprKind, Item, ItemKind, Keyword};
 use crate::suggest;
 use crate::units::Dimension;
 
-const STIFFNESS: Wanted = Wanted::new("the stiffness of a spring", [0, 1, -2, 0, 0, 0], "N/m");
-const DAMPING: Wanted = Wanted::new("the damping of a spring", [0, 1, -1, 0, 0, 0], "N*s/m");
-const LENGTH: Wanted = Wanted::new("the length of a spring", [1, 0, 0, 0, 0, 0], "m");
-const FORCE: Wanted = Wanted::new("the force of a law", [1, 1, -2, 0, 0, 0], "N");
-const TORSION: Wanted = Wanted::new("the stiffness of a torsional spring", [2, 1, -2, 0, 0, 0], "N*m/rad");
-const FRICTION: Wanted = Wanted::new("the damping of a torsional spring", [2, 1, -1, 0, 0, 0], "N*m*s/rad");
-const MOMENT: Wanted = Wanted::new("the moment of a law", [2, 1, -2, 0, 0, 0], "N*m");
+pub(super) const STIFFNESS: Wanted = Wanted::new("the stiffness of a spring", [0, 1, -2, 0, 0, 0], "N/m");
+pub(super) const DAMPING: Wanted = Wanted::new("the damping of a spring", [0, 1, -1, 0, 0, 0], "N*s/m");
+pub(super) const LENGTH: Wanted = Wanted::new("the length of a spring", [1, 0, 0, 0, 0, 0], "m");
+pub(super) const FORCE: Wanted = Wanted::new("the force of a law", [1, 1, -2, 0, 0, 0], "N");
+pub(super) const TORSION: Wanted = Wanted::new("the stiffness of a torsional spring", [2, 1, -2, 0, 0, 0], "N*m/rad");
+pub(super) const FRICTION: Wanted = Wanted::new("the damping of a torsional spring", [2, 1, -1, 0, 0, 0], "N*m*s/rad");
+pub(super) const MOMENT: Wanted = Wanted::new("the moment of a law", [2, 1, -2, 0, 0, 0], "N*m");
+
+/// Exponents of J.
+const ENERGY: [i8; 6] = [2, 1, -2, 0, 0, 0];
 
 const LINEAR: Shape = Shape {
     positional: 2,
@@ -86,9 +89,19 @@ impl<'a> Check<'a> {
             "law" => self.law(call)?,
             "torsional" => self.torsional(call)?,
             "torsional_law" => self.torsional_law(call)?,
+            "coordinate" => self.coordinate_spring(call)?,
+            "coordinate_law" => self.coordinate_law(call)?,
             "bushing" => self.bushing(call)?,
             other => {
-                let known = ["linear", "law", "torsional", "torsional_law", "bushing"];
+                let known = [
+                    "linear",
+                    "law",
+                    "torsional",
+                    "torsional_law",
+                    "coordinate",
+                    "coordinate_law",
+                    "bushing",
+                ];
                 self.errors.at(call.name.span, suggest::unknown("spring", other, known));
                 return None;
             }
@@ -155,22 +168,23 @@ impl<'a> Check<'a> {
             // Also where the ends meet, and no line between them has a direction.
             let square = multiply(number(0.5), dot(&line.apart, &line.apart));
             let towards = algebra::scale(&stiffness, &line.apart);
+            let energy = multiply(stiffness.clone(), square);
             return Some(Acting {
-                shown: line.shown(multiply(stiffness.clone(), line.length.clone())),
+                shown: stored(line.shown(multiply(stiffness, line.length.clone())), &energy),
                 forces: towards_each_other(&line, towards),
-                energy: Some(multiply(stiffness, square)),
+                energy: Some(energy),
             });
         }
         let stretch = subtract(line.length.clone(), length);
-        let energy = damping.is_none().then(|| energy(&stiffness, &stretch));
+        let (energy, is_conservative) = (energy(&stiffness, &stretch), damping.is_none());
         let mut force = multiply(stiffness, stretch);
         if let Some(damping) = damping {
             force = add(force, multiply(damping, line.rate.clone()));
         }
         Some(Acting {
-            shown: line.shown(force.clone()),
+            shown: stored(line.shown(force.clone()), &energy),
             forces: pull(&line, force),
-            energy,
+            energy: is_conservative.then_some(energy),
         })
     }
 
@@ -188,7 +202,7 @@ impl<'a> Check<'a> {
     }
 
     /// Resolves a law in which some names have values of their own.
-    fn in_law<T>(&mut self, locals: [(&'static str, Typed); 2], resolve: impl FnOnce(&mut Self) -> T) -> T {
+    pub(super) fn in_law<T>(&mut self, locals: [(&'static str, Typed); 2], resolve: impl FnOnce(&mut Self) -> T) -> T {
         self.locals.extend(locals);
         let result = self.with_lookups(resolve);
         self.locals.clear();
@@ -196,7 +210,7 @@ impl<'a> Check<'a> {
     }
 
     /// A stiffness that must be given.
-    fn stiffness(&mut self, call: &Call, expr: Option<&'a Expr>, wanted: Wanted) -> Option<Value> {
+    pub(super) fn stiffness(&mut self, call: &Call, expr: Option<&'a Expr>, wanted: Wanted) -> Option<Value> {
         let Some(expr) = expr else {
             self.errors
                 .at(call.area, say::spring_stiffness(&call.name.text, wanted.unit));
@@ -205,7 +219,7 @@ impl<'a> Check<'a> {
         self.not_negative(expr, wanted)
     }
 
-    fn damping(&mut self, expr: Option<&'a Expr>, wanted: Wanted) -> Option<Option<Value>> {
+    pub(super) fn damping(&mut self, expr: Option<&'a Expr>, wanted: Wanted) -> Option<Option<Value>> {
         match expr {
             Some(expr) => self.not_negative(expr, wanted).map(Some),
             None => Some(None),
@@ -255,15 +269,15 @@ impl<'a> Check<'a> {
         let (angle, stiffness, damping, rest) = (angle?, stiffness?, damping?, rest?);
         let turn = subtract(angle.value(), rest);
         let is_conservative = damping.is_none() && !algebra::has_time(&turn);
-        let energy = is_conservative.then(|| energy(&stiffness, &turn));
+        let energy = energy(&stiffness, &turn);
         let mut moment = multiply(stiffness, turn);
         if let Some(damping) = damping {
             moment = add(moment, multiply(damping, angle.rate()));
         }
         Some(Acting {
             forces: angle.forces(&moment),
-            energy,
-            shown: shown_about(&angle, moment),
+            shown: stored(shown_about(&angle, moment), &energy),
+            energy: is_conservative.then_some(energy),
         })
     }
 
@@ -317,8 +331,15 @@ fn shown_about(angle: &Angle, moment: Value) -> Shown {
     all.map(|(name, typed)| (name, Quantity::Scalar(typed))).collect()
 }
 
+/// What a spring shows, and the energy that it stores.
+pub(super) fn stored(mut shown: Shown, energy: &Value) -> Shown {
+    let energy = Typed::new(energy.clone(), Dimension::of(ENERGY));
+    shown.push(("energy", Quantity::Scalar(energy)));
+    shown
+}
+
 /// `k x^2 / 2`
-fn energy(stiffness: &Value, stretch: &Value) -> Value {
+pub(super) fn energy(stiffness: &Value, stretch: &Value) -> Value {
     let square = multiply(stretch.clone(), stretch.clone());
     multiply(multiply(number(0.5), stiffness.clone()), square)
 }

@@ -5,7 +5,7 @@ use super::world::{
     Pose, STEP, World, add, axis_of, bent, dot, first_body, product, rotation, scale, second_body, still, times,
     transposed, with,
 };
-use crate::joints::algebra::{each_observable, markers_of};
+use crate::joints::algebra::markers_of;
 use crate::model::{Expr, Held, JointKind, Marker, Observable};
 
 /// Two rigid bodies, a beam that both may be tied to, and what a test adds.
@@ -456,7 +456,7 @@ fn rows_and_forces_are_functions_of_markers() {
     );
     let mut count = 0;
     let mut check = |expr: &Expr| {
-        each_observable(expr, &mut |observable| {
+        expr.each_observable(&mut |observable| {
             count += 1;
             assert!(
                 matches!(observable, Observable::Marker { derivative: 0, .. }),
