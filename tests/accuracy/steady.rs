@@ -1,6 +1,8 @@
 //! Relative equilibria at constant spin: elongation and root reaction (THEORY 8.1, 9.1).
 
-use rncf::equilibrium;
+use rncf::app::{EquilibriumSettings, modes};
+use rncf::equilibrium::{self, Spin};
+use rncf::space::Vector;
 use rncf::{Formulation, Joints, Method, Model, Scene, State, steady};
 use rncf_models::{SpinUp, SpinUpSpatial};
 use rncf_reference::table::STEADY_ELONGATIONS;
@@ -250,4 +252,70 @@ fn what_does_not_turn_with_the_body_is_refused() {
         .build(Formulation::Rncf, Joints::Eliminated)
         .unwrap();
     steady(scene.as_mut(), 1.0).unwrap();
+}
+
+mod beside {
+    rncf::model! {
+        /// A blade on a hub, and beside it a post that stands on the ground.
+        pub model Beside {
+            section post { EA = 10 MN; EIy = 400 N*m^2; EIz = 100 N*m^2; GAy = 5 MN; GAz = 5 MN; GJ = 100 N*m^2; mass = 3 kg/m; inertia_y = 1e-4 kg*m; inertia_z = 1e-4 kg*m; }
+            frame hub = rotating(axis = z, angle = 10 [rad/s] * t);
+            body blade in hub { spatial; line from [0, 0, 0] m to [1, 0, 0] m; section_y [0, 1, 0]; mesh 4 * beam(post); }
+            joint root = clamp(blade.start, hub);
+            body ground { spatial; line from [3, 0, 0] m to [3, 0, 1] m; section_y [0, 1, 0]; mesh 4 * beam(post); }
+            joint base = clamp(ground.start, inertial);
+            output tips = blade.end - ground.end.in(hub);
+            run { t_end = 1 s; }
+        }
+    }
+}
+
+mod standing {
+    rncf::model! {
+        /// A post that stands on the ground.
+        pub model Standing {
+            section post { EA = 10 MN; EIy = 400 N*m^2; EIz = 100 N*m^2; GAy = 5 MN; GAz = 5 MN; GJ = 100 N*m^2; mass = 3 kg/m; inertia_y = 1e-4 kg*m; inertia_z = 1e-4 kg*m; }
+            body ground { spatial; line from [3, 0, 0] m to [3, 0, 1] m; section_y [0, 1, 0]; mesh 4 * beam(post); }
+            joint base = clamp(ground.start, inertial);
+            output tip = ground.end;
+            run { t_end = 1 s; }
+        }
+    }
+}
+
+/// What stands beside a rotor has one frequency, of Bernoulli's clamped beam; `--spin` of what cannot turn is refused.
+#[test]
+fn what_stands_does_not_turn_with_the_rest() {
+    let found = modes(&beside::Beside::default(), &EquilibriumSettings::default()).unwrap();
+    let first = 3.516_015 * (100.0_f64 / 3.0).sqrt();
+    let of = |body: &str| {
+        let modes = found.modes.iter().zip(&found.compositions);
+        let own = modes.filter(move |(_, composition)| {
+            composition
+                .bodies
+                .iter()
+                .any(|(name, part)| name == body && *part > 0.99)
+        });
+        own.map(|(mode, _)| mode.inertial_frequencies(found.spin))
+            .collect::<Vec<_>>()
+    };
+    let standing = of("ground");
+    assert!(
+        (standing[0][0] - first).abs() < 1e-3 * first,
+        "{standing:?} for {first}"
+    );
+    assert!(standing.iter().all(|seen| seen.len() == 1), "{standing:?}");
+    assert!(of("blade").iter().any(|seen| seen.len() == 2), "{:?}", of("blade"));
+    let turned = EquilibriumSettings {
+        spin: Some(Spin {
+            velocity: Vector::new(0.0, 0.0, 10.0),
+            point: Vector::zeros(),
+        }),
+        ..EquilibriumSettings::default()
+    };
+    let error = modes(&standing::Standing::default(), &turned).unwrap_err().to_string();
+    assert!(
+        error.contains("nothing turns with the rotation that is given"),
+        "{error}"
+    );
 }

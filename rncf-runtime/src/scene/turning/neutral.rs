@@ -19,11 +19,30 @@ const SHIFTS: [f64; 2] = [0.31, -0.83];
 /// Relative size of a change, or of what is new in a motion, that counts as nothing.
 const NEGLIGIBLE: f64 = 1e-8;
 
+/// Relative rate of a constraint along a motion that it holds.
+const HELD: f64 = 1e-6;
+
 /// A motion of some frames, as a unit velocity field.
 #[derive(Clone, Copy, Debug)]
 enum Screw {
     Turn { axis: Vector, point: Vector },
     Shift { along: Vector },
+}
+
+/// A row of a constraint by its unknowns, in the sizes of these.
+type Row = Vec<(usize, f64)>;
+
+/// Whether constraints do not let a motion be.
+fn hold(rows: &[Row], direction: &[f64]) -> bool {
+    let largest = largest(direction.iter());
+    rows.iter().any(|row| {
+        let rate: f64 = row.iter().map(|&(unknown, value)| value * direction[unknown]).sum();
+        rate.abs() > HELD * largest * self::largest(row.iter().map(|(_, value)| value))
+    })
+}
+
+fn largest<'v>(values: impl Iterator<Item = &'v f64>) -> f64 {
+    values.fold(0.0, |largest: f64, value| largest.max(value.abs()))
 }
 
 fn unit(axis: usize) -> Vector {
@@ -74,8 +93,9 @@ impl MeshScene {
                 moved[self.frames.free[free].spec.frame] = true;
             }
             let before = self.undisplaced(at.t, &moved, None);
+            let rows = self.constraint_rows(&before);
             for screw in self.screws(&spin, &frames, at.t) {
-                self.try_screw(at, screw, (&moved, &before), false, &mut found);
+                self.try_screw(at, screw, (&moved, &before, &rows), false, &mut found);
             }
         }
         for free in 0..self.frames.free.len() {
@@ -87,7 +107,7 @@ impl MeshScene {
             moved[self.frames.free[free].spec.frame] = true;
             let before = self.undisplaced(at.t, &moved, None);
             for screw in screws {
-                self.try_screw(at, screw, (&moved, &before), true, &mut found);
+                self.try_screw(at, screw, (&moved, &before, &[]), true, &mut found);
             }
         }
         let sizes = &self.tabulated.sizes;
@@ -98,18 +118,21 @@ impl MeshScene {
     }
 
     /// Keeps the direction of a motion of the moved frames, relative to the sizes of the unknowns, if it is new and changes
-    /// nothing of what acts on them.
+    /// nothing of what acts on them; the rows of their constraints refuse most.
     fn try_screw(
         &mut self,
         at: &Uniform,
         screw: Screw,
-        (moved, before): (&[bool], &Undisplaced),
+        (moved, before, rows): (&[bool], &Undisplaced, &[Row]),
         is_own: bool,
         found: &mut Vec<Vec<f64>>,
     ) {
         let mut direction = self.direction(screw, moved);
         let whole: f64 = direction.iter().map(|x| x * x).sum::<f64>().sqrt();
-        if whole == 0.0 || !whole.is_finite() || reduce(&mut direction, found) < 1e-6 * whole {
+        if whole == 0.0 || !whole.is_finite() || hold(rows, &direction) {
+            return;
+        }
+        if reduce(&mut direction, found) < 1e-6 * whole {
             return;
         }
         let size = self
@@ -118,9 +141,9 @@ impl MeshScene {
             .iter()
             .fold(0.0, |size: f64, other| size.max(*other));
         for displacement in screw.displacements(moved, is_own, size) {
-            let is_free = self.follows(&displacement)
-                && (is_own || !self.is_pulled(at, &displacement))
-                && self.changed_from(before, at.t, &displacement).is_none();
+            let is_free = (is_own || !self.is_pulled(at, &displacement))
+                && self.changed_from(before, at.t, &displacement).is_none()
+                && self.follows(&displacement);
             if !is_free {
                 return;
             }
@@ -233,34 +256,30 @@ impl MeshScene {
     /// Whether loads of the scene make a difference between the places before and after.
     fn is_pulled(&mut self, at: &Uniform, displacement: &Displacement) -> bool {
         let matrix = matrix(&exp(displacement.turn));
-        let (frames, q) = (self.buffers.frames.clone(), self.buffers.q.clone());
+        let differs = |expected: Vector, after: Vector| (expected - after).norm() > NEGLIGIBLE * expected.norm();
+        let gravity = self.gravity(at.t);
+        let mut free = self.frames.free.iter();
+        if differs(matrix * gravity, gravity)
+            && free.any(|frame| displacement.moved[frame.spec.frame] && self.is_heavy(frame.spec.frame))
+        {
+            return true;
+        }
         let pull = |scene: &Self| -> Vec<(usize, Vector)> {
-            let gravity = scene.gravity(at.t);
-            let heavy = scene
-                .frames
-                .free
-                .iter()
-                .filter(|frame| scene.is_heavy(frame.spec.frame));
-            let gravity = heavy.map(|frame| (frame.spec.frame, gravity));
             let marked = scene.links.marked_loads.iter().map(|marked| {
                 let load = &scene.dead_loads.specs[marked.load];
                 let value =
                     scene.buffers.frames[load.frame].direction_to_inertial(scene.parts.load(marked.load, at.t).into());
                 (scene.marker_frame(&marked.markers[0]), value)
             });
-            gravity.chain(marked).collect()
+            marked.collect()
         };
         let before = pull(self);
-        self.displace(displacement);
-        let after = pull(self);
-        (self.buffers.frames, self.buffers.q) = (frames, q);
+        let frames = self.links.marked_loads.iter();
+        let frames = frames.map(|marked| self.dead_loads.specs[marked.load].frame).collect();
+        let after = self.displaced(displacement, frames, pull);
         before.into_iter().zip(after).any(|((frame, before), (_, after))| {
-            let expected = if displacement.moved[frame] {
-                matrix * before
-            } else {
-                before
-            };
-            (expected - after).norm() > NEGLIGIBLE * before.norm()
+            let is_moved = displacement.moved[frame];
+            differs(if is_moved { matrix * before } else { before }, after)
         })
     }
 
@@ -289,7 +308,7 @@ impl MeshScene {
             }
         }
         // Round-off is not a part of the motion.
-        let largest = result.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
+        let largest = largest(result.iter());
         for value in &mut result {
             if value.abs() <= NEGLIGIBLE * largest {
                 *value = 0.0;

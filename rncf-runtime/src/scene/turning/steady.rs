@@ -66,6 +66,11 @@ impl MeshScene {
             return Ok(at.spin.unwrap_or(spin));
         }
         if let Some(spin) = at.spin {
+            if spin.velocity != Vector::zeros() && self.frames.free.is_empty() {
+                return Err(
+                    "nothing turns with the rotation that is given (`--spin`): leave that away, or put what turns into a frame that does, such as a `rotating` one".into(),
+                );
+            }
             return Ok(spin);
         }
         let free = (0..frames.len()).filter(is_free);

@@ -29,6 +29,7 @@ pub(crate) struct Undisplaced {
     constraints: Vec<(usize, Acting)>,
     forces: Vec<(usize, Acting)>,
     loads: Vec<(&'static str, Vec<f64>)>,
+    /// Which loads time changes, where displacements ask for that.
     timed: Vec<bool>,
 }
 
@@ -99,69 +100,105 @@ impl MeshScene {
             constraints: constraints.collect(),
             forces: forces.collect(),
             loads: self.marked_values(t),
-            timed: self.timed_values(t),
+            timed: later.map_or_else(Vec::new, |_| self.timed_values(t)),
         }
     }
 
-    /// [`MeshScene::changed_by`] of what acts on the frames that are moved.
-    pub(crate) fn changed_from(&mut self, before: &Undisplaced, t: f64, displacement: &Displacement) -> Option<String> {
-        let frames = self.buffers.frames.iter().enumerate();
-        let frames: Vec<_> = frames
-            .filter(|&(index, _)| displacement.moved[index])
-            .map(|(index, frame)| (index, *frame))
-            .collect();
-        let q = self.buffers.q.clone();
-        self.displace(displacement);
-        let changed = self.first_changed(before, t, displacement);
-        frames
-            .into_iter()
-            .for_each(|(index, frame)| self.buffers.frames[index] = frame);
-        self.buffers.q = q;
-        changed
-    }
-
-    /// The first that is another at the displaced state.
-    fn first_changed(&self, before: &Undisplaced, t: f64, displacement: &Displacement) -> Option<String> {
-        let later = t + displacement.later.unwrap_or(0.0);
-        let constraint = before.constraints.iter().find(|(index, before)| {
-            self.is_constraint_changed(*index, displacement, before, &self.constraining(*index, later))
-        });
-        let constraint = constraint.map(|&(index, _)| {
-            let spec = &self.links.constraints[index].spec;
-            match spec.kind {
-                "constraint" => format!("constraint `{}`", spec.name),
-                kind => format!("joint `{}` ({kind})", spec.name),
-            }
-        });
-        let force = || {
-            let is_changed = |(index, before): &&(usize, Acting)| {
-                self.is_force_changed(*index, displacement, before, &self.forcing(*index, later))
+    /// Rows of the constraints by the unknowns that they depend on, in the sizes of these.
+    pub(crate) fn constraint_rows(&self, before: &Undisplaced) -> Vec<Vec<(usize, f64)>> {
+        let of = |(index, acting): &(usize, Acting)| {
+            let components = self.constrained(*index);
+            let row = |row: &Vec<f64>| {
+                let terms = components.iter().zip(row).flat_map(|(&component, value)| {
+                    let unknowns = self.layout.unknowns_at(component);
+                    unknowns.map(move |(unknown, factor)| (unknown, factor * value * self.tabulated.sizes[unknown]))
+                });
+                terms.collect()
             };
-            let (index, _) = before.forces.iter().find(is_changed)?;
-            Some(format!("force `{}`", self.links.forces[*index].name))
+            acting.derivatives.iter().map(row).collect::<Vec<_>>()
         };
-        let load = || {
-            let loads = self.changed_loads(t, displacement, &before.loads, &before.timed);
-            loads.into_iter().next()
-        };
-        constraint.or_else(force).or_else(load)
+        before.constraints.iter().flat_map(of).collect()
     }
 
-    /// Displaces the loaded frames.
-    pub(crate) fn displace(&mut self, displacement: &Displacement) {
-        let border = self.layout.vector_components();
-        for index in (0..self.buffers.frames.len()).filter(|&index| displacement.moved[index]) {
-            let free = self.frames.free_of[index].map(|free| &self.frames.free[free]);
-            let turns = free.is_none_or(|frame| frame.count() > frame.shifts());
-            let frame = &mut self.buffers.frames[index];
-            if let Some(free) = free
-                && let Some(place) = free.angle()
-            {
-                let axis = frame.direction_to_inertial(free.directions[place].turn);
-                self.buffers.q[border + free.first + place] += axis.dot(&displacement.turn);
+    /// [`MeshScene::changed_by`] of what acts on the frames that are moved: constraints are looked at first, each beside its own frames.
+    pub(crate) fn changed_from(&mut self, before: &Undisplaced, t: f64, displacement: &Displacement) -> Option<String> {
+        let later = t + displacement.later.unwrap_or(0.0);
+        for (index, before) in &before.constraints {
+            let frames = self.of_markers(&self.links.constraints[*index], |marker| self.marker_frame(marker));
+            let is_changed = self.displaced(displacement, frames, |scene| {
+                scene.is_constraint_changed(*index, displacement, before, &scene.constraining(*index, later))
+            });
+            if is_changed {
+                let spec = &self.links.constraints[*index].spec;
+                return Some(match spec.kind {
+                    "constraint" => format!("constraint `{}`", spec.name),
+                    kind => format!("joint `{}` ({kind})", spec.name),
+                });
             }
-            *frame = displacement.displaced(frame, turns);
         }
+        let all = (0..self.buffers.frames.len()).collect();
+        self.displaced(displacement, all, |scene| {
+            let is_changed = |(index, before): &&(usize, Acting)| {
+                scene.is_force_changed(*index, displacement, before, &scene.forcing(*index, later))
+            };
+            match before.forces.iter().find(is_changed) {
+                Some((index, _)) => Some(format!("force `{}`", scene.links.forces[*index].name)),
+                None => {
+                    let loads = scene.changed_loads(t, displacement, &before.loads, &before.timed);
+                    loads.into_iter().next()
+                }
+            }
+        })
+    }
+
+    /// What is seen of the loaded state while some frames are displaced, as far as they are moved.
+    pub(crate) fn displaced<T>(
+        &mut self,
+        by: &Displacement,
+        mut frames: Vec<usize>,
+        see: impl FnOnce(&Self) -> T,
+    ) -> T {
+        frames.sort_unstable();
+        frames.dedup();
+        frames.retain(|&frame| by.moved[frame]);
+        let kept: Vec<_> = frames
+            .iter()
+            .map(|&frame| {
+                let angle = self.angle_of(frame);
+                (
+                    self.buffers.frames[frame],
+                    angle.map(|(angle, _)| (angle, self.buffers.q[angle])),
+                )
+            })
+            .collect();
+        frames.iter().for_each(|&frame| self.displace(frame, by));
+        let seen = see(self);
+        for (frame, (motion, angle)) in frames.into_iter().zip(kept) {
+            self.buffers.frames[frame] = motion;
+            if let Some((angle, value)) = angle {
+                self.buffers.q[angle] = value;
+            }
+        }
+        seen
+    }
+
+    /// Displaces a loaded frame.
+    fn displace(&mut self, index: usize, by: &Displacement) {
+        if let Some((angle, axis)) = self.angle_of(index) {
+            self.buffers.q[angle] += axis.dot(&by.turn);
+        }
+        let free = self.frames.free_of[index].map(|free| &self.frames.free[free]);
+        let turns = free.is_none_or(|frame| frame.count() > frame.shifts());
+        let frame = &mut self.buffers.frames[index];
+        *frame = by.displaced(frame, turns);
+    }
+
+    /// Where among the components the angle of a loaded frame stands, if it has one, and its axis, inertial axes.
+    fn angle_of(&self, frame: usize) -> Option<(usize, Vector)> {
+        let free = &self.frames.free[self.frames.free_of[frame]?];
+        let place = free.angle()?;
+        let axis = self.buffers.frames[frame].direction_to_inertial(free.directions[place].turn);
+        Some((self.layout.vector_components() + free.first + place, axis))
     }
 
     /// Components that a constraint depends on, in ascending order.

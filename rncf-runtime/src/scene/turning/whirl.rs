@@ -202,8 +202,11 @@ impl MeshScene {
         let sections = Sections::new(mass, &is_axis);
         let centres = sections.centres(&changes);
         let image = sections.image_of_axis(&centres);
-        for (centre, image) in centres.iter().zip(&image) {
-            energies.whirling.add(&short(centre), &short(image));
+        // What stands beside a rotor is seen as it moves.
+        if frame.spin != Vector::zeros() {
+            for (centre, image) in centres.iter().zip(&image) {
+                energies.whirling.add(&short(centre), &short(image));
+            }
         }
         let total = inner(&centres, &image) + inner(&changes, &sections.image_of_sections(&changes));
         energies.whirling.add_whole(total);
