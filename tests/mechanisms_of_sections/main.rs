@@ -8,6 +8,7 @@ mod carried;
 mod chains;
 mod circulatory;
 mod discs;
+mod free_spin;
 mod ladder;
 mod lateral;
 mod loose;

@@ -216,6 +216,14 @@ impl Scene for ModalScene {
         restricted.collect()
     }
 
+    fn shifts_across(&mut self, at: &Uniform, state: &State) -> Vec<[Vec<f64>; 2]> {
+        self.expand(state);
+        let shifts = self.scene.shifts_across(at, &self.full).into_iter();
+        shifts
+            .map(|pair| pair.map(|shift| self.reduction.restrict(&shift, false)))
+            .collect()
+    }
+
     fn untied_motion(&mut self, at: &Uniform, state: &State, motion: &[f64]) -> Option<String> {
         self.expand(state);
         let shape: Vec<[f64; 2]> = motion.iter().map(|&value| [value, 0.0]).collect();

@@ -174,6 +174,12 @@ pub trait Scene: System + Send {
         Vec::new()
     }
 
+    /// Shifts across the axis of the rotation of what moves together, directions of the unknowns at the state: for each part two, by one unit of length,
+    /// right-handed with the axis; nothing where nothing turns. Whether something ties them is not asked.
+    fn shifts_across(&mut self, _at: &Uniform, _state: &State) -> Vec<[Vec<f64>; 2]> {
+        Vec::new()
+    }
+
     /// A direction of the unknowns at the state along which nothing is stiff, in the user's words; `None` where it deforms a
     /// body, or where the scene does not know: such a direction is a fault of the model, or a body buckles.
     fn untied_motion(&mut self, _at: &Uniform, _state: &State, _motion: &[f64]) -> Option<String> {

@@ -105,6 +105,10 @@ pub(super) fn negative_stiffness(pencil: &Pencil) -> Result<usize, Failure> {
             whole[i * size + j] = 0.5 * (stiffness[i * n + j] + stiffness[j * n + i]);
         }
     }
+    // What is zero to round-off is not negative.
+    for (i, cancelled) in pencil.cancelled().enumerate() {
+        whole[i * size + i] += cancelled;
+    }
     // Constraints as large as the stiffness: the signature is the same, the pivots are better.
     let largest = whole.iter().fold(0.0f64, |largest, value| largest.max(value.abs()));
     let weight = if largest > 0.0 { largest } else { 1.0 };

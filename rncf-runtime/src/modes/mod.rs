@@ -6,6 +6,7 @@
 //! observer that turns with the system.
 
 mod arnoldi;
+mod carried;
 mod critical;
 mod dense;
 mod matrices;
@@ -27,10 +28,11 @@ pub use tracking::{assurance, followed, matched};
 pub use whirl::Whirl;
 
 use crate::error::SolveError;
-use crate::linalg::Pattern;
+use crate::linalg::{Pattern, c64};
 use crate::model::{Scene, Uniform};
 use crate::system::State;
-use matrices::{error, pencil, still, tangent};
+use carried::carried;
+use matrices::{apart_from, error, pencil, still, tangent};
 use pair::Pair;
 
 /// Which modes are wanted.
@@ -48,10 +50,27 @@ pub struct Wanted {
 /// [`SolveErrorKind::NoModes`](crate::error::SolveErrorKind::NoModes): the matrices are singular (naming the unknown or constraint), a value is
 /// not finite, a mode was not found to the accuracy of the matrices, or none was found though motions are free.
 pub fn modes(scene: &mut dyn Scene, at: &Uniform, state: &State, wanted: Wanted) -> Result<Vec<Mode>, SolveError> {
-    // What the scene knows to have no stiffness needs not be told from round-off.
-    let pencil = beside_still(scene, at, state);
+    // What the scene knows to have no stiffness, or to be carried by nothing, needs not be told from round-off.
+    let still = still(scene, at, state);
+    let tangent = tangent(scene, at, state);
+    let speed = speed(scene, at);
+    let carried = carried(scene, at, state, &tangent, speed);
+    let shifts = carried.iter().flat_map(|carried| carried.shifts.clone()).collect();
+    let pencil = apart_from(scene, state, &tangent, shifts)
+        .without_stiffness_along(still)
+        .turning(speed);
     let sizes = scene.sizes().to_vec();
-    let pairs = spectrum::lowest(&pencil, wanted.count).map_err(|failure| error(scene, at, &failure))?;
+    let mut pairs = spectrum::lowest(&pencil, wanted.count).map_err(|failure| error(scene, at, &failure))?;
+    for carried in carried {
+        let relative = carried.shape().into_iter().zip(pencil.scales());
+        let x: Vec<_> = relative.map(|(value, scale)| value / *scale).collect();
+        let s = c64::new(0.0, speed);
+        // Where it is, and how it goes on: two motions of one shape.
+        pairs.extend([x.clone(), x].map(|x| Pair { s, x }));
+    }
+    pairs.sort_by(|a, b| pair::order(a.s, b.s));
+    pairs.truncate(wanted.count);
+    number(&mut pairs, |pair| [pair.s.re, pair.s.im]);
     Ok(pairs.into_iter().map(|pair| mode(&pencil, &sizes, pair)).collect())
 }
 
@@ -70,7 +89,14 @@ pub fn unstable_directions(scene: &mut dyn Scene, at: &Uniform, state: &State) -
 /// The pencil that knows the motions without stiffness.
 fn beside_still(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Pencil {
     let still = still(scene, at, state);
-    pencil(scene, at, state).without_stiffness_along(still)
+    pencil(scene, at, state)
+        .without_stiffness_along(still)
+        .turning(speed(scene, at))
+}
+
+/// Angular velocity of a uniform motion, rad/s.
+fn speed(scene: &dyn Scene, at: &Uniform) -> f64 {
+    at.speed() * at.spin.map_or_else(|| scene.spin(at.t), |spin| spin.velocity.norm())
 }
 
 /// Whether circulatory forces act, the skew part of the stiffness: then an equilibrium may be unstable in growing vibrations
@@ -87,6 +113,8 @@ pub fn is_circulatory(scene: &mut dyn Scene, at: &Uniform, state: &State) -> boo
     for (entry, row, column) in places.clone() {
         largest[row] = largest[row].max(scaled(entry, row, column).abs());
     }
+    // Rows that cancel are round-off of what has cancelled.
+    let cancelled = CANCELLED * largest.iter().copied().fold(0.0, f64::max);
     places
         .clone()
         .filter(|&(_, row, column)| row < column)
@@ -95,12 +123,14 @@ pub fn is_circulatory(scene: &mut dyn Scene, at: &Uniform, state: &State) -> boo
                 .find(column, row)
                 .map_or(0.0, |other| scaled(other, column, row));
             let skew = (scaled(entry, row, column) - other).abs();
-            skew > CIRCULATORY * (largest[row] * largest[column]).sqrt()
+            skew > cancelled + CIRCULATORY * (largest[row] * largest[column]).sqrt()
         })
 }
 
 /// Part of the stiffness of their rows from which on two entries that differ count as different.
 const CIRCULATORY: f64 = 1e-9;
+/// Round-off of an entry, of the largest one.
+const CANCELLED: f64 = 8.0 * f64::EPSILON;
 
 /// Stability margin: the largest rate of growth, 1/s. Negative: the equilibrium is asymptotically stable in
 /// these modes; 0 to round-off: neutral, as without damping; `None` without modes.

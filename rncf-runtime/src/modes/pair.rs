@@ -61,3 +61,11 @@ pub(super) fn normalise(x: &mut [c64], lambda: &mut [c64]) {
         x.iter_mut().chain(lambda).for_each(|value| *value /= entry);
     }
 }
+
+/// By size, then by growth, then the one that turns ahead.
+pub(super) fn order(a: c64, b: c64) -> std::cmp::Ordering {
+    a.norm()
+        .total_cmp(&b.norm())
+        .then(a.re.total_cmp(&b.re))
+        .then(b.im.total_cmp(&a.im))
+}

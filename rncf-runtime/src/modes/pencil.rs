@@ -37,6 +37,8 @@ pub struct Pencil {
     border: Vec<[usize; 2]>,
     /// Orthonormal motions that are known to have no stiffness.
     still: Vec<Vec<f64>>,
+    /// What cancels in each row of the stiffness where the system turns: the centrifugal forces of all that moves with it.
+    centrifugal: Vec<f64>,
 }
 
 /// `K x + C_x^T lambda`, `C x` and `M x`, and `C_x x`, each summed with twice the digits.
@@ -108,7 +110,30 @@ impl Pencil {
             scales,
             whole,
             still: Vec::new(),
+            centrifugal: vec![0.0; n],
         }
+    }
+
+    /// The same of a system that turns, rad/s.
+    pub(super) fn turning(mut self, speed: f64) -> Self {
+        let mut heaviest = vec![0.0f64; self.unknowns()];
+        let diagonal: Vec<f64> = (0..self.unknowns())
+            .map(|index| {
+                self.pattern
+                    .find(index, index)
+                    .map_or(0.0, |entry| self.mass[entry].abs())
+            })
+            .collect();
+        for (row, column) in self.pattern.places() {
+            heaviest[row] = heaviest[row].max(diagonal[column]);
+        }
+        self.centrifugal = heaviest.into_iter().map(|mass| speed * speed * mass).collect();
+        self
+    }
+
+    /// Round-off of the stiffness along each unknown, of what turns.
+    pub(super) fn cancelled(&self) -> impl Iterator<Item = f64> + '_ {
+        self.centrifugal.iter().map(|force| ROUNDED * f64::EPSILON * force)
     }
 
     /// The same with directions of the unknowns that are known to have no stiffness.
@@ -250,7 +275,12 @@ impl Pencil {
         let products = self.products(x, &[]);
         let along = |image: &[c64]| x.iter().zip(image).map(|(x, image)| x.conj() * image).sum::<c64>();
         let inertia = lowest * lowest * along(&products.mass).norm();
-        along(&products.stiffness).norm() <= inertia + ROUNDED * f64::EPSILON * self.terms(x)
+        let cancelled: f64 = x
+            .iter()
+            .zip(self.cancelled())
+            .map(|(x, size)| x.norm_sqr() * size)
+            .sum();
+        along(&products.stiffness).norm() <= inertia + cancelled + ROUNDED * f64::EPSILON * self.terms(x)
     }
 
     /// The motions that are known to have no stiffness.

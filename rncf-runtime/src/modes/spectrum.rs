@@ -3,7 +3,7 @@
 use super::arnoldi;
 use super::dense;
 use super::mode::number;
-use super::pair::{CLOSE, Failure, Pair, SLOW};
+use super::pair::{CLOSE, Failure, Pair, SLOW, order};
 use super::pencil::Pencil;
 use super::refinement::Refinement;
 use crate::linalg::c64;
@@ -122,11 +122,4 @@ fn one_of_conjugates(Pair { s, x }: Pair) -> Vec<Pair> {
     let both = [real(|value| value.re), real(|value| value.im)];
     let is_some = |pair: &Pair| pair.x.iter().any(|value| value.re != 0.0);
     both.into_iter().filter(is_some).collect()
-}
-
-fn order(a: c64, b: c64) -> std::cmp::Ordering {
-    a.norm()
-        .total_cmp(&b.norm())
-        .then(a.re.total_cmp(&b.re))
-        .then(b.im.total_cmp(&a.im))
 }

@@ -183,6 +183,10 @@ impl Scene for MeshScene {
         self.neutral(at, state)
     }
 
+    fn shifts_across(&mut self, at: &Uniform, state: &State) -> Vec<[Vec<f64>; 2]> {
+        self.across(at, state)
+    }
+
     fn untied_motion(&mut self, at: &Uniform, state: &State, motion: &[f64]) -> Option<String> {
         self.moved_as_wholes(at, state, motion)
     }

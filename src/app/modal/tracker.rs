@@ -103,6 +103,9 @@ pub(super) fn there(scene: &mut dyn Scene, at: &Uniform, mode: &Mode) -> Mode {
     mode
 }
 
+/// Part of a frequency by which it and the spin differ for round-off.
+const SAME: f64 = 1e-9;
+
 fn size(mode: &Mode) -> f64 {
     mode.re.hypot(mode.im)
 }
@@ -432,6 +435,14 @@ fn compared(mode: SeenMode, spin: f64) -> (f64, Whirl) {
     }
 }
 
+/// How far a frequency is from a multiple of the spin: the free tilt of what nothing holds has that of the spin itself.
+fn apart(im: f64, multiple: f64) -> f64 {
+    if (im - multiple).abs() <= SAME * multiple {
+        return 0.0;
+    }
+    im - multiple
+}
+
 /// Crossings with the spin and twice the spin in the last step, on straight lines.
 fn crossed(diagram: &Campbell) -> Vec<Crossing> {
     let mut found = Vec::new();
@@ -460,8 +471,8 @@ fn crossed(diagram: &Campbell) -> Vec<Crossing> {
         }
         for order in [1, 2] {
             let ends = [(first.0, spins[0]), (last.0, spins[1])];
-            let [low, high] = ends.map(|(im, spin)| im - f64::from(order) * spin);
-            if (low > 0.0) != (high > 0.0) && low != 0.0 {
+            let [low, high] = ends.map(|(im, spin)| apart(im, f64::from(order) * spin));
+            if low != 0.0 && low * high <= 0.0 {
                 let share = low / (low - high);
                 found.push(Crossing {
                     track: index,

@@ -9,7 +9,7 @@ use crate::scene::MeshScene;
 use crate::scene::pieces::displacement::Displacement;
 use crate::scene::pieces::marker::Marker;
 use crate::scene::turning::symmetry::Undisplaced;
-use crate::space::{Vector, exp, matrix};
+use crate::space::{Vector, exp, matrix, perpendicular};
 use crate::system::State;
 
 /// Angles that a turning is tried with, rad.
@@ -115,6 +115,29 @@ impl MeshScene {
             .iter()
             .map(|motion| motion.iter().zip(sizes).map(|(x, size)| x * size).collect())
             .collect()
+    }
+
+    /// Shifts of each group across the axis of the rotation, in the unknowns.
+    pub(crate) fn across(&mut self, at: &Uniform, state: &State) -> Vec<[Vec<f64>; 2]> {
+        let speed = at.speed() * self.rotation(at).unwrap_or_default().velocity.norm();
+        if self.frames.free.is_empty() || speed == 0.0 {
+            return Vec::new();
+        }
+        let axis = self.rotation(at).unwrap_or_default().velocity.normalize();
+        let first = perpendicular(axis);
+        self.load_uniform(at, state);
+        let sizes = &self.tabulated.sizes;
+        let shifts = self.groups().into_iter().map(|frames| {
+            let mut moved = vec![false; self.buffers.frames.len()];
+            frames
+                .iter()
+                .for_each(|&free| moved[self.frames.free[free].spec.frame] = true);
+            [first, axis.cross(&first)].map(|along| {
+                let relative = self.direction(Screw::Shift { along }, &moved);
+                relative.iter().zip(sizes).map(|(x, size)| x * size).collect()
+            })
+        });
+        shifts.collect()
     }
 
     /// Keeps the direction of a motion of the moved frames, relative to the sizes of the unknowns, if it is new and changes
