@@ -49,9 +49,18 @@ impl Unit {
             return Ok(Unit::ONE);
         }
         if let Some(ascii) = in_ascii(text) {
-            return Err(format!("`{text}` is not ASCII; write `{ascii}`"));
+            return Err(match ascii {
+                Some(ascii) => format!("`{text}` is not ASCII; write `{ascii}`"),
+                None => format!("`{text}` is not ASCII: units are written with the letters a to z, as in `rad/s`"),
+            });
         }
         let mut parser = Parser { rest: text.trim() };
+        if !parser.rest.starts_with(|c: char| c.is_alphanumeric() || c == '(') {
+            return Err(format!(
+                "`{}` is no unit: write one number and its unit, as in `2.5 m/s`",
+                text.trim()
+            ));
+        }
         let unit = parser.product()?;
         match parser.rest.chars().next() {
             None => Ok(unit),
@@ -138,6 +147,7 @@ struct Parser<'t> {
 impl Parser<'_> {
     /// Factors from left to right; `/` divides by the next factor alone.
     fn product(&mut self) -> Result<Unit, String> {
+        let begins_with_one = self.rest.starts_with("1 ");
         let mut unit = self.factor()?;
         loop {
             let spaced = self.rest.starts_with(' ');
@@ -145,6 +155,9 @@ impl Parser<'_> {
             let sign = match self.rest.chars().next() {
                 Some('*') => 1,
                 Some('/') => -1,
+                Some(c) if spaced && begins_with_one && c.is_alphabetic() => {
+                    return Err("two numbers stand in a row: write one number and its unit".into());
+                }
                 Some(c) if spaced && (c.is_alphabetic() || c == '(') => {
                     unit = unit.times(self.factor()?, 1)?;
                     continue;
@@ -184,8 +197,8 @@ impl Parser<'_> {
     }
 }
 
-/// What to write for a unit with signs that no keyboard has; `None` where there are none.
-fn in_ascii(text: &str) -> Option<String> {
+/// What to write for a unit with signs that no keyboard has, where that is known; `None` where there are none.
+fn in_ascii(text: &str) -> Option<Option<String>> {
     if text.is_ascii() {
         return None;
     }
@@ -202,7 +215,7 @@ fn in_ascii(text: &str) -> Option<String> {
     let plain = signs
         .iter()
         .fold(text.to_owned(), |text, (sign, plain)| text.replace(sign, plain));
-    Some(plain.replace(|c: char| !c.is_ascii(), "?"))
+    Some(plain.is_ascii().then_some(plain))
 }
 
 fn symbol(text: &str) -> Result<Unit, String> {
@@ -287,6 +300,18 @@ mod tests {
             assert_eq!(error(word), format!("`{word}` is not a unit; did you mean `{meant}`?"));
         }
         assert_eq!(error("µm"), "`µm` is not ASCII; write `um`");
+        assert_eq!(
+            error("1 m"),
+            "two numbers stand in a row: write one number and its unit"
+        );
+        assert_eq!(
+            error(".1 m"),
+            "`.1 m` is no unit: write one number and its unit, as in `2.5 m/s`"
+        );
+        assert_eq!(
+            error("м"),
+            "`м` is not ASCII: units are written with the letters a to z, as in `rad/s`"
+        );
         assert_eq!(error("N·m²"), "`N·m²` is not ASCII; write `N*m^2`");
     }
 

@@ -1,5 +1,6 @@
 //! Equilibria of bodies that move freely, in uniform rotation and at rest, against closed forms.
 
+use rncf::app::{EquilibriumSettings, modes, static_equilibria};
 use rncf::equilibrium::{Negative, Uniform, continue_from, critical_factor, follow, static_load};
 use rncf::{Formulation, Joints, Method, Model, Scene, SolveError, State, steady};
 use rncf_models::FlyballGovernor;
@@ -474,4 +475,33 @@ fn a_jet_beside_the_axis_lets_no_blade_be_in_equilibrium() {
     let found = steady(scene.as_mut(), 0.0).unwrap();
     let row = outputs(scene.as_mut(), &Uniform::steady(0.0), found.state().unwrap());
     assert!(row[0] > 1e-6, "{row:?}");
+}
+
+mod bumped {
+    rncf::model! {
+        /// A cart on a spring under a harmonic force.
+        pub model Bumped {
+            rigid cart { plane xy; mass = 5 kg; inertia = 1 kg*m^2; }
+            joint guide = prismatic(inertial, cart, axis = x);
+            spring mount = coordinate(guide.slide, stiffness = 200 N/m);
+            load bump = force(cart, [30 N * sin(4*pi * t / 1 s), 0 N, 0 N]);
+            output x = cart.x;
+            run { t_end = 5.1 s; }
+        }
+    }
+}
+
+/// What changes with time is taken as it is at the time of the equilibrium, and told.
+#[test]
+fn equilibria_at_rest_hold_what_changes_with_time() {
+    let told = "What changes with time is taken as it is at t = 5.1 s (`--at`): force `bump`";
+    let (model, settings) = (bumped::Bumped::default(), EquilibriumSettings::default());
+    let found = modes(&model, &settings).unwrap();
+    assert!((found.modes[0].im - 40.0_f64.sqrt()).abs() < 1e-9, "{:?}", found.modes);
+    assert_eq!(found.warnings, [told]);
+    let rests = static_equilibria(&model, &settings).unwrap();
+    let x = rests.history.column(0).last().unwrap();
+    let exact = 30.0 * (20.4 * std::f64::consts::PI).sin() / 200.0;
+    assert!((x - exact).abs() < 1e-9, "{x} for {exact}");
+    assert_eq!(rests.warnings, [told]);
 }

@@ -235,6 +235,11 @@ impl Scene for ModalScene {
         self.scene.spin(t)
     }
 
+    fn timed(&mut self, at: &Uniform, state: &State) -> Vec<String> {
+        self.expand(state);
+        self.scene.timed(at, &self.full)
+    }
+
     fn moving_frames(&self, t: f64) -> Vec<String> {
         self.scene.moving_frames(t)
     }

@@ -204,6 +204,11 @@ pub trait Scene: System + Send {
     /// Largest angular velocity of a body's frame at `t`, rad/s.
     fn spin(&self, t: f64) -> f64;
 
+    /// What changes with time at the state of a uniform motion, in the user's words: loads, forces, joints that drive.
+    fn timed(&mut self, _at: &Uniform, _state: &State) -> Vec<String> {
+        Vec::new()
+    }
+
     /// Names of the prescribed frames that move at `t` (s).
     fn moving_frames(&self, _t: f64) -> Vec<String> {
         Vec::new()

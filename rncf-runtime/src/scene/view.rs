@@ -203,6 +203,10 @@ impl Scene for MeshScene {
             .fold(0.0, f64::max)
     }
 
+    fn timed(&mut self, at: &Uniform, state: &State) -> Vec<String> {
+        MeshScene::timed(self, at, state)
+    }
+
     fn moving_frames(&self, t: f64) -> Vec<String> {
         let free = declared_free(&*self.parts);
         let motions = self.motions(t);

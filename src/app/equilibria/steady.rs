@@ -8,7 +8,7 @@ use super::continuation::{EquilibriumProgress, Found, Line, Station};
 use super::directions::Measured;
 use super::finer;
 use super::nearer::{EQUILIBRIA, nearer};
-use super::way::at_the_end;
+use super::way::{self, at_the_end};
 use crate::app::judged::finer::Judging;
 use crate::app::judged::marks::round_off;
 use crate::app::judged::{cautions, coarse, finer_modes};
@@ -207,6 +207,7 @@ pub fn equilibria(
     let mut warnings = cautions::sentences(model, &cautions);
     if kind == Kind::Static {
         warnings.extend(rests(station.scene, station.at.t));
+        warnings.extend(way::as_it_is(station.scene, &station.at, station.state));
     }
     warnings.extend(cautions::texts(station.scene.warnings(station.state)));
     warnings.extend(equilibrium::untied(station.scene, &station.at, station.state));

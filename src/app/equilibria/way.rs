@@ -2,9 +2,13 @@
 
 use crate::app::results::equilibria::{EquilibriumSettings, Range};
 use crate::app::results::error::RunError;
-use crate::app::writing::numbers::digits;
+use crate::app::writing::numbers::{digits, short};
+use crate::app::writing::sentences::listed;
 use crate::equilibrium::{Kind, Uniform};
-use crate::{AnyModel, Formulation, Joints, ParamKind, Scene};
+use crate::{AnyModel, Formulation, Joints, ParamKind, Scene, State};
+
+/// Most names in a sentence.
+const MOST: usize = 3;
 
 /// Most continuation steps that may be asked for.
 const MOST_STEPS: u32 = 1_000_000;
@@ -103,6 +107,15 @@ pub(in crate::app) fn stopped(scene: &dyn Scene, at: &Uniform) -> Option<String>
             digits(speed, 7)
         )
     })
+}
+
+/// That what changes with time is taken as it is at the time of an equilibrium.
+pub(in crate::app) fn as_it_is(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Option<String> {
+    let names = listed(&scene.timed(at, state), MOST)?;
+    Some(format!(
+        "What changes with time is taken as it is at t = {} s (`--at`): {names}",
+        short(at.t)
+    ))
 }
 
 pub(in crate::app) fn between(range: Range, share: f64) -> f64 {

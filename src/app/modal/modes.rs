@@ -48,6 +48,7 @@ pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Mod
         .collect();
     let mut warnings = cautions::cautioned(model.as_ref(), scene.warnings(&state));
     warnings.extend(way::stopped(scene, &at));
+    warnings.extend(way::as_it_is(scene, &at, &state));
     warnings.extend(crate::equilibrium::untied(scene, &at, &state));
     warnings.extend(told.equilibrium);
     warnings.extend(fewer(scene, &modes, settings.count));

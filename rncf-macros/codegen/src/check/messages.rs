@@ -94,6 +94,8 @@ pub const INERTIAL_ACCELERATION: &str =
 pub const RIGID_SLOPE: &str = "only flexible bodies have a slope: use a direction such as `arm.ex`";
 pub const NOTHING_CONSTRAINED: &str =
     "nothing that moves freely stands in this: a constraint ties positions, directions or angles";
+pub const EVERY_BEYOND: &str =
+    "the time between rows is longer than the run: no row would lie between its begin and its end";
 pub const NOTHING_SPRUNG: &str =
     "nothing that moves freely stands in this: the coordinate of a spring is made of positions, directions or angles";
 pub const COORDINATE_IS_VECTOR: &str =

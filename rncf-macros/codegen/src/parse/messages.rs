@@ -5,6 +5,7 @@ use crate::suggest::a;
 pub use crate::suggest::unknown;
 
 pub const TOO_DEEP: &str = "this is nested too deeply: give parts of it names with `const` or `motion`";
+pub const TWO_NUMBERS: &str = "two numbers stand in a row: write one number and its unit";
 pub const PLUS_SIGN: &str = "a leading `+` has no meaning here: leave it out";
 pub const MISSING_ELSE: &str = "an `if` is a value and needs both cases: `if t < T { .. } else { .. }`";
 pub const NO_EQUALITY: &str =

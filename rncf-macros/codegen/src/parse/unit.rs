@@ -76,6 +76,9 @@ fn factors(cursor: &mut Cursor, (sign, is_inside): (i32, bool), unit: &mut UnitT
             if divided {
                 return Ok(());
             }
+            if unit.text == "1" {
+                return Err(Mistake::new(unit.area, say::TWO_NUMBERS));
+            }
             unit.text.push(' ');
             factor(cursor, sign, unit)?;
         } else {

@@ -124,21 +124,6 @@ impl MeshScene {
         if at.kind == Kind::Static {
             return None;
         }
-        let load = (0..self.dead_loads.specs.len()).find(|&index| self.parts.load_varies(index));
-        if let Some(index) = load {
-            return Some(format!(
-                "load `{}` varies with time: give it a constant value",
-                self.dead_loads.specs[index].name
-            ));
-        }
-        if let Some(name) = self.parts.timed_energy() {
-            return Some(format!(
-                "the strain energy of body `{name}` changes with time: give it a constant value"
-            ));
-        }
-        if let Some(name) = self.timed_load(at.t) {
-            return Some(format!("load `{name}` varies with time: give it a constant value"));
-        }
         let whole = Uniform {
             scale: 1.0,
             spinning: 1.0,
@@ -149,6 +134,12 @@ impl MeshScene {
             Err(text) if self.is_coupled() || at.spin.is_some() => return Some(text),
             Err(_) => Spin::default(),
         };
+        let mut prescribed = self.motions(at.t).into_iter();
+        // Where nothing turns, loads are those of the time.
+        let turns = spin.velocity != Vector::zeros() || prescribed.any(|frame| frame.spin != Vector::zeros());
+        if let Some(told) = turns.then(|| self.varying(at.t)).flatten() {
+            return Some(told);
+        }
         let mut turning = state.clone();
         self.set_uniform(&whole, &mut turning);
         self.load_uniform(&whole, &turning);
@@ -179,6 +170,24 @@ impl MeshScene {
             })
             // Beyond the rows of a table nothing is as it was.
             .or_else(|| variant.map(|told| self.undefined_now(at.t).unwrap_or(told)))
+    }
+
+    /// A load that is another one at other times.
+    fn varying(&self, t: f64) -> Option<String> {
+        let load = (0..self.dead_loads.specs.len()).find(|&index| self.parts.load_varies(index));
+        if let Some(index) = load {
+            return Some(format!(
+                "load `{}` varies with time: give it a constant value",
+                self.dead_loads.specs[index].name
+            ));
+        }
+        if let Some(name) = self.parts.timed_energy() {
+            return Some(format!(
+                "the strain energy of body `{name}` changes with time: give it a constant value"
+            ));
+        }
+        let name = self.timed_load(t)?;
+        Some(format!("load `{name}` varies with time: give it a constant value"))
     }
 
     /// A constraint or force on markers that changes when what turns is turned on, what stands staying;
@@ -225,17 +234,44 @@ impl MeshScene {
         None
     }
 
-    /// What is another a while later though nothing turns, by name.
+    /// Names of what acts or holds otherwise a while later, though nothing moves; at the state.
+    pub(crate) fn timed(&mut self, at: &Uniform, state: &State) -> Vec<String> {
+        self.load_uniform(at, state);
+        let later = at.t + A_WHILE;
+        let varies = |&load: &usize| self.parts.load(load, at.t) != self.parts.load(load, later);
+        let loads = (0..self.dead_loads.specs.len()).filter(varies);
+        let mut names: Vec<String> = loads
+            .map(|load| format!("load `{}`", self.dead_loads.specs[load].name))
+            .collect();
+        names.extend(
+            self.parts
+                .timed_energy()
+                .map(|body| format!("the strain energy of `{body}`")),
+        );
+        names.extend(self.timed_load(at.t).map(|load| format!("load `{load}`")));
+        let before = self.undisplaced(at.t, &vec![true; self.buffers.frames.len()], Some(A_WHILE));
+        names.extend(self.changes(&before, at.t, &self.while_nothing_moves(), usize::MAX));
+        names.sort();
+        names.dedup();
+        names
+    }
+
+    /// A joint or constraint that is another one a while later though nothing turns, by name.
     fn moved_by_time(&mut self, t: f64) -> Option<String> {
-        let still = Displacement {
+        let still = self.while_nothing_moves();
+        let before = self.undisplaced(t, &still.moved, still.later).of_constraints();
+        self.changed_from(&before, t, &still)
+    }
+
+    fn while_nothing_moves(&self) -> Displacement {
+        Displacement {
             moved: vec![true; self.buffers.frames.len()],
             turn: Vector::zeros(),
             point: Vector::zeros(),
             shift: Vector::zeros(),
             is_own: false,
             later: Some(A_WHILE),
-        };
-        self.changed_by(t, &still)
+        }
     }
 
     /// What is another while it turns, by name, and whether for what it does over time.

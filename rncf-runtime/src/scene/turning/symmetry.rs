@@ -33,6 +33,15 @@ pub(crate) struct Undisplaced {
     timed: Vec<bool>,
 }
 
+impl Undisplaced {
+    /// What holds, without what acts.
+    pub(crate) fn of_constraints(mut self) -> Self {
+        self.forces.clear();
+        self.timed.fill(false);
+        self
+    }
+}
+
 /// Whether two lists of numbers differ by more than round-off of the given size.
 fn differ(a: &[f64], b: &[f64], size: f64) -> bool {
     a.iter()
@@ -120,35 +129,58 @@ impl MeshScene {
         before.constraints.iter().flat_map(of).collect()
     }
 
-    /// [`MeshScene::changed_by`] of what acts on the frames that are moved: constraints are looked at first, each beside its own frames.
+    /// [`MeshScene::changed_by`] of what acts on the frames that are moved.
     pub(crate) fn changed_from(&mut self, before: &Undisplaced, t: f64, displacement: &Displacement) -> Option<String> {
+        self.changes(before, t, displacement, 1).pop()
+    }
+
+    /// The first `count` that a displacement changes: constraints, each looked at beside its own frames, then forces and loads.
+    pub(crate) fn changes(
+        &mut self,
+        before: &Undisplaced,
+        t: f64,
+        displacement: &Displacement,
+        count: usize,
+    ) -> Vec<String> {
         let later = t + displacement.later.unwrap_or(0.0);
+        let mut names = Vec::new();
         for (index, before) in &before.constraints {
+            if names.len() == count {
+                return names;
+            }
             let frames = self.of_markers(&self.links.constraints[*index], |marker| self.marker_frame(marker));
             let is_changed = self.displaced(displacement, frames, |scene| {
                 scene.is_constraint_changed(*index, displacement, before, &scene.constraining(*index, later))
             });
             if is_changed {
                 let spec = &self.links.constraints[*index].spec;
-                return Some(match spec.kind {
+                names.push(match spec.kind {
                     "constraint" => format!("constraint `{}`", spec.name),
                     kind => format!("joint `{}` ({kind})", spec.name),
                 });
             }
         }
+        if names.len() == count {
+            return names;
+        }
         let all = (0..self.buffers.frames.len()).collect();
-        self.displaced(displacement, all, |scene| {
+        let acting = self.displaced(displacement, all, |scene| {
             let is_changed = |(index, before): &&(usize, Acting)| {
                 scene.is_force_changed(*index, displacement, before, &scene.forcing(*index, later))
             };
-            match before.forces.iter().find(is_changed) {
-                Some((index, _)) => Some(format!("force `{}`", scene.links.forces[*index].name)),
-                None => {
-                    let loads = scene.changed_loads(t, displacement, &before.loads, &before.timed);
-                    loads.into_iter().next()
-                }
+            let forces = before.forces.iter().filter(is_changed);
+            let mut acting: Vec<String> = forces
+                .map(|(index, _)| format!("force `{}`", scene.links.forces[*index].name))
+                .take(count - names.len())
+                .collect();
+            if acting.len() + names.len() < count {
+                acting.extend(scene.changed_loads(t, displacement, &before.loads, &before.timed));
             }
-        })
+            acting
+        });
+        names.extend(acting);
+        names.truncate(count);
+        names
     }
 
     /// What is seen of the loaded state while some frames are displaced, as far as they are moved.

@@ -203,7 +203,7 @@ impl MeshScene {
         let centres = sections.centres(&changes);
         let image = sections.image_of_axis(&centres);
         // What stands beside a rotor is seen as it moves.
-        if frame.spin != Vector::zeros() {
+        if moved.is_some() || frame.spin != Vector::zeros() {
             for (centre, image) in centres.iter().zip(&image) {
                 energies.whirling.add(&short(centre), &short(image));
             }

@@ -184,6 +184,14 @@ impl<'a> Check<'a> {
                     self.model.run.every = value;
                 }
             }
+            let [every, t_end] = [&self.model.run.every, &self.model.run.t_end].map(fold::constant);
+            let given = run.fields.iter().find(|field| field.name.text == "every");
+            if let (Some(every), Some(t_end), Some(given)) = (every, t_end, given)
+                && every > t_end
+                && t_end > 0.0
+            {
+                self.errors.at(given.value.area, say::EVERY_BEYOND);
+            }
         }
     }
 }
