@@ -1,6 +1,6 @@
 //! 'Did you mean': the nearest valid word, or the list of all of them.
 
-mod elsewhere;
+pub mod elsewhere;
 
 /// Most valid words that are listed.
 const MOST_LISTED: usize = 40;
@@ -15,6 +15,7 @@ pub fn unknown<'a>(kind: &str, word: &str, valid: impl IntoIterator<Item = &'a s
     };
     let alike = alike(word, &valid);
     match () {
+        () if word == "diameter" && valid.contains(&"radius") => format!("{head}: write `radius`, half of it"),
         () if !alike.is_empty() => format!("{head}: did you mean {}?", list(&alike)),
         () if valid.is_empty() => format!("{head}: the model declares none"),
         () if valid.len() > MOST_LISTED => format!("{head}: use {}, ..", list(&valid[..MOST_LISTED])),

@@ -10,6 +10,7 @@ use std::collections::{HashMap, HashSet};
 
 use super::messages as say;
 use crate::check::joints::loose::loose_ties;
+use crate::check::loads::weight::added_weights;
 use crate::check::sections::undamped::undamped_parts;
 use crate::check::starts::distant::distant_axes;
 use crate::check::values::read::{self, mentioned};
@@ -28,6 +29,7 @@ pub fn influence(tree: &Tree, model: &Model, library: &Library) -> Vec<Mistake> 
     warnings.extend(loose_ties(tree, model, library));
     warnings.extend(undamped_parts(tree, model, library));
     warnings.extend(distant_axes(tree, model));
+    warnings.extend(added_weights(tree));
     if tree.is_copied {
         warnings = crate::errors::at_each_place_once(warnings);
     }

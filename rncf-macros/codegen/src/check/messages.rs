@@ -315,7 +315,7 @@ messages! {
     balance_of_repeated(name) = "`{name}` is repeated, and its sums are known of all together only: write `total`";
     balance_of_massless(name) = "`{name}` has no mass of its own: ask the bodies that it carries, or `total`";
     lacks_field(kind, name, field, example) = "{kind} `{name}` has no `{field}`: write e.g. `{example}`";
-    rotation_leaves_plane(frame, plane, axis) = "frame `{frame}` turns out of the {plane} plane of the body: its axis must be `{axis}`, or the body `spatial`";
+    rotation_leaves_plane(frame, plane, axis) = "frame `{frame}` turns out of the {plane} plane of the body: its axis must be `{axis}`, or the body must move in space (`spatial`, a rigid body without `plane`)";
     or_nothing_reads(message, name) = "{message}; a definition of the load's own, `{name} = ..`, must stand in it";
     definition_has_meaning(name) = "`{name}` is declared in the model: give what the load defines another name";
     density_degree(degree) = "this is a polynomial of degree {degree} in `slope` and `position`: degrees to 4 are integrated, so write one of lower degree";
@@ -324,9 +324,9 @@ messages! {
     rate_in_load(name) = "a density or a field is a function of positions, directions and angles: `{name}` has no place in it";
     field_on_prescribed(frame) = "frame `{frame}` moves in a prescribed way: leave out `on`, such gravity acts on everything";
     field_elsewhere(frame) = "a field on `{frame}` is a function of time and of vectors that are fixed in `{frame}` or in prescribed frames: nothing on a body and in no other free frame";
-    origin_leaves_plane(frame, plane, axis) = "frame `{frame}` leaves the {plane} plane of the body: the {axis} component of its origin must be 0, or the body `spatial`";
-    out_of_plane(what, plane, axis) = "{what} leaves the {plane} plane of the body: its {axis} component must be 0, or the body `spatial`";
-    moment_out_of_plane(plane, axis) = "a moment on a body in the {plane} plane has a {axis} component only: make this 0, or the body `spatial`";
+    origin_leaves_plane(frame, plane, axis) = "frame `{frame}` leaves the {plane} plane of the body: the {axis} component of its origin must be 0, or the body must move in space (`spatial`, a rigid body without `plane`)";
+    out_of_plane(what, plane, axis) = "{what} leaves the {plane} plane of the body: its {axis} component must be 0, or the body must move in space (`spatial`, a rigid body without `plane`)";
+    moment_out_of_plane(plane, axis) = "a moment on a body in the {plane} plane has a {axis} component only: make this 0, or the body must move in space (`spatial`, a rigid body without `plane`)";
     floating(body, frame) = "body `{body}` floats, nothing holds it: tie an end with `clamp` or `pin`, e.g. `joint root = clamp({body}.start, {frame});`";
     end_twice(line) = "this end is already held by the joint in line {line}";
     no_arguments(name) = "`{name}` takes no arguments";
@@ -348,7 +348,7 @@ messages! {
     point_mass_turns(name) = "`{name}` is a point mass and has no orientation: give it an `inertia`";
     point_mass_joint(name, word) = "`{name}` is a point mass and has no orientation for a `{word}`: give it an `inertia`, or use `spherical` or `distance`";
     end_orientation(word) = "a centre line has a tangent and no orientation for a `{word}`: use `clamp`, `clamp_full` or `spherical`, and a `constraint` for more, or mesh the body with `beam`";
-    two_ends(word) = "a `{word}` needs a frame or rigid body on one side: between two centre lines use `spherical`, and a `constraint` on their slopes";
+    two_ends(word) = "a `{word}` needs a frame or rigid body on one side: between two centre lines use `spherical` and a `constraint` on their slopes, or in a plane `weld`";
     two_sections(word) = "a `{word}` needs a frame or rigid body on one side: between two sections use `weld`";
     no_section(word) = "`{word}` is an axis of a cross-section, and a centre line has none: use `slope`, or mesh the body with `beam`";
     no_twist(plane) = "the section of a body in the {plane} plane does not twist: leave the joint out";
@@ -377,6 +377,8 @@ messages! {
     unseen(name, others, place) = "no output, caution or start sees `{name}`{others}: observe it (e.g. `output of_{name} = {place};`), leave it out, or call it `_{name}`";
     undamped(part, body, place, element, cure, kind, name) = "this does not damp the {part} of `{body}`: {place} `{element}` has no strain of it, whose rate could be damped; {cure} where that should die away, or call the {kind} `_{name}`";
     unread_property(property, kind, name, why) = "nothing reads the {property} of {kind} `{name}`, for {why}: leave it out, or call the {kind} `_{name}`";
+    hold_frame(name, component) = "`hold` keeps a place of a flexible body, and `{name}` is none: write a constraint, e.g. `constraint level = {name}.{component};`";
+    added_weight(first, second) = "gravity acts on everything, so that `{first}` and `{second}` are added: leave one out (that of a component stands once for each part), or let its name begin with `_`";
     coordinate_measure(what) = "the coordinate of a spring is a length or an angle, but this is {what}: multiply or divide it by what makes it one";
     coordinate_law(acts) = "along this coordinate acts a {acts}: write `{acts} = ..`, an expression of `value` and `rate`, and nothing else";
     spring_stiffness(word, unit) = "`{word}` needs a stiffness: for a damper alone write `stiffness = 0 [{unit}]`";

@@ -114,6 +114,14 @@ impl Cursor {
         matches!(self.peek_second(), Some(TokenTree::Group(group)) if group.delimiter() == delimiter)
     }
 
+    /// The word that stands after the next two tokens.
+    pub fn third_word(&self) -> Option<String> {
+        match self.tokens.get(self.at + 2) {
+            Some(TokenTree::Ident(ident)) => Some(ident.to_string()),
+            _ => None,
+        }
+    }
+
     /// The word that stands after the next token.
     pub fn second_word(&self) -> Option<String> {
         match self.peek_second() {

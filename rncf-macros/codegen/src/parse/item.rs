@@ -77,6 +77,15 @@ fn unknown_item(cursor: &Cursor) -> Mistake {
         .map(Keyword::word)
         .into_iter()
         .chain(["run", "for", "component"]);
+    // `left = pin(..)`: what is called tells what it would be.
+    let called = cursor.third_word().filter(|_| cursor.is_second_punct('='));
+    let keywords = Keyword::ALL.map(Keyword::word);
+    let meant = called
+        .as_ref()
+        .map(|call| crate::suggest::elsewhere::synonyms(call, &keywords));
+    if let (Some(word), Some(call), Some([keyword])) = (cursor.word(), &called, meant.as_deref()) {
+        return Mistake::new(word.span(), say::without_keyword(&word.to_string(), keyword, call));
+    }
     match cursor.word() {
         Some(word) => Mistake::new(word.span(), say::unknown("item", &word.to_string(), valid)),
         None => cursor.expected("an item such as `param` or `body`"),

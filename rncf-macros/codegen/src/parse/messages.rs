@@ -5,7 +5,6 @@ use crate::suggest::a;
 pub use crate::suggest::unknown;
 
 pub const TOO_DEEP: &str = "this is nested too deeply: give parts of it names with `const` or `motion`";
-pub const TWO_NUMBERS: &str = "two numbers stand in a row: write one number and its unit";
 pub const PLUS_SIGN: &str = "a leading `+` has no meaning here: leave it out";
 pub const MISSING_ELSE: &str = "an `if` is a value and needs both cases: `if t < T { .. } else { .. }`";
 pub const NO_EQUALITY: &str =
@@ -61,6 +60,7 @@ messages! {
     not_a_reduction(name) = "`{name}` does not go over repetitions: `max`, `min`, `sum` and `mean` do";
     expected(what, found) = "expected {what}, found {found}";
     missing_semicolon(found) = "missing `;` after this (next comes {found})";
+    without_keyword(name, keyword, call) = "what `{name}` is does not stand in front of it: write `{keyword} {name} = {call}(..);`";
     missing_name(keyword) = "`{keyword}` needs a name: `{keyword} name ..`";
     unnamed(keyword, word) = "`{keyword}` needs a name in front of `{word}`: `{keyword} name = {word} ..;`";
     quantity_kind(name) = "a quantity is written `param {name} = 2 m;`: only a whole number, `{name}: count`, and a table, `{name}: table`, have their kind in front";

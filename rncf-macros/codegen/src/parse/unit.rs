@@ -76,8 +76,9 @@ fn factors(cursor: &mut Cursor, (sign, is_inside): (i32, bool), unit: &mut UnitT
             if divided {
                 return Ok(());
             }
+            // `2 1 m` is a blank within a number.
             if unit.text == "1" {
-                return Err(Mistake::new(unit.area, say::TWO_NUMBERS));
+                return Err(cursor.expected("`/`"));
             }
             unit.text.push(' ');
             factor(cursor, sign, unit)?;

@@ -51,7 +51,7 @@ impl MeshScene {
             Some(Warning {
                 text: format!(
                     "body `{}`: its section or material changes between the points at which elements look at it: near x = {:.4} m of {:.4} m, and {:.1} % of {}, summed along the axis, are missed. \
-                     Take more elements in `mesh`, nodes where it changes (`stations`, `mesh at`), or a `fixture` or body of its own for what is narrow",
+                     Take more elements in `mesh`, nodes where it changes (`mesh at`), or a `fixture` or body of its own for what is narrow",
                     spec.label(),
                     missed.place,
                     spec.line.length(),

@@ -275,6 +275,10 @@ impl<'a> Check<'a> {
                 }
                 None => (model::Held::Position, None, base.as_ref()),
             },
+            ExprKind::Name(name) if self.is_frame(&name.text) => {
+                self.errors.at(base.area, say::hold_frame(&name.text, &field.text));
+                return None;
+            }
             _ => {
                 self.errors.at(expr.area, usage());
                 return None;

@@ -7,3 +7,4 @@ pub mod distributed;
 pub mod load;
 pub mod marker_forces;
 pub mod spring;
+pub mod weight;
