@@ -82,7 +82,7 @@ fn unknown_item(cursor: &Cursor) -> Mistake {
     let keywords = Keyword::ALL.map(Keyword::word);
     let meant = called
         .as_ref()
-        .map(|call| crate::suggest::elsewhere::synonyms(call, &keywords));
+        .map(|call| suggest::elsewhere::synonyms(call, &keywords));
     if let (Some(word), Some(call), Some([keyword])) = (cursor.word(), &called, meant.as_deref()) {
         return Mistake::new(word.span(), say::without_keyword(&word.to_string(), keyword, call));
     }
