@@ -124,6 +124,11 @@ impl MeshScene {
         if at.kind == Kind::Static {
             return None;
         }
+        if let Some(name) = self.parts.timed_energy() {
+            return Some(format!(
+                "the strain energy of body `{name}` changes with time: give it a constant value"
+            ));
+        }
         let whole = Uniform {
             scale: 1.0,
             spinning: 1.0,
@@ -179,11 +184,6 @@ impl MeshScene {
             return Some(format!(
                 "load `{}` varies with time: give it a constant value",
                 self.dead_loads.specs[index].name
-            ));
-        }
-        if let Some(name) = self.parts.timed_energy() {
-            return Some(format!(
-                "the strain energy of body `{name}` changes with time: give it a constant value"
             ));
         }
         let name = self.timed_load(t)?;
