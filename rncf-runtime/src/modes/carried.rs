@@ -63,29 +63,27 @@ impl Equations<'_> {
             damping,
             stiffness,
         } = self.tangent;
-        let [first, second] = &shifts;
-        let momenta = [self.product(mass, first, false), self.product(mass, second, false)];
         let speed = self.speed;
+        let momenta = shifts.each_ref().map(|shift| self.product(mass, shift, false));
         let size = speed * speed * self.size(&momenta[0]).max(self.size(&momenta[1]));
-        // The axes turn from the first direction to the second.
-        let is_zero = |image: Vec<f64>, momentum: &[f64], factor: f64| {
+        let is = |image: &[f64], factor: f64, momentum: &[f64], rate: f64| {
             let rest: Vec<f64> = image.iter().zip(momentum).map(|(a, b)| a - factor * b).collect();
-            self.size(&rest) <= ROUND_OFF * size
+            rate * self.size(&rest) <= ROUND_OFF * size
         };
-        let is_kept = speed > 0.0
-            && size > 0.0
-            && [(0, 1, 1.0), (1, 0, -1.0)].into_iter().all(|(own, other, sign)| {
-                [(false, 1.0), (true, -1.0)].into_iter().all(|(is_transposed, side)| {
-                    let [stiff, gyroscopic] =
-                        [stiffness, damping].map(|values| self.product(values, &shifts[own], is_transposed));
-                    is_zero(stiff, &momenta[own], -speed * speed)
-                        && is_zero(
-                            gyroscopic.iter().map(|value| speed * value).collect(),
-                            &momenta[other],
-                            2.0 * side * sign * speed * speed,
-                        )
-                }) && self.is_untied(&shifts[own])
-            });
+        // K r = -w^2 M r, C r_1 = 2 w M r_2, C r_2 = -2 w M r_1, the axes turning from the first to the second; from the left C has the other sign.
+        let is_carried = |own: usize, is_left: bool| {
+            let [stiff, gyroscopic] = [stiffness, damping].map(|values| self.product(values, &shifts[own], is_left));
+            let factor = if (own == 0) == is_left {
+                -2.0 * speed
+            } else {
+                2.0 * speed
+            };
+            is(&stiff, -speed * speed, &momenta[own], 1.0) && is(&gyroscopic, factor, &momenta[1 - own], speed)
+        };
+        let is_kept = size > 0.0
+            && [0, 1]
+                .into_iter()
+                .all(|own| is_carried(own, false) && is_carried(own, true) && self.is_untied(&shifts[own]));
         is_kept.then_some(Carried { shifts })
     }
 

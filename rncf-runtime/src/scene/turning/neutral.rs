@@ -119,11 +119,11 @@ impl MeshScene {
 
     /// Shifts of each group across the axis of the rotation, in the unknowns.
     pub(crate) fn across(&mut self, at: &Uniform, state: &State) -> Vec<[Vec<f64>; 2]> {
-        let speed = at.speed() * self.rotation(at).unwrap_or_default().velocity.norm();
-        if self.frames.free.is_empty() || speed == 0.0 {
+        let velocity = at.speed() * self.rotation(at).unwrap_or_default().velocity;
+        if self.frames.free.is_empty() || velocity == Vector::zeros() {
             return Vec::new();
         }
-        let axis = self.rotation(at).unwrap_or_default().velocity.normalize();
+        let axis = velocity.normalize();
         let first = perpendicular(axis);
         self.load_uniform(at, state);
         let sizes = &self.tabulated.sizes;
