@@ -175,11 +175,27 @@ fn run(out: &Path, words: &[&str], is_ended: bool) -> Result<String, Failure> {
     })
 }
 
-fn folder(name: &str) -> PathBuf {
+/// A folder for one test, gone with it.
+struct Folder(PathBuf);
+
+impl std::ops::Deref for Folder {
+    type Target = Path;
+    fn deref(&self) -> &Path {
+        &self.0
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+fn folder(name: &str) -> Folder {
     let folder = temporary_folder(&format!("table-file-{name}"));
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder).unwrap();
-    folder
+    Folder(folder)
 }
 
 fn coil(folder: &Path, name: &str, stiffness: &str) -> String {

@@ -270,7 +270,9 @@ fn lines_that_make_no_sense_are_refused() {
         let text = read(line).map(drop).unwrap_err();
         assert!(text.contains(part), "{text}");
     }
-    let nothing = failed(&["sweep", "omega=1 rad/s", "--out", &folder("sweep-nothing").1]);
+    let (path, out) = folder("sweep-nothing");
+    let nothing = failed(&["sweep", "omega=1 rad/s", "--out", &out]);
+    let _ = fs::remove_dir_all(path);
     assert!(nothing.starts_with("no parameter has several values"), "{}", nothing);
 }
 
