@@ -1,6 +1,6 @@
 //! Equilibria of bodies that move freely, in uniform rotation and at rest, against closed forms.
 
-use rncf::app::{EquilibriumSettings, modes, static_equilibria};
+use rncf::app::{EquilibriumSettings, Range, campbell, modes, static_equilibria, steady as equilibria_of};
 use rncf::equilibrium::{Negative, Uniform, continue_from, critical_factor, follow, static_load};
 use rncf::{Formulation, Joints, Method, Model, Scene, SolveError, State, steady};
 use rncf_models::FlyballGovernor;
@@ -481,12 +481,33 @@ mod bumped {
     rncf::model! {
         /// A cart on a spring under a harmonic force.
         pub model Bumped {
+            param k = 200 N/m;
             rigid cart { plane xy; mass = 5 kg; inertia = 1 kg*m^2; }
             joint guide = prismatic(inertial, cart, axis = x);
-            spring mount = coordinate(guide.slide, stiffness = 200 N/m);
+            spring mount = coordinate(guide.slide, stiffness = k);
             load bump = force(cart, [30 N * sin(4*pi * t / 1 s), 0 N, 0 N]);
             output x = cart.x;
             run { t_end = 5.1 s; }
+        }
+    }
+}
+
+mod driven {
+    rncf::model! {
+        /// A bob that slides on a hub, which a drive turns.
+        pub model Driven {
+            param w = 2 rad/s;
+            rigid hub { mass = 5 kg; inertia = [1, 1, 2] kg*m^2; angular_velocity = [0, 0, 1] * w; }
+            joint axle = revolute(inertial.at([0, 0, 0] m), hub, axis = z);
+            joint motor = drive(axle.angle, w * t);
+            rigid bob {
+                mass = 5 kg; inertia = [1, 1, 2] kg*m^2; origin = [1, 0, 0] m;
+                velocity = [0, w * 1 m, 0]; angular_velocity = [0, 0, 1] * w;
+            }
+            joint guide = prismatic(hub.at([1, 0, 0] m), bob, axis = x);
+            spring coil = coordinate(guide.slide, stiffness = 200 N/m);
+            output x = guide.slide;
+            run { t_end = 1 s; }
         }
     }
 }
@@ -499,9 +520,34 @@ fn equilibria_at_rest_hold_what_changes_with_time() {
     let found = modes(&model, &settings).unwrap();
     assert!((found.modes[0].im - 40.0_f64.sqrt()).abs() < 1e-9, "{:?}", found.modes);
     assert_eq!(found.warnings, [told]);
-    let rests = static_equilibria(&model, &settings).unwrap();
-    let x = rests.history.column(0).last().unwrap();
-    let exact = 30.0 * (20.4 * std::f64::consts::PI).sin() / 200.0;
-    assert!((x - exact).abs() < 1e-9, "{x} for {exact}");
-    assert_eq!(rests.warnings, [told]);
+    for rests in [static_equilibria(&model, &settings), equilibria_of(&model, &settings)] {
+        let rests = rests.unwrap();
+        let x = rests.history.column(0).last().unwrap();
+        let exact = 30.0 * (20.4 * std::f64::consts::PI).sin() / 200.0;
+        assert!((x - exact).abs() < 1e-9, "{x} for {exact}");
+        assert_eq!(rests.warnings, [told]);
+    }
+    let range = Range {
+        param: 0,
+        from: 200.0,
+        to: 300.0,
+    };
+    let ranged = EquilibriumSettings {
+        range: Some(range),
+        ..settings
+    };
+    assert_eq!(campbell(&model, &ranged).unwrap().warnings, [told]);
+}
+
+/// A drive that turns with the rest is the same at every time: `x = m w^2 / (k - m w^2)`, and `nu^2 = k / m - w^2`.
+#[test]
+fn a_drive_that_turns_with_the_rest_is_not_told() {
+    let (model, settings) = (driven::Driven::default(), EquilibriumSettings::default());
+    let found = modes(&model, &settings).unwrap();
+    assert!((found.modes[0].im - 6.0).abs() < 1e-9, "{:?}", found.modes);
+    assert!(found.warnings.is_empty(), "{:?}", found.warnings);
+    let turns = equilibria_of(&model, &settings).unwrap();
+    let x = turns.history.column(0).last().unwrap();
+    assert!((x - 20.0 / 180.0).abs() < 1e-9, "{x}");
+    assert!(turns.warnings.is_empty(), "{:?}", turns.warnings);
 }

@@ -207,8 +207,8 @@ pub fn equilibria(
     let mut warnings = cautions::sentences(model, &cautions);
     if kind == Kind::Static {
         warnings.extend(rests(station.scene, station.at.t));
-        warnings.extend(way::as_it_is(station.scene, &station.at, station.state));
     }
+    warnings.extend(way::as_it_is(station.scene, &station.at, station.state));
     warnings.extend(cautions::texts(station.scene.warnings(station.state)));
     warnings.extend(equilibrium::untied(station.scene, &station.at, station.state));
     warnings.extend(envelopes.warning());

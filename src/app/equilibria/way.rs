@@ -109,8 +109,11 @@ pub(in crate::app) fn stopped(scene: &dyn Scene, at: &Uniform) -> Option<String>
     })
 }
 
-/// That what changes with time is taken as it is at the time of an equilibrium.
+/// That what changes with time is taken as it is at the time of an equilibrium; of what turns all is the same at every time.
 pub(in crate::app) fn as_it_is(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Option<String> {
+    if spin(scene, at) > 0.0 {
+        return None;
+    }
     let names = listed(&scene.timed(at, state), MOST)?;
     Some(format!(
         "What changes with time is taken as it is at t = {} s (`--at`): {names}",

@@ -141,6 +141,9 @@ pub fn campbell_watched(
     diagram.unknowns = station.scene.unknowns();
     diagram.constraints = station.scene.constraints();
     diagram.warnings = cautions::cautioned(model, station.scene.warnings(station.state));
+    diagram
+        .warnings
+        .extend(way::as_it_is(station.scene, &station.at, station.state));
     diagram.warnings.extend(leaps);
     diagram.warnings.extend(nearer);
     let (at, state) = (station.at, station.state);
