@@ -119,8 +119,8 @@ FAULTS = {
     ),
     "sign of a spring's damping": (
         "rncf-macros/codegen/src/check/loads/spring.rs",
-        "force = add(force, multiply(damping, line.rate.clone()));",
-        "force = add(force, multiply(Value::Number(-1.0), multiply(damping, line.rate.clone())));",
+        "force = add(force, multiply(damping, rate));",
+        "force = add(force, multiply(Value::Number(-1.0), multiply(damping, rate)));",
         [CODEGEN, ACCURACY],
     ),
     "axes of a section, exchanged": (

@@ -43,11 +43,11 @@ fn found(model: &dyn AnyModel) -> Modes {
 #[test]
 fn a_free_rod_has_its_six_rigid_motions_and_bends_beside_them() {
     for (w, n, bent) in [
-        (0.5, 6, 21.840),
-        (3.0, 12, 22.401),
-        (3.0, 6, 22.401),
-        (10.0, 12, f64::NAN),
-        (30.0, 6, f64::NAN),
+        (0.5, 6, Some(21.840)),
+        (3.0, 12, Some(22.401)),
+        (3.0, 6, Some(22.401)),
+        (10.0, 12, None),
+        (30.0, 6, None),
     ] {
         let found = found(&Rod { w, n });
         let still = found.modes.iter().filter(|mode| mode.is_still()).count();
@@ -73,8 +73,8 @@ fn a_free_rod_has_its_six_rigid_motions_and_bends_beside_them() {
         );
         let first = found.modes[6].im;
         assert!(
-            bent.is_nan() || (first - bent).abs() < 4e-4 * bent,
-            "{w} {n}: {first} for {bent}"
+            bent.is_none_or(|bent: f64| (first - bent).abs() < 4e-4 * bent),
+            "{w} {n}: {first} for {bent:?}"
         );
     }
 }

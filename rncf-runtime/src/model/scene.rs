@@ -204,6 +204,11 @@ pub trait Scene: System + Send {
     /// Largest angular velocity of a body's frame at `t`, rad/s.
     fn spin(&self, t: f64) -> f64;
 
+    /// Angular velocity of a uniform motion, rad/s.
+    fn spin_in(&self, at: &Uniform) -> f64 {
+        at.speed() * at.spin.map_or_else(|| self.spin(at.t), |spin| spin.velocity.norm())
+    }
+
     /// What changes with time at the state of a uniform motion, in the user's words: loads, forces, joints that drive.
     fn timed(&mut self, _at: &Uniform, _state: &State) -> Vec<String> {
         Vec::new()

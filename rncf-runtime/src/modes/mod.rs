@@ -53,7 +53,7 @@ pub fn modes(scene: &mut dyn Scene, at: &Uniform, state: &State, wanted: Wanted)
     // What the scene knows to have no stiffness, or to be carried by nothing, needs not be told from round-off.
     let still = still(scene, at, state);
     let tangent = tangent(scene, at, state);
-    let speed = speed(scene, at);
+    let speed = scene.spin_in(at);
     let carried = carried(scene, at, state, &tangent, speed);
     let shifts = carried.iter().flat_map(|carried| carried.shifts.clone()).collect();
     let pencil = apart_from(scene, state, &tangent, shifts)
@@ -89,14 +89,8 @@ pub fn unstable_directions(scene: &mut dyn Scene, at: &Uniform, state: &State) -
 /// The pencil that knows the motions without stiffness.
 fn beside_still(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Pencil {
     let still = still(scene, at, state);
-    pencil(scene, at, state)
-        .without_stiffness_along(still)
-        .turning(speed(scene, at))
-}
-
-/// Angular velocity of a uniform motion, rad/s.
-fn speed(scene: &dyn Scene, at: &Uniform) -> f64 {
-    at.speed() * at.spin.map_or_else(|| scene.spin(at.t), |spin| spin.velocity.norm())
+    let speed = scene.spin_in(at);
+    pencil(scene, at, state).without_stiffness_along(still).turning(speed)
 }
 
 /// Whether circulatory forces act, the skew part of the stiffness: then an equilibrium may be unstable in growing vibrations

@@ -5,7 +5,7 @@ use std::cell::OnceCell;
 
 use super::balanced::is_balanced;
 use super::directions::{self, Measured};
-use super::way::{Unplaced, between, check, placed, spin, uniform};
+use super::way::{Unplaced, between, check, placed, uniform};
 use crate::app::results::equilibria::EquilibriumSettings;
 use crate::app::results::error::RunError;
 use crate::app::results::history::Column;
@@ -194,14 +194,11 @@ impl<'m> Line<'m> {
                 .and_then(|near| ask(scene.as_mut(), &at.scaled(near.scale), near));
             (rest, near.map(|near| near.negative), measured)
         };
-        let full_spin = spin(
-            scene.as_ref(),
-            &Uniform {
-                scale: 1.0,
-                spinning: 1.0,
-                ..at
-            },
-        );
+        let full_spin = scene.spin_in(&Uniform {
+            scale: 1.0,
+            spinning: 1.0,
+            ..at
+        });
         Ok(Self {
             model,
             kind,
@@ -262,7 +259,7 @@ impl<'m> Line<'m> {
     pub fn station(&mut self) -> Station<'_> {
         Station {
             key: self.key(self.last.share),
-            spin: spin(self.scene.as_ref(), &self.at),
+            spin: self.scene.spin_in(&self.at),
             scene: self.scene.as_mut(),
             at: self.at,
             state: &self.state,

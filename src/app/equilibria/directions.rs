@@ -1,7 +1,6 @@
 //! In how many directions the stiffness at an equilibrium is negative: where that changes along a way, bodies buckle, or a
 //! critical speed is passed.
 
-use crate::app::equilibria::way;
 use crate::equilibrium::{Continued, Kind, Negative, Uniform};
 use crate::modes::{self, Stiffness};
 use crate::{Scene, SolveError, State};
@@ -89,7 +88,7 @@ pub(in crate::app) fn turning(
     let is_large = state.x.len() > LARGEST;
     let mut values = Vec::new();
     if is_large || with_values {
-        let of = Stiffness::Symmetric(way::spin(scene, at));
+        let of = Stiffness::Symmetric(scene.spin_in(at));
         values = modes::stiffness_values(scene, at, state, NEXT_TO_ZERO, of)?;
     }
     if is_large {

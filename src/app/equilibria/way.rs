@@ -88,15 +88,6 @@ pub(in crate::app) fn at_the_end(model: &dyn AnyModel, settings: &EquilibriumSet
     model
 }
 
-/// Angular velocity of a uniform motion, rad/s.
-pub(in crate::app) fn spin(scene: &dyn Scene, at: &Uniform) -> f64 {
-    let full = match at.spin {
-        Some(spin) => spin.velocity.norm(),
-        None => scene.spin(at.t),
-    };
-    at.speed() * full
-}
-
 /// That what starts in rotation was asked for at rest, and what that leaves out.
 pub(in crate::app) fn stopped(scene: &dyn Scene, at: &Uniform) -> Option<String> {
     let speed = scene.spin(at.t);
@@ -111,7 +102,7 @@ pub(in crate::app) fn stopped(scene: &dyn Scene, at: &Uniform) -> Option<String>
 
 /// That what changes with time is taken as it is at the time of an equilibrium; of what turns all is the same at every time.
 pub(in crate::app) fn as_it_is(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Option<String> {
-    if spin(scene, at) > 0.0 {
+    if scene.spin_in(at) > 0.0 {
         return None;
     }
     let names = listed(&scene.timed(at, state), MOST)?;

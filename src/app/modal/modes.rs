@@ -56,7 +56,7 @@ pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Mod
     Ok(Modes {
         settings: *settings,
         t,
-        spin: way::spin(scene, &at),
+        spin: scene.spin_in(&at),
         is_round: is_round(&modes),
         margin: modes::stability_margin(&shapes),
         modes,
@@ -103,7 +103,7 @@ pub(in crate::app) fn first(model: &dyn AnyModel, settings: &EquilibriumSettings
     let coarse = found.told(model.as_ref(), settings).modes;
     Ok(First {
         t: found.at.t,
-        spin: way::spin(found.scene.as_mut(), &found.at),
+        spin: found.scene.spin_in(&found.at),
         modes: found.modes,
         coarse,
     })
@@ -187,7 +187,7 @@ fn lowest_and_growing(
     let unknowns = scene.unknowns();
     let beyond = if unknowns <= FEW {
         modes::modes(scene, at, state, Wanted { count: unknowns })
-    } else if way::spin(scene, at) == 0.0 {
+    } else if scene.spin_in(at) == 0.0 {
         let negative = directions::whole(scene, at, state, false).map_or(0, |measured| measured.negative);
         let known = found.iter().filter(|mode| mode.im == 0.0 && mode.re > 0.0).count();
         if negative <= known {

@@ -4,7 +4,6 @@
 use super::known::{self, Known};
 use crate::app::equilibria::continuation::{Found, Line};
 use crate::app::equilibria::directions::{self, Measured};
-use crate::app::equilibria::way;
 use crate::app::results::campbell::{Campbell, Crossing};
 use crate::app::results::modes::{Inertial, SeenMode, is_round};
 use crate::equilibrium::Uniform;
@@ -378,7 +377,7 @@ fn stands(line: &mut Line<'_>, value: f64, guess: &State, diagram: &Campbell) ->
     let Ok(looked) = Looked::at(scene.as_mut(), &at, &state, diagram.settings.count) else {
         return true;
     };
-    let spin = way::spin(scene.as_ref(), &at);
+    let spin = scene.spin_in(&at);
     let last = diagram.keys.len() - 1;
     let drifts = looked.modes.iter().filter(|mode| size(mode) == 0.0).count();
     let drifts_beside = diagram.row(last).filter(|mode| mode.re.hypot(mode.im) == 0.0).count();
@@ -518,7 +517,7 @@ fn refined(
         let share = low.0 + low.1 / (low.1 - high.1) * (high.0 - low.0);
         let (mut scene, at, state, _) = line.between(share, &first.state)?;
         let looked = Looked::at(scene.as_mut(), &at, &state, diagram.settings.count).ok()?;
-        let spin = way::spin(scene.as_ref(), &at);
+        let spin = scene.spin_in(&at);
         let is_with_spin = crossing.order == 1 && crossing.whirl == Whirl::Forward;
         let part = (share - first.share) / (last.share - first.share);
         let expected = rate.unwrap_or(rates[0] + part * (rates[1] - rates[0]));

@@ -10,7 +10,7 @@ use std::collections::{HashMap, HashSet};
 
 use super::messages as say;
 use crate::check::joints::loose::loose_ties;
-use crate::check::loads::weight::added_weights;
+use crate::check::loads::weight::{added_weights, is_everywhere};
 use crate::check::sections::undamped::undamped_parts;
 use crate::check::starts::distant::distant_axes;
 use crate::check::values::read::{self, mentioned};
@@ -220,12 +220,6 @@ fn moves(item: &Item) -> bool {
 /// Whether what acts on an item has an influence on more than itself.
 fn passes_on(item: &Item) -> bool {
     moves(item) || matches!(item.keyword, Keyword::Joint | Keyword::Constraint)
-}
-
-/// Whether a load is gravity on everything.
-fn is_everywhere(call: &Call) -> bool {
-    let has_frame = call.arguments.iter().any(|argument| argument.name.is_some());
-    call.name.text == "gravity" && !has_frame
 }
 
 /// Names of what an item acts on.

@@ -248,11 +248,9 @@ impl MeshScene {
                 .timed_energy()
                 .map(|body| format!("the strain energy of `{body}`")),
         );
-        names.extend(self.timed_load(at.t).map(|load| format!("load `{load}`")));
-        let before = self.undisplaced(at.t, &vec![true; self.buffers.frames.len()], Some(A_WHILE));
-        names.extend(self.changes(&before, at.t, &self.while_nothing_moves(), usize::MAX));
-        names.sort();
-        names.dedup();
+        let still = self.while_nothing_moves();
+        let before = self.undisplaced(at.t, &still.moved, still.later);
+        names.extend(self.changes(&before, at.t, &still, usize::MAX));
         names
     }
 

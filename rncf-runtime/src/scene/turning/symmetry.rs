@@ -113,18 +113,21 @@ impl MeshScene {
         }
     }
 
+    /// Parts of a row by components as parts by unknowns, in the sizes of these.
+    fn by_unknowns<'a>(&'a self, components: &'a [usize], row: &'a [f64]) -> impl Iterator<Item = (usize, f64)> + 'a {
+        components.iter().zip(row).flat_map(move |(&component, &value)| {
+            let unknowns = self.layout.unknowns_at(component);
+            unknowns.map(move |(unknown, factor)| (unknown, factor * value * self.tabulated.sizes[unknown]))
+        })
+    }
+
     /// Rows of the constraints by the unknowns that they depend on, in the sizes of these.
     pub(crate) fn constraint_rows(&self, before: &Undisplaced) -> Vec<Vec<(usize, f64)>> {
         let of = |(index, acting): &(usize, Acting)| {
             let components = self.constrained(*index);
-            let row = |row: &Vec<f64>| {
-                let terms = components.iter().zip(row).flat_map(|(&component, value)| {
-                    let unknowns = self.layout.unknowns_at(component);
-                    unknowns.map(move |(unknown, factor)| (unknown, factor * value * self.tabulated.sizes[unknown]))
-                });
-                terms.collect()
-            };
-            acting.derivatives.iter().map(row).collect::<Vec<_>>()
+            let rows = acting.derivatives.iter();
+            rows.map(|row| self.by_unknowns(&components, row).collect())
+                .collect::<Vec<_>>()
         };
         before.constraints.iter().flat_map(of).collect()
     }
@@ -303,11 +306,9 @@ impl MeshScene {
         let unknowns = self.unknowns_of(components.iter().copied());
         let sized = |row: &[f64]| -> Vec<f64> {
             let mut result = vec![0.0; unknowns.len()];
-            for (&component, value) in components.iter().zip(row) {
-                for (unknown, factor) in self.layout.unknowns_at(component) {
-                    let own = unknowns.binary_search(&unknown);
-                    result[own.expect("of these components")] += factor * value * self.tabulated.sizes[unknown];
-                }
+            for (unknown, value) in self.by_unknowns(&components, row) {
+                let own = unknowns.binary_search(&unknown);
+                result[own.expect("of these components")] += value;
             }
             result
         };

@@ -1,13 +1,12 @@
 //! Springs along a coordinate of the user's own: an expression of positions, directions, angles and time. What acts on each place is
 //! the force times the derivative of the coordinate by it, so that the work is that of the force along the coordinate.
 
-use super::spring::{self, Acting};
-use crate::check::observed::shown::Shown;
+use super::spring::{self, Acting, Elastic};
 use crate::check::values::quantity::{Nature, Typed, Wanted};
 use crate::check::values::scope::Scope;
 use crate::check::values::vector::Quantity;
 use crate::check::{Check, Shape, say};
-use crate::joints::algebra::{self, Vector, add, multiply, negate, number, subtract};
+use crate::joints::algebra::{self, Vector, negate, number, subtract};
 use crate::model::{Expr as Value, MarkerId, Observable};
 use crate::parse::tree::{Call, Expr};
 use crate::units::Dimension;
@@ -28,7 +27,7 @@ const LAW: Shape = Shape {
 /// What a coordinate is measured in, and what belongs to it.
 struct Measure {
     value: Wanted,
-    nature: Nature,
+    is_angle: bool,
     rate: [i8; 6],
     stiffness: Wanted,
     damping: Wanted,
@@ -39,11 +38,7 @@ struct Measure {
 
 const LENGTHS: Measure = Measure {
     value: Wanted::new("the value without force", [1, 0, 0, 0, 0, 0], "m"),
-    nature: Nature {
-        angle: false,
-        hertz: 0,
-        pi: 0,
-    },
+    is_angle: false,
     rate: [1, 0, -1, 0, 0, 0],
     stiffness: spring::STIFFNESS,
     damping: spring::DAMPING,
@@ -53,10 +48,7 @@ const LENGTHS: Measure = Measure {
 
 const ANGLES: Measure = Measure {
     value: Wanted::new("the value without moment", [0; 6], "rad"),
-    nature: Nature {
-        angle: true,
-        ..LENGTHS.nature
-    },
+    is_angle: true,
     rate: [0, 0, -1, 0, 0, 0],
     stiffness: spring::TORSION,
     damping: spring::FRICTION,
@@ -79,22 +71,18 @@ impl<'a> Check<'a> {
         let stiffness = self.stiffness(call, arguments.named.get("stiffness").copied(), measure.stiffness);
         let damping = self.damping(arguments.named.get("damping").copied(), measure.damping);
         let rest = match arguments.named.get("value") {
-            Some(expr) if measure.nature.angle => self.angle(expr, Scope::Parameter, measure.value.what),
+            Some(expr) if measure.is_angle => self.angle(expr, Scope::Parameter, measure.value.what),
             Some(expr) => self.quantity(expr, Scope::Parameter, measure.value),
             None => Some(number(0.0)),
         };
         let (stiffness, damping, rest) = (stiffness?, damping?, rest?);
         let strain = subtract(coordinate.value.clone(), rest);
-        let is_conservative = damping.is_none() && !algebra::has_time(&strain);
-        let energy = spring::energy(&stiffness, &strain);
-        let mut force = multiply(stiffness, strain);
-        if let Some(damping) = damping {
-            force = add(force, multiply(damping, coordinate.rate()));
-        }
-        let acting = coordinate.acted_on_by(force);
+        let elastic = Elastic::new(stiffness, damping, strain, coordinate.rate());
+        let energy = elastic.potential();
+        let acting = coordinate.acted_on_by(elastic.force);
         Some(Acting {
-            shown: spring::stored(acting.shown, &energy),
-            energy: is_conservative.then_some(energy),
+            shown: spring::stored(acting.shown, &elastic.stored),
+            energy,
             ..acting
         })
     }
@@ -146,8 +134,12 @@ impl Coordinate {
     }
 
     fn locals(&self) -> [(&'static str, Typed); 2] {
+        let nature = Nature {
+            angle: self.measure.is_angle,
+            ..Nature::default()
+        };
         let typed = |value, dimension| Typed {
-            nature: self.measure.nature,
+            nature,
             ..Typed::new(value, Dimension::of(dimension))
         };
         [
@@ -162,12 +154,10 @@ impl Coordinate {
         let forces = self.slopes.iter();
         let forces = forces.map(|(marker, slope)| (*marker, algebra::scale(&against, slope)));
         let acts = Typed::new(force, Dimension::of(self.measure.law.dimension));
-        let all = [(self.measure.acts, acts)].into_iter().chain(self.locals());
-        let shown: Shown = all.map(|(name, typed)| (name, Quantity::Scalar(typed))).collect();
         Acting {
             forces: forces.collect(),
             energy: None,
-            shown,
+            shown: spring::shown(self.measure.acts, acts, self.locals()),
         }
     }
 }

@@ -176,15 +176,11 @@ impl<'a> Check<'a> {
             });
         }
         let stretch = subtract(line.length.clone(), length);
-        let (energy, is_conservative) = (energy(&stiffness, &stretch), damping.is_none());
-        let mut force = multiply(stiffness, stretch);
-        if let Some(damping) = damping {
-            force = add(force, multiply(damping, line.rate.clone()));
-        }
+        let elastic = Elastic::new(stiffness, damping, stretch, line.rate.clone());
         Some(Acting {
-            shown: stored(line.shown(force.clone()), &energy),
-            forces: pull(&line, force),
-            energy: is_conservative.then_some(energy),
+            shown: stored(line.shown(elastic.force.clone()), &elastic.stored),
+            energy: elastic.potential(),
+            forces: pull(&line, elastic.force),
         })
     }
 
@@ -268,16 +264,11 @@ impl<'a> Check<'a> {
         };
         let (angle, stiffness, damping, rest) = (angle?, stiffness?, damping?, rest?);
         let turn = subtract(angle.value(), rest);
-        let is_conservative = damping.is_none() && !algebra::has_time(&turn);
-        let energy = energy(&stiffness, &turn);
-        let mut moment = multiply(stiffness, turn);
-        if let Some(damping) = damping {
-            moment = add(moment, multiply(damping, angle.rate()));
-        }
+        let elastic = Elastic::new(stiffness, damping, turn, angle.rate());
         Some(Acting {
-            forces: angle.forces(&moment),
-            shown: stored(shown_about(&angle, moment), &energy),
-            energy: is_conservative.then_some(energy),
+            forces: angle.forces(&elastic.force),
+            energy: elastic.potential(),
+            shown: stored(shown_about(&angle, elastic.force), &elastic.stored),
         })
     }
 
@@ -295,6 +286,37 @@ impl<'a> Check<'a> {
     }
 }
 
+/// What a stiffness and a damping do along a way x.
+pub(super) struct Elastic {
+    /// `k x + c x'`
+    pub force: Value,
+    /// `k x^2 / 2`
+    pub stored: Value,
+    is_conservative: bool,
+}
+
+impl Elastic {
+    pub fn new(stiffness: Value, damping: Option<Value>, way: Value, rate: Value) -> Self {
+        let is_conservative = damping.is_none() && !algebra::has_time(&way);
+        let square = multiply(way.clone(), way.clone());
+        let stored = multiply(multiply(number(0.5), stiffness.clone()), square);
+        let mut force = multiply(stiffness, way);
+        if let Some(damping) = damping {
+            force = add(force, multiply(damping, rate));
+        }
+        Self {
+            force,
+            stored,
+            is_conservative,
+        }
+    }
+
+    /// The energy, where all of the force follows from it.
+    pub fn potential(&self) -> Option<Value> {
+        self.is_conservative.then(|| self.stored.clone())
+    }
+}
+
 impl Line {
     fn locals(&self) -> [(&'static str, Typed); 2] {
         let typed = |value: &Value, dimension| Typed::new(value.clone(), Dimension::of(dimension));
@@ -306,9 +328,11 @@ impl Line {
 
     /// A force that is positive where it pulls, with what it depends on.
     fn shown(&self, force: Value) -> Shown {
-        let force = Typed::new(force, Dimension::of(FORCE.dimension));
-        let all = [("force", force)].into_iter().chain(self.locals());
-        all.map(|(name, typed)| (name, Quantity::Scalar(typed))).collect()
+        shown(
+            "force",
+            Typed::new(force, Dimension::of(FORCE.dimension)),
+            self.locals(),
+        )
     }
 }
 
@@ -327,7 +351,12 @@ fn locals_about(angle: &Angle) -> [(&'static str, Typed); 2] {
 /// A moment that is positive where it turns back, with what it depends on.
 fn shown_about(angle: &Angle, moment: Value) -> Shown {
     let moment = Typed::new(moment, Dimension::of(MOMENT.dimension));
-    let all = [("moment", moment)].into_iter().chain(locals_about(angle));
+    shown("moment", moment, locals_about(angle))
+}
+
+/// What acts, and what it depends on.
+pub(super) fn shown(name: &'static str, acts: Typed, locals: [(&'static str, Typed); 2]) -> Shown {
+    let all = [(name, acts)].into_iter().chain(locals);
     all.map(|(name, typed)| (name, Quantity::Scalar(typed))).collect()
 }
 
@@ -336,12 +365,6 @@ pub(super) fn stored(mut shown: Shown, energy: &Value) -> Shown {
     let energy = Typed::new(energy.clone(), Dimension::of(ENERGY));
     shown.push(("energy", Quantity::Scalar(energy)));
     shown
-}
-
-/// `k x^2 / 2`
-pub(super) fn energy(stiffness: &Value, stretch: &Value) -> Value {
-    let square = multiply(stretch.clone(), stretch.clone());
-    multiply(multiply(number(0.5), stiffness.clone()), square)
 }
 
 /// Forces of a pull on both points towards each other.

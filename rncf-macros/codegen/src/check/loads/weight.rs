@@ -23,14 +23,17 @@ pub fn added_weights(tree: &Tree) -> Vec<Mistake> {
     weights.windows(2).filter_map(beside).collect()
 }
 
-/// Whether a load is gravity that is the same everywhere.
+/// Whether a load is gravity on everything.
+pub fn is_everywhere(call: &Call) -> bool {
+    let has_frame = call.arguments.iter().any(|argument| argument.name.is_some());
+    call.name.text == "gravity" && !has_frame
+}
+
+/// Whether it is the same at all places, too.
 fn is_uniform(call: &Call) -> bool {
     let mut names = Vec::new();
-    for argument in &call.arguments {
-        if argument.name.is_some() {
-            return false;
-        }
-        read::names(&argument.value, &mut names);
-    }
-    call.name.text == "gravity" && !names.contains(&"position")
+    call.arguments
+        .iter()
+        .for_each(|argument| read::names(&argument.value, &mut names));
+    is_everywhere(call) && !names.contains(&"position")
 }
