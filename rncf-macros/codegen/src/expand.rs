@@ -188,3 +188,25 @@ fn respan(tokens: TokenStream, names: &HashMap<String, Span>) -> TokenStream {
     };
     tokens.into_iter().map(token).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    /// rustc would say what is wrong, and not where.
+    #[test]
+    fn names_that_mean_something_in_the_expansion_are_refused() {
+        let refusal = |text: String| {
+            let tokens = super::expand(text.parse().expect("tokens")).to_string();
+            assert!(tokens.contains("choose another name"), "{text}: {tokens}");
+        };
+        for name in ["Equations", "Default", "bool", "f64", "rncf", "str", "usize"] {
+            refusal(format!(
+                "pub model {name} {{ rigid p {{ mass = 1 kg; }} output x = p.x; }}"
+            ));
+        }
+        for name in ["Some", "Ok", "Err"] {
+            refusal(format!(
+                "pub model Fall {{ motion {name}(t) = 2 m/s * t; rigid p {{ mass = 1 kg; }} output x = p.x; output y = {name}(t); }}"
+            ));
+        }
+    }
+}

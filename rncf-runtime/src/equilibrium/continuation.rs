@@ -485,11 +485,17 @@ pub(super) fn check(scene: &mut dyn Scene, at: &Uniform, guess: &State) -> Resul
 }
 
 pub(super) fn failed(scene: &dyn Scene, at: &Uniform, failure: &Failure, scale: f64) -> SolveError {
-    let of = match at.kind {
-        Kind::Steady => "the angular velocity",
-        Kind::Static => "the load",
+    let whole = Uniform {
+        scale: 1.0,
+        spinning: 1.0,
+        ..*at
     };
-    let (text, row) = failure.explain(&format!("beyond {} of {of}", Short(scale)));
+    let (part, of) = match at.kind {
+        Kind::Steady if scene.spin_in(&whole) == 0.0 => (scale * scale, "load"),
+        Kind::Steady => (scale, "angular velocity"),
+        Kind::Static => (scale, "load"),
+    };
+    let (text, row) = failure.explain(&format!("beyond {} of the {of}", Short(part)));
     error(at, text, row.map(|row| describe(scene, row)))
 }
 

@@ -212,7 +212,7 @@ impl MeshScene {
         let strain = distance / element;
         Ok((distance > AWAY * length).then(|| Warning {
             text: format!(
-                "{text}: the element there starts with a strain of {strain:.1e}, and the body with a blow; an `initial position` would spread it"
+                "{text}: the element there starts with a strain of {strain:.1e}, and a run with a blow; an `initial position` would spread it"
             ),
             weight: strain,
         }))

@@ -240,6 +240,9 @@ pub(in crate::app) fn campbell_lines(result: &Campbell, frequency: Frequency) ->
     }
     if lines.is_empty() {
         lines.push(match result.is_near {
+            _ if result.spins.iter().all(|spin| *spin == 0.0) => {
+                "Nothing turns: there are no critical speeds.".into()
+            }
             true => "No frequency in the reference frame reaches zero: no critical speed in this range.".into(),
             false => "No frequency in the reference frame reaches zero on this way, which ends far from the undeformed shape: of critical speeds about the other equilibrium it says nothing.".into(),
         });

@@ -64,7 +64,7 @@ pub(in crate::app) fn table(summary: &Summary) -> String {
     let mut text = String::from("<h2>Section forces and stresses</h2>\n");
     let _ = writeln!(
         text,
-        "<p class=\"doc\">Largest magnitudes over all rows, with their place: {} and arclength x.</p>",
+        "<p class=\"doc\">Largest magnitudes, with their place: {} and arclength x.</p>",
         escape(over)
     );
     text.push_str("<div class=\"scroll\"><table>\n<tr><th>Body</th>");

@@ -1,4 +1,4 @@
-//! Envelopes: the largest section forces, moments and stresses of every flexible body over a run or over
+//! Envelopes: the largest section forces, moments and stresses of every flexible body over the rows and steps of a run or over
 //! a path of equilibria, and where the material yields.
 
 use super::history::Column;
@@ -22,7 +22,7 @@ pub struct Peak {
     pub x: f64,
 }
 
-/// Envelope of a body. `None` is what its elements do not tell, or what no row has told yet.
+/// Envelope of a body. `None` is what its elements do not tell, or what no state has told yet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BodyEnvelope {
     /// The body.
@@ -38,7 +38,7 @@ pub struct BodyEnvelope {
     /// Largest von Mises stress over the section, Pa; where the section does not say where its outermost
     /// fibres are ([`SectionBody::knows_stress`]), the magnitude of axial force over area.
     pub stress: Option<Peak>,
-    /// First row in which the stress passes the yield stress, with its largest stress.
+    /// First row or step in which the stress passes the yield stress, with its largest stress.
     pub yielding: Option<Peak>,
 }
 
@@ -110,7 +110,7 @@ fn meet(peak: &mut Option<Peak>, value: f64, at: f64, x: f64) {
     }
 }
 
-/// The largest magnitude in a row, of states that tell.
+/// The largest magnitude at a time, of states that tell.
 fn largest(states: &[SectionState], at: f64, of: impl Fn(&SectionState) -> Option<f64>) -> Option<Peak> {
     let (mut size, mut peak) = (-1.0, None);
     for state in states {
@@ -164,7 +164,7 @@ impl BodyEnvelope {
         }
     }
 
-    /// Share of the yield stress in the row in which it is passed.
+    /// Share of the yield stress where it is passed.
     fn excess(&self) -> f64 {
         let share = self.yielding.zip(self.body.yield_stress);
         share.map_or(0.0, |(peak, limit)| peak.value / limit)
@@ -191,7 +191,7 @@ impl Envelopes {
         }
     }
 
-    /// Takes in the row of a run.
+    /// Takes in a state of a run.
     pub(in crate::app) fn meet(&mut self, scene: &mut (impl Scene + ?Sized), at: f64, state: &State) {
         if !self.bodies.is_empty() {
             scene.section_states(state, &mut self.states);
@@ -217,7 +217,7 @@ impl Envelopes {
         }
     }
 
-    /// What all sections carry in the row that was taken in last.
+    /// What all sections carry in the state that was taken in last.
     pub(in crate::app) fn states(&self) -> &[SectionState] {
         &self.states
     }
@@ -268,7 +268,7 @@ impl Envelopes {
         let line = |envelope: &&BodyEnvelope| {
             let peak = envelope.stress?;
             Some(format!(
-                "\n{}: {} of all rows {}, {}, x = {} of {} m",
+                "\n{}: {} {}, {}, x = {} of {} m",
                 envelope.body.name,
                 envelope.stress_name(),
                 with_prefix(peak.value, "Pa"),

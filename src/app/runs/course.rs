@@ -9,6 +9,7 @@ use crate::app::judged::finer::Judging;
 use crate::app::judged::marks::Marks;
 use crate::app::machine::clock::{Clock, Seconds};
 use crate::app::pictures::Pictures;
+use crate::app::results::envelopes::Envelopes;
 use crate::app::results::history::SKETCHED;
 use crate::app::results::incomplete::Incomplete;
 use crate::app::results::run::{RowTimes, RunResult, StepTaken};
@@ -82,24 +83,26 @@ impl Course {
     }
 
     /// Takes in the start.
-    pub fn begin(&mut self, integrator: &mut Running<'_>) {
-        self.meet_energy(integrator);
+    pub fn begin(&mut self, integrator: &mut Running<'_>, result: &mut RunResult) {
+        self.meet(integrator, &mut result.envelopes);
     }
 
     /// Takes in the last step, unless it is one that is repeated.
-    pub fn step(&mut self, integrator: &mut Running<'_>) {
+    pub fn step(&mut self, integrator: &mut Running<'_>, result: &mut RunResult) {
         let count = integrator.statistics().steps;
         if count > self.gathered {
             self.gathered = count;
             let t = integrator.state().t;
             self.steps.push(t, t - integrator.previous_time());
-            self.meet_energy(integrator);
+            self.meet(integrator, &mut result.envelopes);
         }
     }
 
-    fn meet_energy(&mut self, integrator: &mut Running<'_>) {
+    /// Takes in the end of a step: rows may be much farther apart.
+    fn meet(&mut self, integrator: &mut Running<'_>, envelopes: &mut Envelopes) {
         let state = &mut self.rows.state;
         state.clone_from(integrator.state());
+        envelopes.meet(integrator.system(), state.t, state);
         self.energy.meet(integrator.system().energy(state));
         if self.energy.wants_potential() {
             state.v.fill(0.0);

@@ -297,7 +297,7 @@ fn integrate(
     let mut course = Course::new(&mut integrator, columns, recorder.takes_rows(), result, clock);
     match &taken_up {
         Some(earlier) => course.take_up(&earlier.course, result).map_err(RunError::Files)?,
-        None => course.begin(&mut integrator),
+        None => course.begin(&mut integrator, result),
     }
     recorder.begin(result).map_err(RunError::Files)?;
     let mut incomplete = course.record(&mut integrator, result, recorder).err();
@@ -309,7 +309,7 @@ fn integrate(
                 break;
             }
         };
-        course.step(&mut integrator);
+        course.step(&mut integrator, result);
         incomplete = course.record(&mut integrator, result, recorder).err();
         if stop == crate::Stop::End {
             break;

@@ -219,7 +219,13 @@ impl<'a> Check<'a> {
         let mut outputs: HashMap<&str, &Item> = HashMap::new();
         for item in &self.tree.items {
             let (name, word) = (item.name.text.as_str(), item.name.word());
-            if RESERVED.contains(&word) || values::expr::function(word).is_some() || values::vector::is_function(word) {
+            // Each motion becomes a function of Rust.
+            let is_of_rust = item.keyword == Keyword::Motion && matches!(word, "Some" | "Ok" | "Err");
+            if is_of_rust
+                || RESERVED.contains(&word)
+                || values::expr::function(word).is_some()
+                || values::vector::is_function(word)
+            {
                 self.errors.at(item.name.span, say::meaning_of_its_own(word));
             }
             let names = if item.keyword == Keyword::Output {

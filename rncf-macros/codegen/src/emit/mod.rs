@@ -66,8 +66,14 @@ fn visibility(model: &Model) -> String {
     }
 }
 
-/// Whether something that is written for the model has its name.
+/// What the emitted text takes from Rust, or from this library, by one word.
+const TAKEN: [&str; 6] = ["Default", "bool", "f64", "rncf", "str", "usize"];
+
+/// Whether something that is written for the model, or that stands in it, has its name.
 pub fn is_ambiguous(model: &Model, text: &str) -> bool {
+    if TAKEN.contains(&model.name.as_str()) {
+        return true;
+    }
     let declared = format!("struct {}", model.name);
     let ends = |at: usize| !text[at..].starts_with(|c: char| c.is_alphanumeric() || c == '_');
     let places = text

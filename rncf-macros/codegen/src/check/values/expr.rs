@@ -451,14 +451,15 @@ impl<'a> Check<'a> {
         })
     }
 
-    /// Refuses a sum or comparison of cycles with angles, at the one that counts cycles.
+    /// Refuses a sum or comparison of cycles with angles, at the one that counts cycles, and of an angle with a plain number, at the number.
     pub(in crate::check) fn same_turns(
         &mut self,
         (left, a): (&Expr, Nature),
         (right, b): (&Expr, Nature),
     ) -> Option<()> {
         if !a.clashes(b) {
-            return Some(());
+            self.no_number_beside((left, a), right)?;
+            return self.no_number_beside((right, b), left);
         }
         let cycles = if a.counts_cycles() { left } else { right };
         self.errors.at(cycles.area, say::HERTZ);

@@ -250,6 +250,26 @@ impl<'a> Check<'a> {
         Some(typed.value)
     }
 
+    /// Refuses a number without unit that is added to an angle or compared with one, where both stand by themselves: `angle - 45`. In a
+    /// product an angle is a number like others.
+    pub(super) fn no_number_beside(&mut self, (angle, nature): (&Expr, Nature), other: &Expr) -> Option<()> {
+        let stands_alone = match &angle.kind {
+            ExprKind::Negate(inner) => is_single(inner),
+            _ => is_single(angle),
+        };
+        if !(nature.is_no_cycle() && stands_alone) || is_bare_zero(other) {
+            return Some(());
+        }
+        let what = "what stands beside an angle";
+        let message = match (bare_literal(other), self.bare_declaration(other)) {
+            (Some(text), _) => say::bare_angle(what, &text),
+            (None, Some((name, text))) => say::bare_declaration(what, "an angle", name, &text, "rad"),
+            (None, None) => return Some(()),
+        };
+        self.errors.at(other.area, message);
+        None
+    }
+
     /// A vector of the dimension that a field asks for.
     pub(in crate::check) fn vector(&mut self, expr: &'a Expr, scope: Scope, wanted: Wanted) -> Option<Vector> {
         let (values, areas) = self.components(expr, scope, wanted)?;
@@ -403,6 +423,14 @@ impl<'a> Check<'a> {
         }
         Some(typed)
     }
+}
+
+/// Whether it is one number, name or call.
+fn is_single(expr: &Expr) -> bool {
+    matches!(
+        expr.kind,
+        ExprKind::Number { .. } | ExprKind::Name(_) | ExprKind::Member { .. } | ExprKind::Call(_)
+    )
 }
 
 /// The first literal without unit that is a term of a sum.

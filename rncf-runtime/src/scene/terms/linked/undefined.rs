@@ -7,7 +7,7 @@ use crate::space::Vector;
 use crate::system::System;
 
 /// What can be wrong, and what can be done, where markers may meet.
-const APART: &str = "a length, direction or divisor in it is zero, or a function or table in it is outside its range or too large for a number; move its points apart where they meet, or change its parameters";
+const APART: &str = "a length, direction or divisor in it is zero, or a function or table in it is outside its range or too large for a number; move its points apart where they meet (a `bushing` acts where they are one), or change its parameters";
 /// The same where they do not.
 const BEYOND: &str = "a divisor in it is zero, or a function or table in it is outside its range or too large for a number, as `cosh(x)` is beyond x = 710; its points are apart, so change its rows, parameters or formula";
 
