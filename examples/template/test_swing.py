@@ -58,6 +58,8 @@ def test_modes_are_those_of_a_hanging_chain():
     # The first zero of the Bessel function J0; higher modes bend the rope, which is a little stiff.
     exact = 2.404826 / 2 * np.sqrt(model.g / model.length)
     assert abs(modes.frequencies[0] / exact - 1) < 5e-3, modes
+    hertz = model.modes(3, frequency="Hz")
+    assert np.allclose(hertz.frequencies * 2 * np.pi, modes.frequencies, rtol=1e-14) and "Hz>" in repr(hertz)
     assert len(modes) == 3 and np.all(np.diff(modes.frequencies) > 0) and np.all(np.abs(modes.growth) < 1e-9)
     static = model.static()
     assert abs(static["tip.y"][-1] + 1.0) < 0.01

@@ -6,7 +6,7 @@ rncf::model! {
         param length = 1 m;
         /// Acceleration of free fall.
         param g = 9.81 m/s^2;
-        param elements: count = 16;
+        param elements: count = 24;
         material rubber { density = 1150 kg/m^3; young = 2 MPa; poisson = 0.45; }
         section cord = circle(radius = 5 mm);
         body rope in inertial {

@@ -1,4 +1,4 @@
-//! `cargo run --release -- length="2 m" --rtol 1e-8`; `-- --help` lists all.
+//! `cargo run --release -- length="1.2 m" --rtol 1e-8`; `-- --help` lists all.
 
 fn main() -> std::process::ExitCode {
     rncf::app::main::<swing::Swing>()

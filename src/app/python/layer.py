@@ -24,17 +24,23 @@ class Incomplete(RuntimeError):
         self.result = result
 
 
+# The units of frequencies, rad/s.
+_PER_SECOND = {"rad/s": 1.0, "Hz": 2 * np.pi, "rpm": np.pi / 30}
+
+
 class Modes:
     """Natural modes about an equilibrium.
 
-    frequencies: angular frequencies, rad/s, in the reference frame; growth: 1/s; summary: everything else.
+    frequencies: those in the reference frame, in `unit`: rad/s, or what the setting `frequency` asks for; growth: 1/s;
+    summary: everything else.
     """
 
-    def __init__(self, summary):
+    def __init__(self, summary, unit="rad/s"):
         self.summary = summary
+        self.unit = unit
         self.notes = summary.get("notes", [])
         modes = summary["modes"]
-        self.frequencies = np.array([mode["im [rad/s]"] for mode in modes])
+        self.frequencies = np.array([mode["im [rad/s]"] for mode in modes]) / _PER_SECOND[unit]
         self.growth = np.array([mode["re [1/s]"] for mode in modes])
         ratios = [mode["damping_ratio"] for mode in modes]
         self.damping_ratios = np.array([np.nan if ratio is None else ratio for ratio in ratios])
@@ -47,7 +53,7 @@ class Modes:
         import pandas
 
         columns = {
-            "frequency [rad/s]": self.frequencies,
+            f"frequency [{self.unit}]": self.frequencies,
             "growth [1/s]": self.growth,
             "damping_ratio [1]": self.damping_ratios,
         }
@@ -56,7 +62,7 @@ class Modes:
     def __repr__(self):
         shown = ", ".join(f"{value:.6g}" for value in self.frequencies[:6])
         more = ", .." if len(self) > 6 else ""
-        return f"<{len(self)} modes of {self.summary['model']}: {shown}{more} rad/s>"
+        return f"<{len(self)} modes of {self.summary['model']}: {shown}{more} {self.unit}>"
 
 
 class _Table:
@@ -369,7 +375,8 @@ class _Model:
     def modes(self, count=None, **settings):
         """Natural modes about the relative equilibrium, the lowest `count`."""
         words = self._words("modes", {"modes": count, **settings})
-        return self._told(Modes(json.loads(self._core.modes(words))))
+        unit = settings.get("frequency", "rad/s")
+        return self._told(Modes(json.loads(self._core.modes(words)), unit))
 
     def sweep(self, *, of="run", out=None, settings=None, **varied):
         """Many calculations: lists, "1..5 N in 9", "normal(5, 0.1) N" for params; settings={"samples": 100, "rtol": 1e-7}.
@@ -408,6 +415,7 @@ def stubs(module):
         "Incomplete(RuntimeError)": ["result: Any"],
         "Modes": [
             "frequencies: np.ndarray",
+            "unit: str",
             "growth: np.ndarray",
             "damping_ratios: np.ndarray",
             "summary: dict[str, Any]",
