@@ -18,7 +18,7 @@ fn drawn(model: &dyn AnyModel, t_end: f64, every: f64) -> (RunResult, Pictures) 
     (result, pictures)
 }
 
-/// The scale of the colours goes to what the envelope says, which all rows tell and not the pictures alone; the strain is that of
+/// The scale of the colours goes to what the envelope says, which all rows and steps tell and not the pictures alone; the strain is that of
 /// the axial force by Hooke's law.
 #[test]
 fn scales_are_those_of_the_envelopes() {
@@ -67,6 +67,44 @@ fn joints_and_loads_have_their_places() {
             .iter()
             .all(|shot| shot.acting == [Vector3::new(0.0, 0.0, -9.81)])
     );
+}
+
+mod wheel {
+    rncf::model! {
+        /// A disc on its axle, and a point that falls.
+        pub model Wheel {
+            rigid _disc { plane xy; mass = 2 kg; inertia = 0.01 kg*m^2; }
+            joint axle = revolute(inertial, _disc);
+            rigid drop { mass = 1 kg; origin = [1, 0, 0] m; }
+            load weight = gravity([0, -10, 0] m/s^2);
+            output y = drop.y;
+            run { t_end = 0.1 s; every = 0.1 s; }
+        }
+    }
+}
+
+/// What nothing is attached to is seen, too: a planar disc by its radii of gyration, of which each is J / (2 m) in square.
+#[test]
+fn rigid_bodies_without_levers_are_crosses() {
+    let (_, pictures) = drawn(&wheel::Wheel {}, 0.1, 0.1);
+    let names: Vec<&str> = pictures.curves.iter().map(|curve| curve.name.as_str()).collect();
+    assert_eq!(names, ["_disc", "drop"]);
+    let [of_disc, of_drop] = [pictures.curves[0].points, pictures.curves[1].points];
+    let points = &pictures.shots[0].points;
+    assert_eq!((of_disc, of_disc + of_drop), (12, points.len()));
+    let radius = (0.01f64 / 4.0).sqrt();
+    for (end, exact) in [1, 4, 7, 10]
+        .into_iter()
+        .zip([[radius, 0.0], [-radius, 0.0], [0.0, radius], [0.0, -radius]])
+    {
+        let found = points[end];
+        assert!(
+            (found.x - exact[0]).abs() + (found.y - exact[1]).abs() < 1e-15,
+            "{found}"
+        );
+    }
+    let largest = points[of_disc..].iter().map(|point| point.norm()).fold(0.0, f64::max);
+    assert!(largest > 0.0 && largest < 0.1, "{largest}");
 }
 
 rncf::model! {

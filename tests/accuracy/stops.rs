@@ -7,11 +7,11 @@ rncf::model! {
     pub model Stops {
         rigid plane_arm { plane xy; mass = 2 kg; inertia = 0.3 kg*m^2; center = [0.5, 0, 0] m; speed = 3 rad/s; }
         joint plane_hinge = revolute(inertial.at([0, 0, 0] m), plane_arm.at([0, 0, 0] m));
-        spring plane_stop = torsional_law(plane_hinge, moment = 300 [N*m] * (max(angle - 0.2, 0) + min(0.3 + angle, 0)));
+        spring plane_stop = torsional_law(plane_hinge, moment = 300 [N*m] * (max(angle - 0.2 rad, 0) + min(0.3 rad + angle, 0)));
         load plane_push = force(plane_arm.at([1, 0, 0] m), [0, -8 [N/m] * max(-0.1 m, min(0.15 m, plane_arm.at([1, 0, 0] m).y)), 0]);
         rigid arm { mass = 2 kg; inertia = [0.3, 0.3, 0.3] kg*m^2; center = [0.5, 0, 0] m; angular_velocity = [0, 0, 3] rad/s; }
         joint hinge = revolute(inertial.at([0, 0, 0] m), arm.at([0, 0, 0] m), axis = z);
-        spring stop = torsional_law(hinge, moment = 300 [N*m] * (max(angle - 0.2, 0) + min(0.3 + angle, 0)));
+        spring stop = torsional_law(hinge, moment = 300 [N*m] * (max(angle - 0.2 rad, 0) + min(0.3 rad + angle, 0)));
         load push = force(arm.at([1, 0, 0] m), [0, -8 [N/m] * max(-0.1 m, min(0.15 m, arm.at([1, 0, 0] m).y)), 0]);
         output plane_angle = plane_hinge.angle;
         output angle = hinge.angle;

@@ -38,7 +38,10 @@ fn a_run_that_breaks_its_material_warns_once() {
     let force = result.history.find("root_force").unwrap();
     let (_, high) = result.history.extremes(force).unwrap();
     let largest = blade.axial_force.unwrap().value;
-    assert!(largest >= high.value && largest < high.value * (1.0 + 1e-9), "{largest}");
+    assert!(
+        largest >= high.value && largest < high.value * (1.0 + 1e-9),
+        "{largest}"
+    );
     assert!(rope.shear_force.is_none() && blade.shear_force.is_some() && blade.torque.is_none());
     let [warning] = &result.warnings[..] else {
         panic!("{:?}", result.warnings)

@@ -1,4 +1,4 @@
-//! What colours the bodies of an animation: what their sections carry, from place to place and over all rows.
+//! What colours the bodies of an animation: what their sections carry, from place to place and over the run.
 
 use crate::Scene;
 use crate::app::writing::numbers::{digits, with_prefix};
@@ -109,7 +109,7 @@ pub struct Colours {
     bodies: Vec<Coloured>,
     compliances: Vec<[f64; 6]>,
     quantities: Vec<Quantity>,
-    /// Least and greatest value of each quantity over all rows.
+    /// Least and greatest value of each quantity over rows and steps.
     ranges: Vec<[Option<Met>; 2]>,
 }
 
@@ -248,7 +248,7 @@ impl Colours {
         all
     }
 
-    /// The quantities with their least and greatest values over all rows, and a sentence about the largest magnitude; not those
+    /// The quantities with their least and greatest values over rows and steps, and a sentence about the largest magnitude; not those
     /// of which no value is known.
     pub fn scales(&self) -> Vec<Scale> {
         let told = |(quantity, range): (&Quantity, &[Option<Met>; 2])| {
@@ -267,7 +267,7 @@ impl Colours {
                 unit,
                 range: [low.value, high.value],
                 largest: format!(
-                    "over all rows largest {value} in {body} at x = {} m, t = {} s",
+                    "largest {value} in {body} at x = {} m, t = {} s",
                     digits(most.x, 4),
                     digits(most.t, 6)
                 ),
@@ -313,7 +313,7 @@ pub struct Scale {
     pub name: &'static str,
     /// Its unit.
     pub unit: &'static str,
-    /// Least and greatest value over all rows, SI.
+    /// Least and greatest value over rows and steps, SI.
     pub range: [f64; 2],
     /// The largest magnitude and where it is, in words.
     pub largest: String,

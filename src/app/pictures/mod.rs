@@ -110,6 +110,11 @@ impl Pictures {
         })
     }
 
+    /// Lets the scale of the colours reach what the sections carry at a time.
+    pub(in crate::app) fn meet(&mut self, t: f64, sections: &[SectionState]) {
+        self.colours.meet(t, sections);
+    }
+
     /// Takes in a row with what its sections carry, and the picture of one that is kept.
     pub(in crate::app) fn take(
         &mut self,
@@ -119,7 +124,7 @@ impl Pictures {
         state: &State,
         sections: &[SectionState],
     ) {
-        self.colours.meet(t, sections);
+        self.meet(t, sections);
         if row.is_multiple_of(self.stride) {
             let mut shot = Configuration::default();
             scene.configuration(state, &mut shot);
@@ -129,7 +134,7 @@ impl Pictures {
         }
     }
 
-    /// What colours the bodies, with what it is over all rows of the run; not those of which nothing is known.
+    /// What colours the bodies, with what it is over all of the run; not those of which nothing is known.
     pub fn scales(&self) -> Vec<Scale> {
         self.colours.scales()
     }

@@ -9,7 +9,6 @@ use crate::app::judged::finer::Judging;
 use crate::app::judged::marks::Marks;
 use crate::app::machine::clock::{Clock, Seconds};
 use crate::app::pictures::Pictures;
-use crate::app::results::envelopes::Envelopes;
 use crate::app::results::history::SKETCHED;
 use crate::app::results::incomplete::Incomplete;
 use crate::app::results::run::{RowTimes, RunResult, StepTaken};
@@ -84,7 +83,7 @@ impl Course {
 
     /// Takes in the start.
     pub fn begin(&mut self, integrator: &mut Running<'_>, result: &mut RunResult) {
-        self.meet(integrator, &mut result.envelopes);
+        self.meet(integrator, result);
     }
 
     /// Takes in the last step, unless it is one that is repeated.
@@ -94,15 +93,18 @@ impl Course {
             self.gathered = count;
             let t = integrator.state().t;
             self.steps.push(t, t - integrator.previous_time());
-            self.meet(integrator, &mut result.envelopes);
+            self.meet(integrator, result);
         }
     }
 
     /// Takes in the end of a step: rows may be much farther apart.
-    fn meet(&mut self, integrator: &mut Running<'_>, envelopes: &mut Envelopes) {
+    fn meet(&mut self, integrator: &mut Running<'_>, result: &mut RunResult) {
         let state = &mut self.rows.state;
         state.clone_from(integrator.state());
-        envelopes.meet(integrator.system(), state.t, state);
+        result.envelopes.meet(integrator.system(), state.t, state);
+        if let Some(pictures) = &mut result.pictures {
+            pictures.meet(state.t, result.envelopes.states());
+        }
         self.energy.meet(integrator.system().energy(state));
         if self.energy.wants_potential() {
             state.v.fill(0.0);

@@ -10,6 +10,8 @@ use crate::space::{Vector, from_matrix};
 const PIECES: usize = 16;
 /// Most straight pieces of one element.
 const MOST: usize = 8;
+/// Part of the scene's length that a point is drawn with.
+const SMALL: f64 = 0.02;
 
 /// Pieces of an element of a body with so many of them.
 pub(super) fn pieces(elements: usize) -> usize {
@@ -34,7 +36,8 @@ impl MeshScene {
         flexible.chain(fixed.filter(|curve| curve.points > 0)).collect()
     }
 
-    /// Places that joints, springs and outputs use of a free frame, each with the origin before and behind it.
+    /// Places that joints, springs and outputs use of a free frame, and its centre of mass, each with the origin before and behind it;
+    /// of a rigid body without any a cross.
     fn attached(&self, free: usize) -> Vec<Vector> {
         let frame = self.frames.free[free].spec.frame;
         let mut places: Vec<Vector> = Vec::new();
@@ -48,10 +51,31 @@ impl MeshScene {
                 _ => {}
             }
         }
+        let rigid = &self.frames.free[free].spec.rigid;
+        if rigid.moment.norm() > 0.0 {
+            places.push(rigid.moment / rigid.mass);
+        }
+        if places.is_empty() && self.frames.free[free].spec.is_body {
+            places = self.cross(free);
+        }
         places
             .iter()
             .flat_map(|&place| [Vector::zeros(), place, Vector::zeros()])
             .collect()
+    }
+
+    /// Ends of a cross along the axes of a rigid body, as long as its radii of gyration; a point has a small one.
+    fn cross(&self, free: usize) -> Vec<Vector> {
+        let (frame, border) = (&self.frames.free[free], self.layout.unknowns() - self.layout.border());
+        let (mass, inertia) = (frame.spec.rigid.mass, &frame.spec.rigid.inertia);
+        let half_trace = 0.5 * inertia.trace();
+        let radii = Vector::from_fn(|axis, _| ((half_trace - inertia[(axis, axis)]).max(0.0) / mass).sqrt());
+        let radii = match radii.norm() {
+            radius if radius > 0.0 && radius.is_finite() => radii,
+            _ => Vector::repeat(SMALL * self.tabulated.sizes[border + frame.first]),
+        };
+        let ends = (0..3).flat_map(|axis| [radii[axis], -radii[axis]].map(|end| end * Vector::ith(axis, 1.0)));
+        ends.filter(|end| end.norm() > 0.0).collect()
     }
 
     /// The picture at the loaded state.
