@@ -1,9 +1,9 @@
 //! Largest von Mises stress over a section from the forces and moments on it: `sqrt(s^2 + 3 t^2)` at the
-//! points where it can be largest. Normal stresses are `N/A + M_y Z/I_yy - M_z Y/I_zz`, shear stresses those
+//! points of its rim where it can be largest. Normal stresses are `N/A + M_y Z/I_yy - M_z Y/I_zz`, shear stresses those
 //! of Saint-Venant's torsion and, at the neutral axis, of the shear forces.
 
 use crate::emitted::SectionShape;
-use crate::scene::bodies::section::Section;
+use crate::scene::bodies::section::{PLACES, Section, place};
 use crate::space::magnitude;
 
 /// Forces (N, Q_y, Q_z) and moments (T, M_y, M_z) on a section with its constants.
@@ -39,6 +39,11 @@ pub fn largest_stress(section: &Section, is_planar: bool, forces: [f64; 3], mome
 fn von_mises(normal: f64, shear: f64) -> f64 {
     magnitude(normal, 3.0f64.sqrt() * shear)
 }
+
+/// Places around the rim of a circle at which normal and shear stresses are looked at together.
+const AROUND: usize = 32;
+/// Part by which the largest normal and shear stresses, were they in one place, must pass what single places have.
+const MORE: f64 = 1e-3;
 
 impl Loaded<'_> {
     /// `load / constant`; `None` where the constant is not known.
@@ -81,32 +86,61 @@ impl Loaded<'_> {
         if shear == 0.0 {
             return Some(outermost);
         }
-        // Both ends of the diameter normal to the shear force; torsion adds at one and subtracts at the other.
-        let at = |side: f64| {
-            let place = [-side * radius * z / shear, side * radius * y / shear];
-            let normal = axial + by_y * place[0] + by_z * place[1];
-            von_mises(normal, factor * shear - side * torsion)
+        // Along the rim the shear force has its part across the radius. At both ends of the diameter normal to it that is all of it; torsion adds
+        // at one and subtracts at the other.
+        let at = |cosine: f64, sine: f64| {
+            let normal = axial + radius * (by_y * cosine + by_z * sine);
+            von_mises(normal, torsion + factor * (z * cosine - y * sine))
         };
-        Some(outermost.max(at(1.0)).max(at(-1.0)))
+        let [cosine, sine] = [z / shear, -y / shear];
+        let found = outermost.max(at(cosine, sine)).max(at(-cosine, -sine));
+        let bound = von_mises(
+            axial.abs() + radius * magnitude(by_y, by_z),
+            torsion.abs() + factor * shear,
+        );
+        if bound <= found * (1.0 + MORE) {
+            return Some(found);
+        }
+        let angles = (0..AROUND).map(|place| std::f64::consts::TAU * place as f64 / AROUND as f64);
+        Some(angles.fold(found, |found, angle| found.max(at(angle.cos(), angle.sin()))))
     }
 
-    /// A rectangle: corners, middles of the sides, and the middle.
+    /// A rectangle: its middle, corners, and places along its sides.
     fn rectangle(&self, [height, width]: [f64; 2]) -> Option<f64> {
         let [axial, by_y, by_z, twist] = self.gradients()?;
         let [y, z] = self.mean_shears()?.map(|shear| 1.5 * shear);
         let [at_y, at_z] = if twist == 0.0 {
-            [0.0; 2]
+            [[0.0; PLACES]; 2]
         } else {
-            self.section.torsion_of_sides().map(|factor| factor * twist)
+            self.section
+                .torsion_along_sides()
+                .map(|along| along.map(|factor| factor * twist))
         };
         let (up, aside) = (0.5 * height * by_y, 0.5 * width * by_z);
-        let mut largest = (axial.abs() + up.abs() + aside.abs()).max(von_mises(axial, magnitude(y, z)));
-        for side in [1.0, -1.0] {
-            largest = largest
-                .max(von_mises(axial + side * up, z + side * at_y))
-                .max(von_mises(axial + side * aside, y - side * at_z));
+        let corner = axial.abs() + up.abs() + aside.abs();
+        // At a place of two sides, on the way to one of their corners; the shear force along a side acts as a parabola.
+        let at = |index: usize, side: f64, way: f64| {
+            let place = place(index);
+            let parabola = 1.0 - place * place;
+            let of_y = von_mises(
+                axial + side * up + way * place * aside,
+                parabola * z + side * at_y[index],
+            );
+            let of_z = von_mises(
+                axial + side * aside + way * place * up,
+                parabola * y - side * at_z[index],
+            );
+            of_y.max(of_z)
+        };
+        let middle = corner.max(von_mises(axial, magnitude(y, z)));
+        let found = middle.max(at(0, 1.0, 1.0)).max(at(0, -1.0, 1.0));
+        let shear = (y.abs() + at_z[0].abs()).max(z.abs() + at_y[0].abs());
+        if von_mises(corner, shear) <= found * (1.0 + MORE) {
+            return Some(found);
         }
-        Some(largest)
+        let ways = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
+        let along = (1..PLACES).flat_map(|index| ways.map(|[side, way]| at(index, side, way)));
+        Some(along.fold(found, f64::max))
     }
 
     fn general(&self, [y, z]: [f64; 2]) -> Option<f64> {
@@ -239,6 +273,39 @@ mod tests {
         let shear = 4.0 / (0.282 * w * h * h);
         let wanted = normal.hypot(3.0f64.sqrt() * shear);
         near(stress(&strip, [0.0; 3], [4.0, 0.0, 3.0]), wanted, 2e-3);
+    }
+
+    /// Solutions of Prandtl's equation by finite differences (1200 by 80 pieces of the strip, 300 by 300 of the square), with the bending
+    /// stresses.
+    #[test]
+    fn torsion_and_bending_of_a_rectangle_are_largest_between_its_corners_and_middles() {
+        let strip = rectangle(0.06, 0.004, 1.22600e-9);
+        near(stress(&strip, [0.0; 3], [6.0, 1.626, 56.9]), 44.893e6, 3e-3);
+        let square = rectangle(0.02, 0.02, 2.24915e-8);
+        near(stress(&square, [0.0; 3], [20.0, 15.0, -15.0]), 24.4675e6, 3e-3);
+        near(stress(&square, [3e3, 0.0, 0.0], [40.0, 12.0, 25.0]), 49.467e6, 3e-3);
+    }
+
+    /// `(a + b c)^2 + 3 (t + s c')^2` around the rim, with c and c' the cosines of angles that are a quarter apart.
+    #[test]
+    fn tension_shear_and_torsion_of_a_shaft_meet_between_its_axes() {
+        let (r, area) = (0.01, PI * 1e-4);
+        let (pull, shear, torque, moment) = (2e4, 4e3, 60.0, 20.0);
+        let [a, s] = [pull / area, 4.0 / 3.0 * shear / area];
+        let [b, t] = [4.0 * moment, 2.0 * torque].map(|of| of / (PI * r * r * r));
+        let around = |place: u32| {
+            let angle = 2.0 * PI * f64::from(place) / 1e4;
+            ((a + b * angle.cos()).powi(2) + 3.0 * (t + s * angle.sin()).powi(2)).sqrt()
+        };
+        let exact = (0..10_000).map(around).fold(0.0, f64::max);
+        let ends = (a + b).hypot(3f64.sqrt() * t).max(a.hypot(3f64.sqrt() * (t + s)));
+        assert!(exact > 1.02 * ends);
+        // M_y bends along z, and a force along z shears most beside it.
+        near(
+            stress(&circle(r), [pull, 0.0, shear], [torque, moment, 0.0]),
+            exact,
+            3e-3,
+        );
     }
 
     #[test]
