@@ -171,3 +171,39 @@ fn what_breaks_between_rows_is_told() {
         "{warning}"
     );
 }
+
+mod stepped {
+    rncf::model! {
+        /// A shaft that is loaded at its thin end, and clamped at its thick one.
+        pub model Stepped {
+            param parts: count = 1;
+            material steel { density = 7850 kg/m^3; young = 210 GPa; poisson = 0.3; yield = 50 MPa; }
+            table radii { x = [0, 0.5, 0.5, 1] m; r = [10, 10, 20, 20] mm; }
+            section round = circle(radius = radii.r);
+            body shaft { spatial; line from [0, 0, 0] m to [1, 0, 0] m; mesh parts at radii * beam(round, steel); }
+            joint wall = clamp(shaft.end, inertial);
+            load pull = force(shaft.start, [0, 0, 100] N);
+            output z = shaft.start.z;
+        }
+    }
+}
+
+/// The thin side of a step has the largest stress: `4 F x / (pi r^3)`, 63.66 MPa, where the thick one has an eighth.
+#[test]
+fn both_sides_of_a_step_have_their_stress() {
+    for parts in [1, 3] {
+        let found = static_equilibria(&stepped::Stepped { parts }, &EquilibriumSettings::default()).unwrap();
+        let largest = found.envelopes.bodies[0].stress.unwrap();
+        let exact = 4.0 * 100.0 * 0.5 / (std::f64::consts::PI * 1e-6);
+        assert!(
+            (largest.value / exact - 1.0).abs() < 1e-3 && largest.x == 0.5,
+            "{largest:?}, {exact}"
+        );
+        assert!(
+            found
+                .warnings
+                .iter()
+                .any(|warning| warning.contains("passes the yield stress"))
+        );
+    }
+}

@@ -7,6 +7,8 @@ use super::stations::go_on;
 
 /// Degrees of freedom of the largest element; the generator refuses larger ones. Arrays of 36 cost up to 7 % more instructions a run (`bench/instructions.sh`).
 pub(crate) const MAX_SIZE: usize = 32;
+/// Distance from a node at which an element has its own properties, as a part of the element.
+const BESIDE: f64 = 1e-9;
 
 /// A meshed body.
 #[derive(Clone, Debug)]
@@ -181,6 +183,11 @@ impl BodySpec {
             Some([start, end]) => length * (start + xi * (end - start)),
             _ => length * (element as f64 + xi) / self.count as f64,
         }
+    }
+
+    /// The same where the element has its own properties: at a node at which they step they may be those of the next one.
+    pub(crate) fn arclength_inside(&self, length: f64, element: usize, xi: f64) -> f64 {
+        self.arclength_of(length, element, xi.clamp(BESIDE, 1.0 - BESIDE))
     }
 
     /// The element and the place in it, in [0, 1], at a fraction of the axis. What is a node but for the rounding of its place

@@ -57,14 +57,16 @@ impl MeshScene {
                 all.resize(all.len() + PLACES.len() * spec.count, [0.0; 6]);
                 continue;
             };
-            let mut same = None;
+            let (mut same, length) = (None, spec.line.length());
             for element in 0..spec.count {
                 let local = 0..spec.nodal.len();
                 let undeformed: Vec<f64> = local.flat_map(|local| spec.undeformed(element, local)).collect();
                 for xi in PLACES {
                     let found = same.unwrap_or_else(|| {
                         let free = strained.fields_at(&strained.weights(element, xi), &undeformed);
-                        let row = strained.flexibility(spec.arclength(element, xi), &free).values[0];
+                        let row = strained
+                            .flexibility(spec.arclength_inside(length, element, xi), &free)
+                            .values[0];
                         std::array::from_fn(|component| row[component])
                     });
                     same = same.or_else(|| (!self.parts.varies(body)).then_some(found));

@@ -157,7 +157,8 @@ impl<'a> Reader<'a> {
         let section = match self.section {
             Some(section) => section,
             None => {
-                varied = Section::new(self.scene.section_spec(self.body, x));
+                let inside = spec.arclength_inside(self.length, element, xi);
+                varied = Section::new(self.scene.section_spec(self.body, inside));
                 &varied
             }
         };
