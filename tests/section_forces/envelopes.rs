@@ -207,3 +207,34 @@ fn both_sides_of_a_step_have_their_stress() {
         );
     }
 }
+
+mod poked {
+    rncf::model! {
+        /// A bridge of one element, loaded at a quarter of its length.
+        pub model Poked {
+            param parts: count = 1;
+            const length = 2 m;
+            material steel { density = 7800 kg/m^3; young = 210 GPa; poisson = 0.3; }
+            section rod = circle(radius = 10 mm);
+            body bridge { planar xy; line from [0, 0, 0] m to [length, 0, 0]; mesh parts * beam(rod, steel); }
+            joint left = pin(bridge.start, inertial);
+            joint right = hold(bridge.end.y);
+            load poke = force(bridge.at(0.25 * length), [0, -4, 0] N);
+            load turn = moment(bridge.at(0.6 * length), [0, 0, 3] N*m);
+            output y = bridge.end.x;
+        }
+    }
+}
+
+/// What acts between nodes makes its peak where it acts: 4 N and 3 N m at 0.5 and 1.2 m of 2 m, on supports of 4.5 and -0.5 N.
+#[test]
+fn a_load_within_an_element_has_its_peak() {
+    for parts in [1, 3, 5] {
+        let found = static_equilibria(&poked::Poked { parts }, &EquilibriumSettings::default()).unwrap();
+        let peak = found.envelopes.bodies[0].bending_moment.unwrap();
+        assert!(
+            (peak.value / 2.6 - 1.0).abs() < 1e-3 && (peak.x - 1.2).abs() < 1e-9,
+            "{parts}: {peak:?}"
+        );
+    }
+}

@@ -67,6 +67,11 @@ impl Reaches {
     pub fn to(&mut self, body: Body<'_>, xi: f64) -> &Reach {
         self.lengths[self.at].to(body, xi)
     }
+
+    /// The same of a place that may be another one each time.
+    pub fn once(&self, body: Body<'_>, xi: f64) -> Reach {
+        self.lengths[self.at].made(body, xi)
+    }
 }
 
 /// Reaches on elements of one length.

@@ -6,7 +6,7 @@ use crate::emitted::{Fidelity, Line};
 use crate::model::{SectionBody, SectionState};
 use crate::scene::MeshScene;
 
-/// Where an element is sampled: what is largest lies at an end or, under a distributed load, near the middle.
+/// Where an element is sampled: what is largest lies at an end, where something acts or, under a distributed load, near the middle.
 const PLACES: [f64; 3] = [0.0, 0.5, 1.0];
 
 impl MeshScene {

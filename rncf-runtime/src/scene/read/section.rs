@@ -116,19 +116,40 @@ impl<'a> Reader<'a> {
         })
     }
 
-    /// What the sections at places in [0, 1] of an element carry.
+    /// What the sections at places in [0, 1] of an element carry. Instead of one inside it may be a place at which something acts, where more
+    /// is carried.
     pub fn element(&mut self, element: usize, places: &[f64], out: &mut Vec<SectionState>) {
         self.begin(element);
         for &xi in places {
-            out.push(self.state(element, xi));
+            let mut most = self.state(element, xi);
+            if 0.0 < xi && xi < 1.0 {
+                for place in acting_inside(self.scene, self.body, element).map(|point| point.xi) {
+                    // What is carried jumps there.
+                    for xi in [place * (1.0 - f64::EPSILON), place] {
+                        let beside = self.state_once(element, xi);
+                        let weight = |state: &SectionState| state.stress.unwrap_or_else(|| state.bending_moment());
+                        if weight(&beside) > weight(&most) {
+                            most = beside;
+                        }
+                    }
+                }
+            }
+            out.push(most);
         }
     }
 
     fn state(&mut self, element: usize, xi: f64) -> SectionState {
-        let found = &self.found;
         let reach = self.reaches.to(described(self.scene, self.body), xi);
-        let [force, moment] = carried(self.scene, (self.body, element), self.first, reach, found);
-        let axes = axis_weights(self.is_line, reach).map(|weights| sum(weights, &found.levers));
+        let [force, moment] = carried(self.scene, (self.body, element), self.first, reach, &self.found);
+        let axes = axis_weights(self.is_line, reach).map(|weights| sum(weights, &self.found.levers));
+        self.stressed(element, xi, self.in_own_axes(force, moment, axes))
+    }
+
+    /// The same at a place that may be another one each time.
+    fn state_once(&self, element: usize, xi: f64) -> SectionState {
+        let reach = self.reaches.once(described(self.scene, self.body), xi);
+        let [force, moment] = carried(self.scene, (self.body, element), self.first, &reach, &self.found);
+        let axes = axis_weights(self.is_line, &reach).map(|weights| sum(weights, &self.found.levers));
         self.stressed(element, xi, self.in_own_axes(force, moment, axes))
     }
 
