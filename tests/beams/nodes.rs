@@ -195,3 +195,30 @@ fn a_place_that_is_the_end_but_for_round_off_is_there() {
             .contains("0.3 m long")
     );
 }
+
+/// Modes of large systems are compared with finer meshes where that is asked for, and a note says so.
+#[test]
+fn modes_that_were_not_compared_are_told() {
+    let told = |n: u32, judged: Judging| {
+        let settings = EquilibriumSettings {
+            count: 1,
+            judged,
+            ..EquilibriumSettings::default()
+        };
+        let found = modes(&Disc { n: n as _ }, &settings).unwrap();
+        let is_told = found
+            .warnings
+            .iter()
+            .any(|warning| warning.contains("were not compared"));
+        assert_eq!(
+            is_told,
+            found.agreement.is_none() && judged != Judging::No,
+            "{:?}",
+            found.warnings
+        );
+        (found.unknowns, is_told)
+    };
+    let (few, many) = (told(6, Judging::Affordable), told(40, Judging::Affordable));
+    assert!(few.0 <= 400 && !few.1 && many.0 > 400 && many.1, "{few:?} {many:?}");
+    assert!(!told(40, Judging::No).1);
+}

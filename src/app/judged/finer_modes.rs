@@ -67,6 +67,17 @@ pub(in crate::app) fn is_asked(judged: Judging, unknowns: usize) -> bool {
     }
 }
 
+/// That modes were not compared because they are many, where that was asked for as far as it is cheap.
+pub(in crate::app) fn not_asked(judged: Judging, scene: &dyn Scene) -> Option<String> {
+    let unknowns = scene.unknowns();
+    let is_meshed = scene.bodies().iter().any(|body| body.elements > 0);
+    (judged == Judging::Affordable && is_meshed && !is_asked(judged, unknowns)).then(|| {
+        format!(
+            "Frequencies and dampings were not compared with those of finer meshes, which takes long with {unknowns} unknowns. `--thorough` compares them, `--unjudged` says nothing."
+        )
+    })
+}
+
 /// Part of the damping that is told, as [`TOLD`] of what a run finds: it is off by a few times as much as the frequency.
 const TOLD_OF_DAMPING: f64 = 2.0 * TOLD;
 /// Damping ratio below which there is none but round-off.

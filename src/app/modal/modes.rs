@@ -53,6 +53,7 @@ pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Mod
     warnings.extend(told.equilibrium);
     warnings.extend(fewer(scene, &modes, settings.count));
     warnings.extend(told.modes);
+    warnings.extend(finer_modes::not_asked(settings.judged, scene));
     Ok(Modes {
         settings: *settings,
         t,

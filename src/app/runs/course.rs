@@ -97,13 +97,16 @@ impl Course {
         }
     }
 
-    /// Takes in the end of a step: rows may be much farther apart.
+    /// Takes in the end of a step. What sections carry is asked for where no row is within the step: rows may be much farther apart.
     fn meet(&mut self, integrator: &mut Running<'_>, result: &mut RunResult) {
+        let has_row = self.rows.next_by(integrator.state().t).is_some();
         let state = &mut self.rows.state;
         state.clone_from(integrator.state());
-        result.envelopes.meet(integrator.system(), state.t, state);
-        if let Some(pictures) = &mut result.pictures {
-            pictures.meet(state.t, result.envelopes.states());
+        if !has_row {
+            result.envelopes.meet(integrator.system(), state.t, state);
+            if let Some(pictures) = &mut result.pictures {
+                pictures.meet(state.t, result.envelopes.states());
+            }
         }
         self.energy.meet(integrator.system().energy(state));
         if self.energy.wants_potential() {
@@ -204,6 +207,18 @@ impl Course {
 }
 
 impl Rows {
+    /// Time of the next row where a time has reached it, s.
+    fn next_by(&self, reached: f64) -> Option<f64> {
+        // Steps end a rounding before a kink: a row at the kink is that of the step before.
+        let is_due = |time: &f64| *time <= reached + self.slack();
+        let next = (self.next < self.times.count).then(|| self.times.at(self.next).min(self.times.t_end));
+        next.filter(is_due)
+    }
+
+    fn slack(&self) -> f64 {
+        1e-13 * self.times.t_end
+    }
+
     /// Adds the next row where the last step has reached it, and says whether it has.
     fn take_next(
         &mut self,
@@ -211,18 +226,12 @@ impl Rows {
         result: &mut RunResult,
         recorder: &mut dyn Recorder,
     ) -> Result<bool, Incomplete> {
-        if self.next >= self.times.count {
-            return Ok(false);
-        }
         let reached = integrator.state().t;
-        let time = self.times.at(self.next);
-        let t = time.min(self.times.t_end);
-        // Steps end a rounding before a kink: a row at the kink is that of the step before.
-        let slack = 1e-13 * self.times.t_end;
-        if t > reached + slack {
+        let Some(t) = self.next_by(reached) else {
             return Ok(false);
-        }
-        if t >= reached - slack {
+        };
+        let time = self.times.at(self.next);
+        if t >= reached - self.slack() {
             self.state.clone_from(integrator.state());
         } else {
             integrator.interpolate(t, &mut self.state);
