@@ -57,7 +57,7 @@ impl ::rncf::Model for CurvedDownwind {
 
     run { t_end = 20 s; every = 0.05 s; }
 }"#;
-    const EQUATIONS_HASH: u64 = 0x98435b76207905e9;
+    const EQUATIONS_HASH: u64 = 0x49e2e6297f87c6e5;
     const NOTES: &'static [&'static str] = &[
         "Body `beam` uses `beam_planar_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 459 and 1967).",
         "Body `beam` is planar: two components a vector, no motion along the normal.",
@@ -1783,6 +1783,7 @@ pub mod curved_downwind_equations {
             ::rncf::emitted::SectionSpec {
                 shape: ::rncf::emitted::SectionShape::General {
                     extent: [None, None],
+                    shear_factors: [0.53, 0.53],
                 },
                 area: 7.299e-5,
                 second_moments: [8.215e-9, 8.215e-9],

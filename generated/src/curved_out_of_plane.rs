@@ -58,7 +58,7 @@ impl ::rncf::Model for CurvedOutOfPlane {
 
     run { t_end = 20 s; every = 0.05 s; }
 }"#;
-    const EQUATIONS_HASH: u64 = 0x39e388a655e791f5;
+    const EQUATIONS_HASH: u64 = 0x558db6e355455b27;
     const NOTES: &'static [&'static str] = &[
         "Body `beam` uses `beam_spatial_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 1261 and 9795).",
         "Body `beam` has nodal vectors for the section's y and z axes (r0y, r0z, ry_half, rz_half, r1y, r1z): sections shear, twist and have rotary inertia.",
@@ -2783,6 +2783,7 @@ pub mod curved_out_of_plane_equations {
             ::rncf::emitted::SectionSpec {
                 shape: ::rncf::emitted::SectionShape::General {
                     extent: [None, None],
+                    shear_factors: [0.53, 0.53],
                 },
                 area: 7.299e-5,
                 second_moments: [8.215e-9, 8.215e-9],

@@ -57,7 +57,7 @@ impl ::rncf::Model for CurvedUpwind {
 
     run { t_end = 20 s; every = 0.05 s; }
 }"#;
-    const EQUATIONS_HASH: u64 = 0xef588c2f95ed63d4;
+    const EQUATIONS_HASH: u64 = 0xaaf3b61711c56836;
     const NOTES: &'static [&'static str] = &[
         "Body `beam` uses `beam_planar_curved`. Form: fields at points (from 6 nodal vectors on; operations of force and tangent: 459 and 1967).",
         "Body `beam` is planar: two components a vector, no motion along the normal.",
@@ -1783,6 +1783,7 @@ pub mod curved_upwind_equations {
             ::rncf::emitted::SectionSpec {
                 shape: ::rncf::emitted::SectionShape::General {
                     extent: [None, None],
+                    shear_factors: [0.53, 0.53],
                 },
                 area: 7.299e-5,
                 second_moments: [8.215e-9, 8.215e-9],

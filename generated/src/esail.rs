@@ -120,7 +120,7 @@ impl ::rncf::Model for Esail {
 
     run { t_end = 200 s; every = 1 s; }
 }"#;
-    const EQUATIONS_HASH: u64 = 0x81b32dd046795862;
+    const EQUATIONS_HASH: u64 = 0xee7309a0b4e29e62;
     const NOTES: &'static [&'static str] = &[
         "Body `main` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).",
         "Body `main` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.",
@@ -3943,6 +3943,7 @@ pub mod esail_equations {
                     ::rncf::emitted::SectionSpec {
                         shape: ::rncf::emitted::SectionShape::General {
                             extent: [None, None],
+                            shear_factors: [0.0, 0.0],
                         },
                         area: 4.571428571428571e-9,
                         second_moments: [1.663e-18, 1.663e-18],
@@ -3957,6 +3958,7 @@ pub mod esail_equations {
                     ::rncf::emitted::SectionSpec {
                         shape: ::rncf::emitted::SectionShape::General {
                             extent: [None, None],
+                            shear_factors: [0.0, 0.0],
                         },
                         area: 4.571428571428571e-9,
                         second_moments: [1.663e-18, 1.663e-18],

@@ -120,7 +120,7 @@ impl ::rncf::Model for EsailSlack {
 
     run { t_end = 200 s; every = 1 s; }
 }"#;
-    const EQUATIONS_HASH: u64 = 0x10266c14dba55ba0;
+    const EQUATIONS_HASH: u64 = 0x578162f73fcb6dd0;
     const NOTES: &'static [&'static str] = &[
         "Body `main` uses `cable_spatial_slack`. Form: points unrolled (the cheapest; operations of force and tangent: points unrolled: 632 and 2395; loop over points: 677 and 2601; a loop counts 1.3 times).",
         "Body `main` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.",
@@ -4607,6 +4607,7 @@ pub mod esail_slack_equations {
                     ::rncf::emitted::SectionSpec {
                         shape: ::rncf::emitted::SectionShape::General {
                             extent: [None, None],
+                            shear_factors: [0.0, 0.0],
                         },
                         area: 4.571428571428571e-9,
                         second_moments: [1.663e-18, 1.663e-18],
@@ -4621,6 +4622,7 @@ pub mod esail_slack_equations {
                     ::rncf::emitted::SectionSpec {
                         shape: ::rncf::emitted::SectionShape::General {
                             extent: [None, None],
+                            shear_factors: [0.0, 0.0],
                         },
                         area: 4.571428571428571e-9,
                         second_moments: [1.663e-18, 1.663e-18],

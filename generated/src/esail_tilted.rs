@@ -127,7 +127,7 @@ impl ::rncf::Model for EsailTilted {
 
     run { t_end = 1 day; every = 10 min; }
 }"#;
-    const EQUATIONS_HASH: u64 = 0x7ab4922a24a50826;
+    const EQUATIONS_HASH: u64 = 0x4ccab9889d04e38e;
     const NOTES: &'static [&'static str] = &[
         "Body `main` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).",
         "Body `main` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.",
@@ -4880,6 +4880,7 @@ pub mod esail_tilted_equations {
                     ::rncf::emitted::SectionSpec {
                         shape: ::rncf::emitted::SectionShape::General {
                             extent: [None, None],
+                            shear_factors: [0.0, 0.0],
                         },
                         area: 4.571428571428571e-9,
                         second_moments: [1.663e-18, 1.663e-18],
@@ -4894,6 +4895,7 @@ pub mod esail_tilted_equations {
                     ::rncf::emitted::SectionSpec {
                         shape: ::rncf::emitted::SectionShape::General {
                             extent: [None, None],
+                            shear_factors: [0.0, 0.0],
                         },
                         area: 4.571428571428571e-9,
                         second_moments: [1.663e-18, 1.663e-18],

@@ -61,7 +61,7 @@ impl ::rncf::Model for FreeFlight {
 
     run { t_end = 2 s; every = 0.01 s; }
 }"#;
-    const EQUATIONS_HASH: u64 = 0x17374bf85e1a4f2c;
+    const EQUATIONS_HASH: u64 = 0xee7caf311bcb2a42;
     const NOTES: &'static [&'static str] = &[
         "Body `cable` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).",
         "Body `cable` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.",
@@ -2341,6 +2341,7 @@ pub mod free_flight_equations {
             ::rncf::emitted::SectionSpec {
                 shape: ::rncf::emitted::SectionShape::General {
                     extent: [None, None],
+                    shear_factors: [0.0, 0.0],
                 },
                 area: 0.001,
                 second_moments: [5e-6, 5e-6],

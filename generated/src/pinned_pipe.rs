@@ -61,7 +61,7 @@ impl ::rncf::Model for PinnedPipe {
 
     run { t_end = 0.5 s; every = 2.5 ms; }
 }"#;
-    const EQUATIONS_HASH: u64 = 0x9e9b3a8579764227;
+    const EQUATIONS_HASH: u64 = 0xedfcd1599ee6430f;
     const NOTES: &'static [&'static str] = &[
         "Body `pipe` uses `cable_planar`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 185 and 554; points unrolled: 343 and 1077; loop over points: 375 and 1181; a loop counts 1.3 times).",
         "Body `pipe` is planar: two components a vector, no motion along the normal.",
@@ -1547,6 +1547,7 @@ pub mod pinned_pipe_equations {
             ::rncf::emitted::SectionSpec {
                 shape: ::rncf::emitted::SectionShape::General {
                     extent: [None, None],
+                    shear_factors: [0.0, 0.0],
                 },
                 area: 7.299e-5,
                 second_moments: [8.215e-9, 8.215e-9],

@@ -76,7 +76,7 @@ impl ::rncf::Model for SliderCrank {
 
     run { t_end = 2.5 s; every = 0.01 s; }
 }"#;
-    const EQUATIONS_HASH: u64 = 0x5c3dac5385952fa3;
+    const EQUATIONS_HASH: u64 = 0x49c85f44065291c7;
     const NOTES: &'static [&'static str] = &[
         "Body `beam` uses `cable_spatial_exact_damped`. Form: loop over points (the cheapest; operations of force and tangent: points unrolled: 795 and 4638; loop over points: 843 and 5093; a loop counts 1.3 times).",
         "Body `beam` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.",
@@ -3047,6 +3047,7 @@ pub mod slider_crank_equations {
             ::rncf::emitted::SectionSpec {
                 shape: ::rncf::emitted::SectionShape::General {
                     extent: [None, None],
+                    shear_factors: [0.0, 0.0],
                 },
                 area: 0.00020106192982974675,
                 second_moments: [3.216990877275948e-9, 3.216990877275948e-9],

@@ -48,7 +48,7 @@ impl ::rncf::Model for SpinUp {
 
     run { t_end = 20 s; every = 0.05 s; }
 }"#;
-    const EQUATIONS_HASH: u64 = 0x689082acf055155d;
+    const EQUATIONS_HASH: u64 = 0xb3555a21035c656d;
     const NOTES: &'static [&'static str] = &[
         "Body `beam` uses `cable_planar`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 185 and 554; points unrolled: 343 and 1077; loop over points: 375 and 1181; a loop counts 1.3 times).",
         "Body `beam` is planar: two components a vector, no motion along the normal.",
@@ -1715,6 +1715,7 @@ pub mod spin_up_equations {
             ::rncf::emitted::SectionSpec {
                 shape: ::rncf::emitted::SectionShape::General {
                     extent: [None, None],
+                    shear_factors: [0.0, 0.0],
                 },
                 area: 7.299e-5,
                 second_moments: [8.215e-9, 8.215e-9],

@@ -50,7 +50,7 @@ impl ::rncf::Model for SpinUpSpatial {
 
     run { t_end = 20 s; every = 0.05 s; }
 }"#;
-    const EQUATIONS_HASH: u64 = 0x2b4102f79dc98fdf;
+    const EQUATIONS_HASH: u64 = 0x6b7abe8dc2f7c027;
     const NOTES: &'static [&'static str] = &[
         "Body `beam` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).",
         "Body `beam` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.",
@@ -1940,6 +1940,7 @@ pub mod spin_up_spatial_equations {
             ::rncf::emitted::SectionSpec {
                 shape: ::rncf::emitted::SectionShape::General {
                     extent: [None, None],
+                    shear_factors: [0.0, 0.0],
                 },
                 area: 7.299e-5,
                 second_moments: [8.215e-9, 8.215e-9],

@@ -24,3 +24,4 @@ mod table_curves;
 mod table_files;
 mod thick;
 mod timed_elements;
+mod uneven;

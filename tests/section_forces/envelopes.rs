@@ -238,3 +238,57 @@ fn a_load_within_an_element_has_its_peak() {
         );
     }
 }
+
+mod uneven {
+    rncf::model! {
+        /// Rods that are pulled, with an area and a yield stress that change along them, and wires that bend, all without outermost fibres.
+        pub model Uneven {
+            param bending = 0 N;
+            param pull = 10 kN;
+            material steel { density = 7850 kg/m^3; young = 210 GPa; poisson = 0.3; yield = 150 MPa; }
+            material weaker { density = 7850 kg/m^3; young = 210 GPa; poisson = 0.3; yield = 300 [MPa] * (1 - 0.8 * x / (1 m)); }
+            table areas { x = [0, 0.5, 0.5, 1] m; a = [2, 2, 0.5, 0.5] cm^2; i = [0.2, 0.2, 0.02, 0.02] cm^4; }
+            section stepped { area = areas.a; second_moment = areas.i; torsion_constant = areas.i; shear_factor = 0.9; }
+            section even { area = 1 cm^2; second_moment = 0.1 cm^4; }
+            body thin { spatial; line from [0, 0, 0] m to [1, 0, 0] m; mesh 4 at areas * beam(stepped, steel); }
+            body weak { planar xy; line from [0, 1, 0] m to [1, 1, 0] m; mesh 4 * cable(even, weaker); }
+            joint thin_root = clamp(thin.start, inertial);
+            joint weak_root = clamp(weak.start, inertial);
+            load pull_thin = force(thin.end, [pull, 0 N, bending]);
+            load pull_weak = force(weak.end, [pull, 0 N, 0 N]);
+            output u = thin.end.x;
+            output w = weak.end.x;
+        }
+    }
+}
+
+/// F / A is 200 MPa behind the step of the first rod, and 100 MPa in the second one, of which 60 MPa are too much at its end.
+#[test]
+fn area_and_yield_stress_are_those_of_the_place() {
+    let found = |model: uneven::Uneven| static_equilibria(&model, &EquilibriumSettings::default()).unwrap();
+    let pulled = found(uneven::Uneven::default());
+    let [thin, weak] = &pulled.envelopes.bodies[..] else {
+        panic!("two bodies")
+    };
+    let [first, second] = [thin, weak].map(|body| (body.yielding.unwrap(), body.yield_stress.unwrap()));
+    assert!((thin.stress.unwrap().value / 200e6 - 1.0).abs() < 1e-3 && first.0.x >= 0.5);
+    assert!((weak.stress.unwrap().value / 100e6 - 1.0).abs() < 1e-3);
+    assert_eq!(first.1, 150e6);
+    assert!(
+        second.0.x > 0.8 && second.1 < 110e6 && second.0.value > second.1,
+        "{second:?}"
+    );
+    let is_unknown = |warnings: &[String]| {
+        warnings
+            .iter()
+            .any(|text| text.contains("while bending counts, in `thin`"))
+    };
+    assert!(!is_unknown(&pulled.warnings), "{:?}", pulled.warnings);
+    // 50 N at 1 m: at the step 25 N m on a section of 0.02 cm^4, some 79 MPa at its radius of gyration.
+    let bent = found(uneven::Uneven {
+        bending: 50.0,
+        pull: 10.0,
+    });
+    assert!(is_unknown(&bent.warnings), "{:?}", bent.warnings);
+    assert!(bent.envelopes.bodies.iter().all(|body| body.yielding.is_none()));
+}

@@ -14,8 +14,9 @@ fn blades(model: &Blades) -> [Errors; 2] {
     let n = model.elements;
     let loads = [[model.pull_x, model.pull_y, 0.0], [0.0, 0.0, model.twist]].map(Vector3::from);
     let (mut states, mut q) = (&states[..], &q[..]);
+    let half = states.len() / 2;
     [Kind::PlanarBeam, Kind::PlanarCable].map(|kind| {
-        let (own, others) = states.split_at(3 * n);
+        let (own, others) = states.split_at(half);
         let (vectors, rest) = q.split_at(kind.size(n));
         (states, q) = (others, rest);
         errors(kind, &sections(kind, n, LENGTH, vectors), own, loads)

@@ -28,6 +28,8 @@ pub enum SectionShape {
     General {
         /// Along y and z.
         extent: [Option<f64>; 2],
+        /// Shear factors along y and z, 0 where unknown: the web of a thin-walled section carries `Q / (k A)`.
+        shear_factors: [f64; 2],
     },
     /// A full circle.
     Circle {
@@ -77,7 +79,10 @@ pub struct SectionSpec {
 impl SectionSpec {
     /// Of a model without bodies, whose sections nobody asks for.
     pub(crate) const NONE: Self = Self {
-        shape: SectionShape::General { extent: [None, None] },
+        shape: SectionShape::General {
+            extent: [None, None],
+            shear_factors: [0.0; 2],
+        },
         area: 0.0,
         second_moments: [0.0; 2],
         torsion_constant: 0.0,

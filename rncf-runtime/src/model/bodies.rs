@@ -50,12 +50,10 @@ pub struct SectionBody {
     pub is_planar: bool,
     /// Whether [`SectionState::stress`] is known: the section says where its outermost fibres are.
     pub knows_stress: bool,
-    /// Area of the section, m^2.
-    pub area: f64,
+    /// Whether [`SectionState::axial_stress`] is known: the section has an area.
+    pub knows_area: bool,
     /// Name of the material.
     pub material: &'static str,
-    /// Its yield stress, Pa.
-    pub yield_stress: Option<f64>,
 }
 
 impl SectionBody {
@@ -64,7 +62,7 @@ impl SectionBody {
         if self.knows_stress {
             return state.stress;
         }
-        (self.area > 0.0).then(|| state.forces[0].abs() / self.area)
+        state.axial_stress
     }
 }
 
@@ -98,6 +96,12 @@ pub struct SectionState {
     pub moments: Vector,
     /// Largest von Mises stress over the section, Pa; `None` where the section's extents are not known.
     pub stress: Option<f64>,
+    /// Magnitude of the axial force over the area of the section, Pa; `None` where it has none.
+    pub axial_stress: Option<f64>,
+    /// Least that the moments add to it, Pa: no section has its outermost fibres nearer to its centre than its radius of gyration.
+    pub least_bending: Option<f64>,
+    /// Yield stress of the material there, Pa.
+    pub yield_stress: Option<f64>,
     /// Whether the body stays in a plane: its moment keeps its sign.
     pub is_planar: bool,
 }

@@ -46,7 +46,7 @@ fn entry(envelope: &BodyEnvelope) -> Value {
     }
     entry.insert("stress_is".into(), json!(envelope.stress_name()));
     entry.insert("material".into(), json!(body.material));
-    entry.insert("yield_stress".into(), json!(body.yield_stress));
+    entry.insert("yield_stress".into(), json!(envelope.yield_stress));
     entry.insert("yielding".into(), json!(envelope.yielding.map(peak)));
     Value::Object(entry)
 }

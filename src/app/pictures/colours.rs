@@ -5,9 +5,6 @@ use crate::app::writing::numbers::{digits, with_prefix};
 use crate::archive::{Archive, Keep};
 use crate::model::{Curve, SectionBody, SectionState};
 
-/// Section states of an element: at both ends and in its middle.
-const PLACES: usize = 3;
-
 /// A number of a section.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
@@ -53,7 +50,7 @@ impl Quantity {
             Self::ShearForce => body.has_section,
             Self::Torque => body.has_section && !body.is_planar,
             Self::Strain => compliances.iter().any(|row| *row != [0.0; 6]),
-            Self::Stress => body.knows_stress || body.area > 0.0,
+            Self::Stress => body.knows_stress || body.knows_area,
         }
     }
 
@@ -140,7 +137,9 @@ impl Colours {
             let curve = curves
                 .iter()
                 .position(|curve| curve.is_flexible && curve.name == body.name);
-            if let Some(curve) = curve.filter(|_| body.elements > 0 && states == PLACES * body.elements) {
+            if let Some(curve) =
+                curve.filter(|_| body.elements > 0 && states.is_multiple_of(body.elements) && states > body.elements)
+            {
                 bodies.push(Coloured {
                     points: curves[curve].points,
                     body,
@@ -225,16 +224,17 @@ impl Colours {
                 let rows = coloured.first..coloured.first + coloured.body.states;
                 let compliances = &self.compliances[rows.clone()];
                 let is_known = quantity.is_known(&coloured.body, compliances);
-                let pieces = (coloured.points - 1) / coloured.body.elements;
+                let [pieces, places] =
+                    [coloured.points - 1, coloured.body.states].map(|all| all / coloured.body.elements);
                 for point in 0..coloured.points {
                     let element = (point / pieces).min(coloured.body.elements - 1);
                     let at = |place: usize| {
-                        let row = PLACES * element + place;
+                        let row = places * element + place;
                         let state = states.get(rows.start + row).filter(|_| is_known)?;
                         quantity.value(&coloured.body, state, &compliances[row])
                     };
-                    // Between the ends and the middle.
-                    let place = (PLACES - 1) as f64 * (point - element * pieces) as f64 / pieces as f64;
+                    // Between places that are equally far from each other.
+                    let place = (places - 1) as f64 * (point - element * pieces) as f64 / pieces as f64;
                     let (below, part) = (place.floor() as usize, place.fract());
                     let value = if part == 0.0 {
                         at(below)

@@ -20,9 +20,8 @@ fn pictures() -> Pictures {
         has_section: false,
         is_planar: true,
         knows_stress: false,
-        area: 0.5,
+        knows_area: true,
         material: "steel",
-        yield_stress: None,
     };
     let curves = vec![curve("beam", 1, 3, true), curve("ball", 0, 1, false)];
     Pictures {
@@ -51,6 +50,9 @@ fn states(forces: [f64; 3]) -> Vec<SectionState> {
         forces: Vector::new(force, 0.0, 0.0),
         moments: Vector::new(0.0, 0.0, -2.0 * force),
         stress: None,
+        axial_stress: Some(force.abs() / 0.5),
+        least_bending: None,
+        yield_stress: None,
         is_planar: true,
     };
     forces.into_iter().enumerate().map(state).collect()

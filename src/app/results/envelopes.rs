@@ -3,6 +3,7 @@
 
 use super::history::Column;
 use crate::app::writing::numbers::{digits, short, with_prefix};
+use crate::app::writing::sentences::listed;
 use crate::archive::{Archive, Keep};
 use crate::equilibrium::Uniform;
 use crate::model::{SectionBody, SectionState};
@@ -38,8 +39,14 @@ pub struct BodyEnvelope {
     /// Largest von Mises stress over the section, Pa; where the section does not say where its outermost
     /// fibres are ([`SectionBody::knows_stress`]), the magnitude of axial force over area.
     pub stress: Option<Peak>,
-    /// First row or step in which the stress passes the yield stress, with its largest stress.
+    /// Yield stress where the stress is the largest part of it, Pa: it may be another one along the body.
+    pub yield_stress: Option<f64>,
+    /// First row or step in which the stress passes the yield stress, where it does so by most.
     pub yielding: Option<Peak>,
+    /// The largest part.
+    share: f64,
+    /// Part of the yield stress that bending makes at least, which [`BodyEnvelope::stress`] does not know.
+    unknown: f64,
 }
 
 /// Envelopes of all flexible bodies of a scene.
@@ -72,8 +79,14 @@ impl Keep for BodyEnvelope {
             torque,
             bending_moment,
             stress,
+            yield_stress,
             yielding,
+            share,
+            unknown,
         } = self;
+        unknown.keep(archive);
+        yield_stress.keep(archive);
+        share.keep(archive);
         for peak in [axial_force, shear_force, torque, bending_moment, stress, yielding] {
             peak.keep(archive);
         }
@@ -97,6 +110,8 @@ impl Keep for Envelopes {
     }
 }
 
+/// Part of the yield stress that bending makes at least from which on it is told that it is not known.
+const COUNTS: f64 = 0.1;
 /// Most bodies in the printed text.
 const MOST_LINES: usize = 4;
 
@@ -140,7 +155,10 @@ impl BodyEnvelope {
             torque: None,
             bending_moment: None,
             stress: None,
+            yield_stress: None,
             yielding: None,
+            share: -1.0,
+            unknown: 0.0,
         }
     }
 
@@ -157,17 +175,25 @@ impl BodyEnvelope {
         if body.has_section && !body.is_planar {
             meet_peak(&mut self.torque, largest(states, at, |state| Some(state.moments[0])));
         }
-        let here = largest(states, at, |state| body.stress_of(state));
-        meet_peak(&mut self.stress, here);
-        if self.yielding.is_none() {
-            self.yielding = here.filter(|peak| self.body.yield_stress.is_some_and(|limit| peak.value > limit));
+        meet_peak(&mut self.stress, largest(states, at, |state| body.stress_of(state)));
+        for state in states.iter().filter(|_| !body.knows_stress) {
+            let (bending, limit) = (state.least_bending.unwrap_or(0.0), state.yield_stress);
+            self.unknown = limit.map_or(self.unknown, |limit| self.unknown.max(bending / limit));
         }
-    }
-
-    /// Share of the yield stress where it is passed.
-    fn excess(&self) -> f64 {
-        let share = self.yielding.zip(self.body.yield_stress);
-        share.map_or(0.0, |(peak, limit)| peak.value / limit)
+        if self.yielding.is_some() {
+            return;
+        }
+        for state in states {
+            let (Some(value), Some(limit)) = (body.stress_of(state), state.yield_stress) else {
+                continue;
+            };
+            if value / limit > self.share {
+                (self.share, self.yield_stress) = (value / limit, Some(limit));
+                if self.share > 1.0 {
+                    self.yielding = Some(Peak { value, at, x: state.x });
+                }
+            }
+        }
     }
 
     /// What its stress is.
@@ -208,7 +234,7 @@ impl Envelopes {
         state: &State,
     ) {
         if !self.bodies.is_empty() {
-            // Area and yield stress may be functions of the param.
+            // What is known of sections may depend on the param.
             for (envelope, body) in self.bodies.iter_mut().zip(scene.section_bodies()) {
                 envelope.body = body;
             }
@@ -233,7 +259,7 @@ impl Envelopes {
         }
         if self.first.is_none() {
             let yielding = (0..self.bodies.len()).filter(|&body| self.bodies[body].yielding.is_some());
-            self.first = yielding.max_by(|&a, &b| self.bodies[a].excess().total_cmp(&self.bodies[b].excess()));
+            self.first = yielding.max_by(|&a, &b| self.bodies[a].share.total_cmp(&self.bodies[b].share));
         }
     }
 
@@ -244,10 +270,25 @@ impl Envelopes {
         format!("{name} = {} {unit}", digits(peak.at, 6)).trim_end().to_owned()
     }
 
+    /// What is told of yielding: the body that does so first, and bodies of which it is not known.
+    pub(in crate::app) fn warnings(&self) -> impl Iterator<Item = String> {
+        self.warning().into_iter().chain(self.unknown())
+    }
+
+    /// Bodies whose bending counts beside the yield stress, and makes a stress that is not known.
+    fn unknown(&self) -> Option<String> {
+        let bodies = self.bodies.iter().filter(|body| body.unknown > COUNTS);
+        let names: Vec<String> = bodies.map(|body| format!("`{}`", body.body.name)).collect();
+        let listed = listed(&names, MOST_LINES)?;
+        Some(format!(
+            "The yield stress is compared with the stress of the axial force alone, while bending counts, in {listed}: the section does not say where its outermost fibres are. Give it `extent_y`, and in space `extent_z`."
+        ))
+    }
+
     /// The one warning that a material yields, about the body that does first.
-    pub(in crate::app) fn warning(&self) -> Option<String> {
+    fn warning(&self) -> Option<String> {
         let envelope = &self.bodies[self.first?];
-        let (peak, limit) = (envelope.yielding?, envelope.body.yield_stress?);
+        let (peak, limit) = (envelope.yielding?, envelope.yield_stress?);
         Some(format!(
             "Body `{}` passes the yield stress of `{}`, {}, at {}: the {} is {} at x = {} m. From there on the results hold for an elastic material only.",
             envelope.body.name,

@@ -195,7 +195,7 @@ impl Course {
     pub fn fill(self, integrator: &mut Running<'_>, result: &mut RunResult, moved: Vec<String>) {
         result.steps = self.steps.taken();
         result.energy_error = self.energy.relative();
-        let yielding = result.envelopes.warning();
+        let yielding: Vec<String> = result.envelopes.warnings().collect();
         let iterations = integrator.statistics().newton_iterations;
         let coarse = self.rows.coarseness.warning(integrator.system(), iterations);
         result.marks = self.rows.marks;

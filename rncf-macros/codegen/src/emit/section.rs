@@ -248,7 +248,13 @@ impl Parts<'_> {
                 format!("Numbers {{ square_of_gyration: {} }}", self.square_of_gyration(body))
             }
             SectionShape::General { extent: [y, z] } => {
-                format!("General {{ extent: [{}, {}] }}", option(y), option(z))
+                let factors = ["shear_factor_y", "shear_factor_z"].map(|name| property(&[name, "shear_factor"]));
+                format!(
+                    "General {{ extent: [{}, {}], shear_factors: [{}] }}",
+                    option(y),
+                    option(z),
+                    factors.join(", ")
+                )
             }
             SectionShape::Circle { radius } => format!("Circle {{ radius: {} }}", self.expr(radius)),
             SectionShape::Tube { radius, thickness } => format!(

@@ -6,8 +6,20 @@ use crate::emitted::{Fidelity, Line};
 use crate::model::{SectionBody, SectionState};
 use crate::scene::MeshScene;
 
-/// Where an element is sampled: what is largest lies at an end, where something acts or, under a distributed load, near the middle.
-const PLACES: [f64; 3] = [0.0, 0.5, 1.0];
+/// Where elements are sampled: what is largest lies at an end, where something acts or, under a load per length, between the ends. The fewer
+/// elements a body has the more places they have.
+const HALVES: [f64; 3] = [0.0, 0.5, 1.0];
+const QUARTERS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
+const EIGHTHS: [f64; 9] = [0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0];
+
+/// The places on each element of a body with so many.
+fn places(elements: usize) -> &'static [f64] {
+    match elements {
+        0..4 => &EIGHTHS,
+        4..8 => &QUARTERS,
+        _ => &HALVES,
+    }
+}
 
 impl MeshScene {
     /// The bodies that [`MeshScene::sample_sections`] samples.
@@ -23,13 +35,12 @@ impl MeshScene {
                 name: spec.label(),
                 length: spec.line.length(),
                 elements: spec.count,
-                states: PLACES.len() * spec.count,
+                states: places(spec.count).len() * spec.count,
                 has_section: spec.has_section(),
                 is_planar: spec.dimension() == 2,
                 knows_stress: self.knows_stress(body),
-                area: section.area,
+                knows_area: section.area > 0.0,
                 material: section.material,
-                yield_stress: section.yield_stress,
             }
         };
         self.sampled().map(describe).collect()
@@ -40,7 +51,12 @@ impl MeshScene {
         out.clear();
         let mut reaches = self.taken_reaches();
         for body in self.sampled() {
-            Reader::new(self, body, &mut reaches[body]).all(&PLACES, out);
+            let mut reader = Reader::new(self, body, &mut reaches[body]);
+            match self.bodies[body].spec.count {
+                0..4 => reader.all(&EIGHTHS, out),
+                4..8 => reader.all(&QUARTERS, out),
+                _ => reader.all(&HALVES, out),
+            }
         }
         self.buffers.reaches = reaches;
     }
@@ -54,14 +70,14 @@ impl MeshScene {
             let strains =
                 !matches!(spec.fidelity, Fidelity::Rigid | Fidelity::Point) && !matches!(spec.line, Line::Nodes(_));
             let Some(strained) = strains.then(|| Strained::new(self, body)).flatten() else {
-                all.resize(all.len() + PLACES.len() * spec.count, [0.0; 6]);
+                all.resize(all.len() + places(spec.count).len() * spec.count, [0.0; 6]);
                 continue;
             };
             let (mut same, length) = (None, spec.line.length());
             for element in 0..spec.count {
                 let local = 0..spec.nodal.len();
                 let undeformed: Vec<f64> = local.flat_map(|local| spec.undeformed(element, local)).collect();
-                for xi in PLACES {
+                for &xi in places(spec.count) {
                     let found = same.unwrap_or_else(|| {
                         let free = strained.fields_at(&strained.weights(element, xi), &undeformed);
                         let row = strained

@@ -116,14 +116,17 @@ impl<'a> Reader<'a> {
         })
     }
 
-    /// What the sections at places in [0, 1] of an element carry. Instead of one inside it may be a place at which something acts, where more
-    /// is carried.
+    /// What the sections at places in [0, 1] of an element carry, which are equally far from each other. Instead of one inside it may be the nearest
+    /// place at which something acts, where more is carried.
     pub fn element(&mut self, element: usize, places: &[f64], out: &mut Vec<SectionState>) {
         self.begin(element);
-        for &xi in places {
+        let pieces = places.len().saturating_sub(1);
+        for (index, &xi) in places.iter().enumerate() {
             let mut most = self.state(element, xi);
-            if 0.0 < xi && xi < 1.0 {
-                for place in acting_inside(self.scene, self.body, element).map(|point| point.xi) {
+            if 0 < index && index < pieces {
+                let nearest = |place: f64| ((place * pieces as f64).round() as usize).clamp(1, pieces - 1);
+                let points = acting_inside(self.scene, self.body, element).map(|point| point.xi);
+                for place in points.filter(|&place| nearest(place) == index) {
                     // What is carried jumps there.
                     for xi in [place * (1.0 - f64::EPSILON), place] {
                         let beside = self.state_once(element, xi);
@@ -189,11 +192,24 @@ impl<'a> Reader<'a> {
             let other = largest_stress(section, is_planar, forces, [0.0, moments[2], 0.0]);
             stress = stress.zip(other).map(|(a, b)| a.max(b));
         }
+        let (area, [about_y, about_z]) = (section.spec.area, section.spec.second_moments);
         SectionState {
             x,
             forces: forces.into(),
             moments: moments.into(),
             stress,
+            axial_stress: (area > 0.0).then(|| forces[0].abs() / area),
+            least_bending: (area > 0.0).then(|| {
+                let by = |moment: f64, about: f64| {
+                    if about > 0.0 {
+                        moment.abs() / (area * about).sqrt()
+                    } else {
+                        0.0
+                    }
+                };
+                by(moments[1], about_y).max(by(moments[2], about_z))
+            }),
+            yield_stress: section.spec.yield_stress,
             is_planar,
         }
     }

@@ -15,7 +15,8 @@ struct Loaded<'a> {
 
 /// The largest von Mises stress, Pa; `None` where what is needed of the section is not known: an extent,
 /// in a plane that along y alone, or a constant. That of a general section is an upper bound for solid
-/// ones: all that bends at one corner of its extents, the torsion of a strip as thick as its lesser extent.
+/// ones, and for those of which a web carries the shear force: all that bends at one corner of its extents, the torsion of a strip as thick as its
+/// lesser extent, and in the web the shear force over `k A`, beside all that bends.
 pub fn largest_stress(section: &Section, is_planar: bool, forces: [f64; 3], moments: [f64; 3]) -> Option<f64> {
     let loaded = Loaded {
         section,
@@ -27,9 +28,12 @@ pub fn largest_stress(section: &Section, is_planar: bool, forces: [f64; 3], mome
         // Thin: twice the mean shear stress.
         SectionShape::Tube { radius, .. } => loaded.round(radius, 2.0),
         SectionShape::Rectangle { sizes } => loaded.rectangle(sizes),
-        SectionShape::General { extent: [y, z] } => {
+        SectionShape::General {
+            extent: [y, z],
+            shear_factors,
+        } => {
             let z = if is_planar { Some(z.unwrap_or(0.0)) } else { z };
-            loaded.general([y?, z?])
+            loaded.general([y?, z?], shear_factors)
         }
         SectionShape::Numbers { .. } => return None,
     };
@@ -44,6 +48,8 @@ fn von_mises(normal: f64, shear: f64) -> f64 {
 const AROUND: usize = 32;
 /// Part by which the largest normal and shear stresses, were they in one place, must pass what single places have.
 const MORE: f64 = 1e-3;
+/// Largest shear stress of a solid section over the mean one.
+const SOLID: f64 = 1.5;
 
 impl Loaded<'_> {
     /// `load / constant`; `None` where the constant is not known.
@@ -108,7 +114,7 @@ impl Loaded<'_> {
     /// A rectangle: its middle, corners, and places along its sides.
     fn rectangle(&self, [height, width]: [f64; 2]) -> Option<f64> {
         let [axial, by_y, by_z, twist] = self.gradients()?;
-        let [y, z] = self.mean_shears()?.map(|shear| 1.5 * shear);
+        let [y, z] = self.mean_shears()?.map(|shear| SOLID * shear);
         let [at_y, at_z] = if twist == 0.0 {
             [[0.0; PLACES]; 2]
         } else {
@@ -143,13 +149,20 @@ impl Loaded<'_> {
         Some(along.fold(found, f64::max))
     }
 
-    fn general(&self, [y, z]: [f64; 2]) -> Option<f64> {
+    fn general(&self, [y, z]: [f64; 2], shear_factors: [f64; 2]) -> Option<f64> {
         let [axial, by_y, by_z, twist] = self.gradients()?;
-        let [shear_y, shear_z] = self.mean_shears()?.map(|shear| 1.5 * shear);
+        let [mean_y, mean_z] = self.mean_shears()?;
+        let webs = shear_factors.map(|factor| if factor > 0.0 { 1.0 / factor } else { 0.0 });
+        let [shear_y, shear_z] = [SOLID.max(webs[0]) * mean_y, SOLID.max(webs[1]) * mean_z];
         let torsion = (2.0 * y.min(z) * twist).abs();
         let outermost = axial.abs() + y * by_y.abs() + z * by_z.abs();
         let middle = von_mises(axial, magnitude(shear_y, shear_z) + torsion);
-        Some(von_mises(outermost, torsion).max(middle))
+        // A web goes up to where it bends most.
+        let [web_y, web_z] = [0, 1].map(|axis| {
+            let is_thin = webs[axis] > SOLID;
+            if is_thin { [shear_y, shear_z][axis] } else { 0.0 }
+        });
+        Some(von_mises(outermost, magnitude(web_y, web_z) + torsion).max(middle))
     }
 }
 
@@ -310,7 +323,17 @@ mod tests {
 
     #[test]
     fn what_is_not_known_of_a_section_is_not_guessed() {
-        let odd = |y, z| section(SectionShape::General { extent: [y, z] }, 2e-4, [1e-9, 3e-9], 0.0);
+        let odd = |y, z| {
+            section(
+                SectionShape::General {
+                    extent: [y, z],
+                    shear_factors: [0.0; 2],
+                },
+                2e-4,
+                [1e-9, 3e-9],
+                0.0,
+            )
+        };
         let bent = |of: &Section, is_planar| largest_stress(of, is_planar, [10.0, 0.0, 0.0], [0.0, 0.0, 6.0]);
         assert_eq!(bent(&odd(None, Some(0.01)), false), None);
         assert_eq!(bent(&odd(Some(0.01), None), false), None);
@@ -330,6 +353,25 @@ mod tests {
         );
     }
 
+    /// IPE 200: a web of 200 by 5.6 mm carries most of the shear force, and at its ends most of the bending.
+    #[test]
+    fn the_web_of_a_beam_of_steel_carries_its_shear_force() {
+        let (area, about_z, web) = (28.48e-4, 1943e-8, 0.2 * 5.6e-3);
+        let shape = SectionShape::General {
+            extent: [Some(0.1), Some(0.05)],
+            shear_factors: [web / area, 0.6],
+        };
+        let ipe = section(shape, area, [142e-8, about_z], 6.98e-8);
+        let (force, moment) = (150e3, 37.5e3);
+        near(
+            stress(&ipe, [0.0, force, 0.0], [0.0; 3]),
+            3f64.sqrt() * force / web,
+            1e-12,
+        );
+        let wanted = (moment * 0.1 / about_z).hypot(3f64.sqrt() * force / web);
+        near(stress(&ipe, [0.0, force, 0.0], [0.0, 0.0, moment]), wanted, 1e-12);
+    }
+
     #[test]
     fn the_bound_of_a_general_section_is_above_a_circle_and_a_square() {
         for (exact, extent) in [
@@ -338,6 +380,7 @@ mod tests {
         ] {
             let shape = SectionShape::General {
                 extent: [Some(extent); 2],
+                shear_factors: [0.85; 2],
             };
             let general = Section::new(SectionSpec { shape, ..exact.spec });
             for (forces, moments) in [
