@@ -188,7 +188,8 @@ fn a_rigid_cantilever_carries_its_load_and_its_weight() {
         near(told.here[0], 7.0, 1e-9);
         near(told.here[1], moment(0.7), 1e-9);
         near(told.grip[2], -moment(0.0), 1e-9);
-        assert_eq!(told.states.len(), 18 * elements);
+        let places = if elements < 4 { 9 } else { 3 };
+        assert_eq!(told.states.len(), 2 * places * elements);
     }
 }
 

@@ -5,9 +5,21 @@ use crate::emitted::{About, BalanceQuantity, Fidelity, MAX_SIZE, Owner};
 use crate::error::ModelError;
 use crate::scene::MeshScene;
 use crate::scene::bodies::nodal_mass::{Padded, padded, spread};
+use crate::scene::pieces::marker::Marker;
 use crate::space::Vector;
 
-/// Sums over what moves, in inertial axes; places and the angular momentum from a reference point at rest.
+/// A point from which places and velocities are seen, inertial axes.
+#[derive(Clone, Copy, Default)]
+struct Seen {
+    /// m.
+    from: Vector,
+    /// m/s.
+    moving: Vector,
+    /// The frame in which it rests, and where, frame axes: beside what is far away the way from its origin is known by this alone.
+    fixed: Option<(usize, Vector)>,
+}
+
+/// Sums over what moves, in inertial axes; places, velocities and the angular momentum as they are seen from a point.
 #[derive(Clone, Copy, Default)]
 struct Balance {
     /// kg.
@@ -79,34 +91,65 @@ impl MeshScene {
 
     /// Value at the loaded state.
     pub(crate) fn balance_of(&self, of: Owner, what: BalanceQuantity, t: f64, component: usize) -> f64 {
-        let origin = Vector::zeros();
+        let origin = Seen::default();
         match what {
             BalanceQuantity::Mass => self.balance(of, origin).mass,
             BalanceQuantity::Momentum => self.balance(of, origin).momentum[component],
-            BalanceQuantity::CenterOfMass => self.center_of(of)[component],
-            BalanceQuantity::AngularMomentum(about) => {
-                let reference = match about {
-                    About::Origin => origin,
-                    About::Marker(marker) => self.jet(&self.links.markers[marker])[0],
-                    About::CenterOf(of) => self.center_of(of),
-                };
-                self.balance(of, reference).spin[component]
-            }
+            BalanceQuantity::CenterOfMass => self.center_of(of).from[component],
+            BalanceQuantity::AngularMomentum(about) => self.spin_about(of, about)[component],
             BalanceQuantity::KineticEnergy => self.balance(of, origin).kinetic,
             BalanceQuantity::StrainEnergy => self.strain_energy(of),
             BalanceQuantity::GravityEnergy => -self.gravity(t).dot(&self.balance(of, origin).moment),
         }
     }
 
-    fn center_of(&self, of: Owner) -> Vector {
-        let Balance { mass, moment, .. } = self.balance(of, Vector::zeros());
-        1.0 / mass * moment
+    /// Angular momentum about a point. What moves with the point is left out where it comes in: far away, or fast, round-off of it would be as large
+    /// as what turns.
+    fn spin_about(&self, of: Owner, about: About) -> Vector {
+        let seen = match about {
+            About::Origin => Seen::default(),
+            About::Marker(marker) => {
+                let marker = &self.links.markers[marker];
+                let [from, moving, ..] = self.jet(marker);
+                let fixed = match *marker {
+                    Marker::Fixed { frame, at, .. } => Some((frame, at)),
+                    _ => None,
+                };
+                Seen { from, moving, fixed }
+            }
+            About::CenterOf(of) => self.center_of(of),
+        };
+        let found = self.balance(of, seen);
+        if about == About::CenterOf(of) {
+            // There is no first moment about it.
+            return found.spin;
+        }
+        found.spin + found.moment.cross(&seen.moving)
     }
 
-    fn balance(&self, of: Owner, reference: Vector) -> Balance {
+    fn center_of(&self, of: Owner) -> Seen {
+        let found = self.balance(of, Seen::default());
+        Seen {
+            from: 1.0 / found.mass * found.moment,
+            moving: 1.0 / found.mass * found.momentum,
+            fixed: None,
+        }
+    }
+
+    /// Way to the origin of a frame from where it is seen, and its velocity from there.
+    fn way_and_velocity(&self, frame: usize, seen: Seen) -> [Vector; 2] {
+        let motion = &self.buffers.frames[frame];
+        let way = match seen.fixed {
+            Some((own, at)) if own == frame => -motion.direction_to_inertial(at),
+            _ => motion.position - seen.from,
+        };
+        [way, motion.velocity - seen.moving]
+    }
+
+    fn balance(&self, of: Owner, seen: Seen) -> Balance {
         let mut sum = Balance::default();
         for body in self.bodies_of(of) {
-            sum = sum.plus(self.balance_of_body(body, reference));
+            sum = sum.plus(self.balance_of_body(body, seen));
         }
         let counts = |frame: usize| of == Owner::All || of == Owner::Frame(frame);
         for frame in self.frames.free.iter().filter(|frame| counts(frame.spec.frame)) {
@@ -121,12 +164,13 @@ impl MeshScene {
                 spin: motion.direction_to_inertial(turning),
                 kinetic: 0.5 * motion.spin.dot(&turning),
             };
-            sum = sum.plus(own.carried(motion.position - reference, motion.velocity));
+            let [way, velocity] = self.way_and_velocity(frame.spec.frame, seen);
+            sum = sum.plus(own.carried(way, velocity));
         }
         sum
     }
 
-    fn balance_of_body(&self, index: usize, reference: Vector) -> Balance {
+    fn balance_of_body(&self, index: usize, seen: Seen) -> Balance {
         let body = &self.bodies[index];
         let (mass, frame) = (&body.whole_mass, &self.buffers.frames[body.frame]);
         let first = self.layout.offset(body.first_vector);
@@ -167,7 +211,8 @@ impl MeshScene {
                 kinetic: sums.kinetic,
             });
         }
-        own.carried(frame.position - reference, frame.velocity)
+        let [way, velocity] = self.way_and_velocity(body.frame, seen);
+        own.carried(way, velocity)
     }
 
     /// Elastic energy of elements, J; none where a body does not deform.
