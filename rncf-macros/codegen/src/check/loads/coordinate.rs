@@ -134,10 +134,7 @@ impl Coordinate {
     }
 
     fn locals(&self) -> [(&'static str, Typed); 2] {
-        let nature = Nature {
-            angle: self.measure.is_angle,
-            ..Nature::default()
-        };
+        let nature = Nature::of_unit(i8::from(self.measure.is_angle));
         let typed = |value, dimension| Typed {
             nature,
             ..Typed::new(value, Dimension::of(dimension))

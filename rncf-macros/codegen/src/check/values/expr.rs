@@ -102,9 +102,8 @@ impl<'a> Check<'a> {
                 let compound = unit.as_ref().map_or(Some(Compound::ONE), |unit| self.unit(unit))?;
                 let value = self.number(text, compound, expr.area)?;
                 let nature = Nature {
-                    angle: compound.dimension[5] != 0,
                     hertz: unit.as_ref().map_or(0, hertz),
-                    pi: 0,
+                    ..Nature::of_unit(compound.dimension[5])
                 };
                 let dimension = Dimension::of(compound.dimension);
                 Some(Typed {
@@ -173,8 +172,9 @@ impl<'a> Check<'a> {
         }
         if text == "pi" {
             let nature = Nature {
+                angle: true,
                 pi: 1,
-                ..Nature::angular()
+                ..Nature::default()
             };
             let value = model::Expr::Number(std::f64::consts::PI);
             return Some(Typed {
@@ -257,10 +257,8 @@ impl<'a> Check<'a> {
 
     /// A reference to a parameter.
     pub(in crate::check) fn reference(id: ParamId, dimension: [i8; 6], nature: Nature) -> Typed {
-        let nature = Nature {
-            angle: dimension[5] != 0,
-            ..nature
-        };
+        let Nature { angle, turns, .. } = Nature::of_unit(dimension[5]);
+        let nature = Nature { angle, turns, ..nature };
         Typed {
             value: model::Expr::Param(id),
             dimension: Dimension::of(dimension),

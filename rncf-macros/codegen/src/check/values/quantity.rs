@@ -24,6 +24,8 @@ pub struct Typed {
 pub struct Nature {
     /// A unit of angle, pi or an inverse trigonometric function is a factor.
     pub angle: bool,
+    /// Exponent of units of angle.
+    pub turns: i8,
     /// Exponent of hertz.
     pub hertz: i8,
     /// Exponent of pi.
@@ -33,8 +35,14 @@ pub struct Nature {
 impl Nature {
     /// That of an angle.
     pub fn angular() -> Nature {
+        Nature::of_unit(1)
+    }
+
+    /// That of a unit with so many factors that are angles.
+    pub fn of_unit(turns: i8) -> Nature {
         Nature {
-            angle: true,
+            angle: turns != 0,
+            turns,
             ..Nature::default()
         }
     }
@@ -42,20 +50,36 @@ impl Nature {
     /// Of a sum, or of one of two cases.
     #[must_use]
     pub fn plus(self, other: Nature) -> Nature {
+        // What counts cycles, or has made angles of them, says which; a phase beside it does not.
+        let (hertz, pi) = match (self.hertz, other.hertz) {
+            (0, 0) | (1.., 1..) | (..0, ..0) if self.pi != other.pi => (self.hertz, 0),
+            (0, _) => (other.hertz, other.pi),
+            _ => (self.hertz, self.pi),
+        };
         Nature {
             angle: self.angle || other.angle,
-            hertz: if self.hertz == 0 { other.hertz } else { self.hertz },
-            pi: if self.pi == other.pi { self.pi } else { 0 },
+            turns: if self.turns == 0 { other.turns } else { self.turns },
+            hertz,
+            pi,
         }
     }
 
     /// Of a product.
     #[must_use]
     pub fn times(self, other: Nature) -> Nature {
+        let [turns, hertz, pi] = [
+            [self.turns, other.turns],
+            [self.hertz, other.hertz],
+            [self.pi, other.pi],
+        ]
+        .map(|[a, b]| a.saturating_add(b));
+        // A ratio of two speeds of rotation is a number.
+        let is_ratio = self.turns != 0 && turns == 0 && pi == 0;
         Nature {
-            angle: self.angle || other.angle,
-            hertz: self.hertz.saturating_add(other.hertz),
-            pi: self.pi.saturating_add(other.pi),
+            angle: (self.angle || other.angle) && !is_ratio,
+            turns,
+            hertz,
+            pi,
         }
     }
 
@@ -63,6 +87,7 @@ impl Nature {
     #[must_use]
     pub fn over(self, other: Nature) -> Nature {
         let below = Nature {
+            turns: other.turns.saturating_neg(),
             hertz: other.hertz.saturating_neg(),
             pi: other.pi.saturating_neg(),
             ..other
@@ -388,9 +413,8 @@ impl<'a> Check<'a> {
             value,
             dimension: Dimension::of(compound.dimension),
             nature: Nature {
-                angle: is_angle,
                 hertz,
-                pi: 0,
+                ..Nature::of_unit(compound.dimension[5])
             },
         };
         match &expr.kind {

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use proc_macro2::TokenStream;
 
-use super::quantity::Typed;
+use super::quantity::{Nature, Typed};
 use super::scope::Scope;
 use super::words::PARTICLE;
 use crate::check::{Check, fold, say};
@@ -505,7 +505,7 @@ impl<'a> Check<'a> {
     pub(in crate::check) fn column_at(&self, table: TableId, column: usize) -> Typed {
         let dimension = self.model.tables[table.0].columns[column].dimension;
         let mut typed = Typed::new(Value::Table { table, column }, Dimension::of(dimension));
-        typed.nature.angle = dimension[5] != 0;
+        typed.nature = Nature::of_unit(dimension[5]);
         typed
     }
 
