@@ -236,8 +236,10 @@ pub enum Branch {
 const PERIODIC: f64 = 1e-9;
 /// What is left to half a turn, rad, where that is near.
 const NEAR: f64 = 0.1;
-/// Part of its change over a step that is as good as at the kink.
+/// Part of its change over a step that is as good as at the kink; and behind a kink at which the step before was cut, by the course of the method between
+/// its ends: of velocities that tells less than the steps themselves.
 const AT_KINK: f64 = 1e-6;
+const BEHIND_KINK: f64 = 1e-2;
 /// Rise of an exponent to its peak at whose beginning the peak is out of sight: there is 2 % of it.
 const OUT_OF_SIGHT: f64 = 4.0;
 
@@ -279,10 +281,12 @@ impl Branch {
         matches!((self, other), (Branch::Kink(one), Branch::Kink(other)) if one * other < 0.0)
     }
 
-    /// Whether a step that begins `before` has passed a kink here at which it did not begin, or a peak that was out of sight there.
-    pub fn is_kink_passed_from(&self, before: &Branch) -> bool {
+    /// Whether a step that begins `before`, maybe behind a known kink, has passed a kink here at which it did not begin, or a peak that was out of
+    /// sight there.
+    pub fn is_kink_passed_from(&self, before: &Branch, is_behind_kink: bool) -> bool {
+        let part = if is_behind_kink { BEHIND_KINK } else { AT_KINK };
         let begins_at_kink = match (self, before) {
-            (Branch::Kink(now), Branch::Kink(before)) => before.abs() <= AT_KINK * (now - before).abs(),
+            (Branch::Kink(now), Branch::Kink(before)) => before.abs() <= part * (now - before).abs(),
             _ => false,
         };
         !begins_at_kink && self.is_kink_passed_since(before)

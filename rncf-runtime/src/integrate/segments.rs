@@ -26,6 +26,8 @@ pub(super) struct Segments {
     passed: usize,
     /// Kinks of laws that were found in steps.
     met: u64,
+    /// The last of them, s.
+    latest: f64,
     /// Steps of late that passed none, less the kinks that were found meanwhile.
     quiet: u64,
     end: f64,
@@ -39,6 +41,7 @@ impl Keep for Segments {
             kinks,
             passed,
             met,
+            latest,
             quiet,
             end,
         } = self;
@@ -47,6 +50,7 @@ impl Keep for Segments {
         kinks.keep(archive);
         passed.keep(archive);
         met.keep(archive);
+        latest.keep(archive);
         quiet.keep(archive);
         end.keep(archive);
         if *passed > kinks.len() {
@@ -73,6 +77,7 @@ impl Segments {
             kinks: Vec::new(),
             passed: 0,
             met: 0,
+            latest: f64::NAN,
             quiet: 0,
             end,
         };
@@ -108,9 +113,17 @@ impl Segments {
         true
     }
 
-    /// [`Segments::insert`] of a kink of a law.
+    /// [`Segments::insert`] of a kink of a law, of which a shorter step knows better where it is: one that was found before and lies just behind would
+    /// cut a tiny step.
     pub(super) fn meet(&mut self, kink: f64) -> bool {
         let is_new = self.insert(kink, kink);
+        if is_new {
+            let behind = self.passed + 1;
+            if self.kinks.get(behind).is_some_and(|old| old.0 == self.latest) {
+                self.kinks.remove(behind);
+            }
+            self.latest = kink;
+        }
         self.met += u64::from(is_new);
         self.quiet = self.quiet.saturating_sub(1);
         is_new
@@ -148,6 +161,12 @@ impl Segments {
     pub(super) fn begins_behind(&self, t: f64) -> bool {
         let last = self.passed.checked_sub(1).and_then(|last| self.kinks.get(last));
         last.is_some_and(|kink| t <= kink.1)
+    }
+
+    /// Whether a kink ends just before a time, s.
+    pub(super) fn is_behind_kink(&self, t: f64) -> bool {
+        let last = self.passed.checked_sub(1).and_then(|last| self.kinks.get(last));
+        last.is_some_and(|kink| t <= kink.1.next_up())
     }
 
     /// Where the first segment begins, s.

@@ -31,11 +31,11 @@ impl Driver {
     pub(super) fn ends_at_passed_kink(&mut self, system: &mut dyn System, course: &[(f64, Vec<Branch>)]) -> bool {
         let mut state = self.state().clone();
         let (from, end) = (course[0].0, state.t);
-        let mut is_any = false;
+        let (mut is_any, is_behind_kink) = (false, self.segments.is_behind_kink(from));
         for places in course.windows(2) {
             let [(low, last), (to, now)] = places else { continue };
             let is_passed = |now: &Branch, before: &Branch| match *low == from {
-                true => now.is_kink_passed_from(before),
+                true => now.is_kink_passed_from(before, is_behind_kink),
                 false => now.is_kink_passed_since(before),
             };
             let passed: Vec<usize> = (0..last.len())
