@@ -151,3 +151,47 @@ fn what_touches_to_round_off_takes_few_steps() {
         }
     }
 }
+
+mod links {
+    rncf::model! {
+        /// Two links, the second with a damper that acts in one direction, beyond 1 rad/s.
+        pub model Links {
+            rigid a { plane xy; mass = 1 kg; inertia = 0.01 kg*m^2; center = [0.2, 0, 0] m; speed = 8 rad/s; }
+            rigid b {
+                plane xy; mass = 1 kg; inertia = 0.01 kg*m^2; origin = [0.4, 0, 0] m; center = [0.2, 0, 0] m;
+                speed = 8 rad/s; velocity = [0, 3.2, 0] m/s;
+            }
+            joint shoulder = revolute(inertial.at([0, 0, 0] m), a);
+            joint elbow = revolute(a.at([0.4, 0, 0] m), b);
+            load weight = gravity([0, -9.81, 0] m/s^2);
+            spring damper = torsional_law(elbow, moment = 0.2 [N*m*s] * max(rate - 1 [rad/s], 0 [rad/s]));
+            output angle = a.angle; output speed = a.speed;
+            run { t_end = 4 s; every = 0.1 s; }
+        }
+    }
+}
+
+/// Kinks of rates, beside joints: Lagrange's equations in the two angles, integrated by scipy (DOP853, 1e-11), are at 28.05164616 rad and 8.66372909 rad/s.
+#[test]
+fn a_damper_of_one_direction_acts_between_links() {
+    for (method, rtol, bound) in [
+        (Method::Radau, 1e-6, 1e-4),
+        (Method::Radau, 1e-8, 1e-5),
+        (Method::Radau9, 1e-8, 1e-5),
+    ] {
+        let settings = RunSettings {
+            method,
+            options: Options {
+                rtol,
+                ..Options::default()
+            },
+            judged: Judging::No,
+            ..RunSettings::default()
+        };
+        let found = run(&links::Links {}, &settings).unwrap();
+        let last = [0, 1].map(|column| found.history.column(column).last().unwrap());
+        let off = (last[0] - 28.051_646_16).abs().max((last[1] - 8.663_729_09).abs());
+        assert!(off < bound, "{method:?} {rtol}: {last:?}");
+        assert!(found.statistics.steps < 2000, "{}", found.statistics.steps);
+    }
+}

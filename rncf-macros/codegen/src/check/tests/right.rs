@@ -176,6 +176,59 @@ fn quantities_look_up_tables() {
     assert_eq!(mistake.area.source_text().as_deref(), Some("inner"));
 }
 
+/// A phase makes no cycles of `2*pi*f*t`, and a ratio of two speeds of rotation, or an angle over a radian, is a number, wherever it stands.
+#[test]
+fn angles_are_counted() {
+    let text = |of: &str| {
+        format!(
+            "pub model Drive {{
+                param f = 0.8 Hz; param phase = 70 deg; param w = 3 rad/s;
+                table slip {{ at = nu; nu = [-1, 0, 2]; k = [3, 2, 1] N*m; interpolation = linear; }}
+                rigid pump {{ plane xy; mass = 1 kg; inertia = 1 kg*m^2; }}
+                rigid turbine {{ plane xy; mass = 1 kg; inertia = 1 kg*m^2; }}
+                joint a = revolute(inertial, pump);
+                joint b = revolute(pump, turbine);
+                {of}
+                output x = pump.angle; output y = turbine.angle;
+            }}"
+        )
+    };
+    for right in [
+        "load l = moment(pump, [0, 0, 3 [N*m] * sin(2*pi*f*t + phase)]);",
+        "load l = moment(pump, [0, 0, 3 [N*m] * sin(70 deg - (2*pi*f + w) * t)]);",
+        "output z: deg = pump.angle + 2*pi*f*t;",
+        "load l = moment(pump, [0, 0, slip.k(turbine.speed / pump.speed)]);",
+        "load l = moment(pump, [0, 0, slip.k(pump.angle / (1 rad))]);",
+        "spring s = torsional_law(b, moment = 0.1 [N*m] * max(min(rate / 0.5 [rad/s], 1), -1));",
+        "spring s = torsional_law(b, moment = 0.1 [N*m] * (2 - max(abs(rate / 0.5 [rad/s]) - 1, 0)));",
+        "output z = pump.speed / turbine.speed - 1;",
+    ] {
+        let (model, mistakes) = run(&text(right));
+        let told: Vec<&str> = mistakes.iter().map(|mistake| mistake.message.as_str()).collect();
+        assert!(told.is_empty() && model.is_some(), "{right}: {told:?}");
+    }
+    for (wrong, of) in [
+        (
+            "load l = moment(pump, [0, 0, 3 [N*m] * sin(f*t + phase)]);",
+            "hertz counts cycles",
+        ),
+        (
+            "load l = moment(pump, [0, 0, slip.k(pump.angle)]);",
+            "this is an angle, and the rows of `slip` are at plain numbers",
+        ),
+        (
+            "spring s = torsional_law(b, moment = 0.1 [N*m] * max(angle - 1, 0));",
+            "what stands beside an angle needs a unit",
+        ),
+    ] {
+        let (_, mistakes) = run(&text(wrong));
+        assert!(
+            mistakes.iter().any(|mistake| mistake.message.starts_with(of)),
+            "{wrong}: {mistakes:?}"
+        );
+    }
+}
+
 /// Words with which statements go on may be names of motions and frames.
 #[test]
 fn words_of_statements_are_names() {
