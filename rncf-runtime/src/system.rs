@@ -236,10 +236,8 @@ pub enum Branch {
 const PERIODIC: f64 = 1e-9;
 /// What is left to half a turn, rad, where that is near.
 const NEAR: f64 = 0.1;
-/// Part of its change over a step that is as good as at the kink; and behind a kink at which the step before was cut, by the course of the method between
-/// its ends: of velocities that tells less than the steps themselves.
+/// Part of its change over a step that is as good as at the kink.
 const AT_KINK: f64 = 1e-6;
-const BEHIND_KINK: f64 = 1e-2;
 /// Rise of an exponent to its peak at whose beginning the peak is out of sight: there is 2 % of it.
 const OUT_OF_SIGHT: f64 = 4.0;
 
@@ -276,17 +274,28 @@ impl Branch {
         matches!(self, Branch::Kink(_) | Branch::Peak { .. })
     }
 
+    /// On which side of its kink it is.
+    pub fn side(&self) -> Option<bool> {
+        match self {
+            Branch::Kink(gap) => Some(*gap > 0.0),
+            _ => None,
+        }
+    }
+
+    /// Whether it is nearer to its kink.
+    pub fn is_nearer_than(&self, other: &Branch) -> bool {
+        matches!((self, other), (Branch::Kink(own), Branch::Kink(other)) if own.abs() < other.abs())
+    }
+
     /// Whether it is on the other side of a kink.
     pub fn is_across_from(&self, other: &Branch) -> bool {
         matches!((self, other), (Branch::Kink(one), Branch::Kink(other)) if one * other < 0.0)
     }
 
-    /// Whether a step that begins `before`, maybe behind a known kink, has passed a kink here at which it did not begin, or a peak that was out of
-    /// sight there.
-    pub fn is_kink_passed_from(&self, before: &Branch, is_behind_kink: bool) -> bool {
-        let part = if is_behind_kink { BEHIND_KINK } else { AT_KINK };
+    /// Whether a step that begins `before` has passed a kink here at which it did not begin, or a peak that was out of sight there.
+    pub fn is_kink_passed_from(&self, before: &Branch) -> bool {
         let begins_at_kink = match (self, before) {
-            (Branch::Kink(now), Branch::Kink(before)) => before.abs() <= part * (now - before).abs(),
+            (Branch::Kink(now), Branch::Kink(before)) => before.abs() <= AT_KINK * (now - before).abs(),
             _ => false,
         };
         !begins_at_kink && self.is_kink_passed_since(before)

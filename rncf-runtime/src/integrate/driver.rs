@@ -69,6 +69,9 @@ pub(super) struct Driver {
     pub(super) at_kink: bool,
     /// A kink that was found is one of a constraint, whose rate may jump with the place.
     pub(super) at_corner: bool,
+    /// Laws at whose kinks a step is cut, and the sides from which they come to them; and those at whose kinks the segment began.
+    pub(super) met: Vec<(usize, bool)>,
+    pub(super) awaited: Vec<(usize, bool)>,
     pub(super) previous_time: f64,
     pub(super) statistics: Statistics,
     pub(super) watch: Watch,
@@ -136,6 +139,8 @@ impl Driver {
             wanted: 0.0,
             at_kink: false,
             at_corner: false,
+            met: Vec::new(),
+            awaited: Vec::new(),
             previous_time: state.t,
             statistics,
             watch: Watch::default(),
@@ -192,6 +197,7 @@ impl Driver {
                             self.begin(system, before.clone())?;
                             continue;
                         }
+                        self.forget_passed(&course);
                     }
                     // A step cut short by a kink or the end says little about the next one.
                     self.wanted = if next >= h && !is_cut { next.max(limited) } else { next };
@@ -329,6 +335,7 @@ impl Driver {
             return Err(error);
         }
         self.at_kink = false;
+        self.awaited = std::mem::take(&mut self.met);
         self.statistics.restarts += 1;
         Ok(())
     }

@@ -163,12 +163,6 @@ impl Segments {
         last.is_some_and(|kink| t <= kink.1)
     }
 
-    /// Whether a kink ends just before a time, s.
-    pub(super) fn is_behind_kink(&self, t: f64) -> bool {
-        let last = self.passed.checked_sub(1).and_then(|last| self.kinks.get(last));
-        last.is_some_and(|kink| t <= kink.1.next_up())
-    }
-
     /// Where the first segment begins, s.
     pub(super) fn start(&self) -> f64 {
         self.start

@@ -40,6 +40,8 @@ impl Driver {
             wanted: 0.0,
             at_kink: false,
             at_corner: false,
+            met: Vec::new(),
+            awaited: Vec::new(),
             previous_time: 0.0,
             statistics: Statistics::default(),
             watch: Watch::default(),
@@ -91,6 +93,8 @@ impl Driver {
             wanted,
             at_kink,
             at_corner,
+            met,
+            awaited,
             previous_time,
             statistics,
             watch,
@@ -101,6 +105,8 @@ impl Driver {
         wanted.keep(archive);
         at_kink.keep(archive);
         at_corner.keep(archive);
+        met.keep(archive);
+        awaited.keep(archive);
         previous_time.keep(archive);
         statistics.keep(archive);
         watch.keep(archive);
