@@ -20,9 +20,8 @@ pub const EXPONENT_RANGE: &str = "the exponent of this unit is too large to make
 pub const WHOLE_EXPONENTS: &str = "a parameter needs a unit with whole exponents";
 pub const VECTOR_IN_EXPRESSION: &str = "a vector has no place in an expression: write one expression per component";
 pub const ACCELERATION: &str = "an acceleration is known when all that acts is: only an `output` can observe it; what resists one is a mass, `fixture`, and a sensor is a small `rigid` on a spring and a damper";
-pub const HERTZ: &str =
-    "hertz counts cycles and is no angular velocity: write `rad/s`, `rpm` or `deg/s`, or `2*pi` times the frequency";
-pub const ANGLE_IN_HERTZ: &str = "hertz counts cycles, and this is an angle or angular velocity: tell it in `rad/s`, `rpm` or `deg/s`, or divide it by `2*pi`";
+pub const HERTZ: &str = "hertz and `1/min` count cycles and are no angular velocity: write `rad/s`, `rpm` or `deg/s`, or `2*pi` times the frequency";
+pub const ANGLE_IN_HERTZ: &str = "hertz and `1/min` count cycles, and this is an angle or angular velocity: tell it in `rad/s`, `rpm` or `deg/s`, or divide it by `2*pi`";
 pub const CYCLES_AS_ANGLE: &str =
     "this counts cycles, and a cycle is no unit of angle: tell it in `Hz`, or multiply it by `2*pi`";
 pub const DAMPING_TIME: &str = "no solid answers so slowly: `damping` is the time c of the stress `E (strain + c rate)`, for metals about 1e-6 s to 1e-3 s";

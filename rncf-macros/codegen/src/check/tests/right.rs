@@ -210,7 +210,16 @@ fn angles_are_counted() {
     for (wrong, of) in [
         (
             "load l = moment(pump, [0, 0, 3 [N*m] * sin(f*t + phase)]);",
-            "hertz counts cycles",
+            "hertz and `1/min` count cycles",
+        ),
+        (
+            "load l = moment(pump, [0, 0, 3 [N*m] * sin(600 [1/min] * t)]);",
+            "hertz and `1/min` count cycles",
+        ),
+        ("output z: 1/min = pump.speed;", "hertz and `1/min` count cycles"),
+        (
+            "frame g = rotating(axis = z, angle = 1500 [1/min] * t);",
+            "hertz and `1/min` count cycles",
         ),
         (
             "load l = moment(pump, [0, 0, slip.k(pump.angle)]);",

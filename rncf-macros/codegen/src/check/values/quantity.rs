@@ -194,8 +194,13 @@ pub fn behind_number(unit: &str) -> String {
     if is_single { unit.into() } else { format!("[{unit}]") }
 }
 
-/// Exponent of hertz in a unit.
+/// Exponent of hertz in a unit; `1/min` is one, by which many trades tell turns.
 pub fn hertz(unit: &UnitText) -> i8 {
+    if let [(name, -1)] = &unit.factors[..]
+        && name.text == "min"
+    {
+        return 1;
+    }
     let of = |exponent: i32| i8::try_from(exponent).unwrap_or_default();
     let factors = unit.factors.iter().filter(|(name, _)| name.text.ends_with("Hz"));
     factors.fold(0, |sum, (_, exponent)| sum.saturating_add(of(*exponent)))
