@@ -96,9 +96,9 @@ pub struct SectionState {
     pub moments: Vector,
     /// Largest von Mises stress over the section, Pa; `None` where the section's extents are not known.
     pub stress: Option<f64>,
-    /// Magnitude of the axial force over the area of the section, Pa; `None` where it has none.
+    /// Magnitude of the axial force over the area of the section, Pa; `None` where it has none, or the largest stress is known.
     pub axial_stress: Option<f64>,
-    /// Least that the moments add to it, Pa: no section has its outermost fibres nearer to its centre than its radius of gyration.
+    /// Least that the moments add to it where there is a yield stress, Pa: no section has its outermost fibres nearer to its centre than its radius of gyration.
     pub least_bending: Option<f64>,
     /// Yield stress of the material there, Pa.
     pub yield_stress: Option<f64>,

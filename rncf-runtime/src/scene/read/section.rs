@@ -198,8 +198,8 @@ impl<'a> Reader<'a> {
             forces: forces.into(),
             moments: moments.into(),
             stress,
-            axial_stress: (area > 0.0).then(|| forces[0].abs() / area),
-            least_bending: (area > 0.0).then(|| {
+            axial_stress: (stress.is_none() && area > 0.0).then(|| forces[0].abs() / area),
+            least_bending: (stress.is_none() && area > 0.0 && section.spec.yield_stress.is_some()).then(|| {
                 let by = |moment: f64, about: f64| {
                     if about > 0.0 {
                         moment.abs() / (area * about).sqrt()
