@@ -61,6 +61,8 @@ pub struct Column {
     pub header: Option<String>,
     /// Exponents of m, kg, s, K, A, angle.
     pub dimension: [i8; 6],
+    /// Exponent of hertz in its unit.
+    pub hertz: i8,
     /// One value for each row, SI.
     pub values: Vec<f64>,
     /// Slopes at the rows of a spline; of others empty.

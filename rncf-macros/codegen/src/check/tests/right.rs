@@ -183,6 +183,7 @@ fn angles_are_counted() {
         format!(
             "pub model Drive {{
                 param f = 0.8 Hz; param phase = 70 deg; param w = 3 rad/s;
+                table motor {{ at = n; n = [0, 10, 200] Hz; q = [0, 10, 200] N*m; interpolation = linear; }}
                 table slip {{ at = nu; nu = [-1, 0, 2]; k = [3, 2, 1] N*m; interpolation = linear; }}
                 rigid pump {{ plane xy; mass = 1 kg; inertia = 1 kg*m^2; }}
                 rigid turbine {{ plane xy; mass = 1 kg; inertia = 1 kg*m^2; }}
@@ -202,6 +203,8 @@ fn angles_are_counted() {
         "spring s = torsional_law(b, moment = 0.1 [N*m] * max(min(rate / 0.5 [rad/s], 1), -1));",
         "spring s = torsional_law(b, moment = 0.1 [N*m] * (2 - max(abs(rate / 0.5 [rad/s]) - 1, 0)));",
         "output z = pump.speed / turbine.speed - 1;",
+        "load l = moment(pump, [0, 0, motor.q(f)]);",
+        "load l = moment(pump, [0, 0, motor.q(pump.speed / (2*pi))]);",
     ] {
         let (model, mistakes) = run(&text(right));
         let told: Vec<&str> = mistakes.iter().map(|mistake| mistake.message.as_str()).collect();
@@ -214,6 +217,10 @@ fn angles_are_counted() {
         ),
         (
             "load l = moment(pump, [0, 0, 3 [N*m] * sin(600 [1/min] * t)]);",
+            "hertz and `1/min` count cycles",
+        ),
+        (
+            "load l = moment(pump, [0, 0, motor.q(pump.speed)]);",
             "hertz and `1/min` count cycles",
         ),
         ("output z: 1/min = pump.speed;", "hertz and `1/min` count cycles"),

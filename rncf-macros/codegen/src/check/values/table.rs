@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use proc_macro2::TokenStream;
 
-use super::quantity::{Nature, Typed};
+use super::quantity::{Nature, Typed, hertz};
 use super::scope::Scope;
 use super::words::PARTICLE;
 use crate::check::{Check, fold, say};
@@ -66,10 +66,11 @@ impl<'a> Check<'a> {
                 continue;
             }
             match self.column_values(&field.value) {
-                Some((values, dimension)) => columns.push(Column {
+                Some((values, dimension, hertz)) => columns.push(Column {
                     name: field.name.text.clone(),
                     header: None,
                     dimension,
+                    hertz,
                     values,
                     slopes: Vec::new(),
                 }),
@@ -106,8 +107,8 @@ impl<'a> Check<'a> {
         twice.is_none()
     }
 
-    /// Values of a column in SI, and their dimension.
-    fn column_values(&mut self, list: &'a Expr) -> Option<(Vec<f64>, [i8; 6])> {
+    /// Values of a column in SI, their dimension, and the exponent of hertz.
+    fn column_values(&mut self, list: &'a Expr) -> Option<(Vec<f64>, [i8; 6], i8)> {
         let ExprKind::Vector { components, unit } = &list.kind else {
             self.errors.at(list.area, say::COLUMN);
             return None;
@@ -115,6 +116,7 @@ impl<'a> Check<'a> {
         let compound = unit.as_ref().map(|unit| self.unit(unit));
         let mut values = Vec::new();
         let mut dimension: Option<Dimension> = None;
+        let mut cycles = unit.as_ref().map_or(0, hertz);
         for part in components {
             let typed = match compound {
                 Some(compound) => self.with_unit(part, (compound?, 0), Scope::Constant),
@@ -130,6 +132,7 @@ impl<'a> Check<'a> {
                 self.errors.at(part.area, say::NOT_FINITE);
                 return None;
             };
+            cycles = if cycles == 0 { typed.nature.hertz } else { cycles };
             values.push(value);
         }
         let dimension = match compound.flatten() {
@@ -140,7 +143,7 @@ impl<'a> Check<'a> {
             self.errors.at(list.area, say::WHOLE_EXPONENTS);
             return None;
         };
-        Some((values, dimension))
+        Some((values, dimension, cycles))
     }
 
     fn interpolation(&mut self, value: &Expr) -> Option<Between> {
@@ -208,6 +211,7 @@ impl<'a> Check<'a> {
                     name: head.name.to_string(),
                     header: None,
                     dimension: unit.dimension,
+                    hertz: i8::from(head.unit.ends_with("Hz") || head.unit == "1/min"),
                     values,
                     slopes: Vec::new(),
                 }),
@@ -457,6 +461,11 @@ impl<'a> Check<'a> {
             self.errors.at(value.area, message);
             return None;
         }
+        let of_rows = table.placed_by.first().map(|&place| self.column_at(id, place).nature);
+        if of_rows.is_some_and(|rows| rows.clashes(at.nature)) {
+            self.errors.at(value.area, say::HERTZ);
+            return None;
+        }
         let typed = self.column_at(id, column);
         Some(Typed {
             value: Value::Lookup {
@@ -505,7 +514,10 @@ impl<'a> Check<'a> {
     pub(in crate::check) fn column_at(&self, table: TableId, column: usize) -> Typed {
         let dimension = self.model.tables[table.0].columns[column].dimension;
         let mut typed = Typed::new(Value::Table { table, column }, Dimension::of(dimension));
-        typed.nature = Nature::of_unit(dimension[5]);
+        typed.nature = Nature {
+            hertz: self.model.tables[table.0].columns[column].hertz,
+            ..Nature::of_unit(dimension[5])
+        };
         typed
     }
 
