@@ -31,6 +31,7 @@ fn the_generator_reads_tables_as_programs_do() {
                 header: None,
                 name: "EI".into(),
                 dimension: [0; 6],
+                hertz: 0,
                 values: VALUES.to_vec(),
                 slopes: if is_spline { SLOPES.to_vec() } else { Vec::new() },
             }],
