@@ -531,7 +531,7 @@ fn sections_read_side_by_side_have_the_same_bits() {
             let (mut one_by_one, mut reaches) = (Vec::new(), scene.taken_reaches());
             let mut reader = Reader::new(&scene, 0, &mut reaches[0]);
             for element in 0..6 {
-                reader.element(element, &[0.0, 0.5, 1.0], &mut one_by_one);
+                reader.element(element, &[0.0, 0.25, 0.5, 0.75, 1.0], &mut one_by_one);
             }
             assert!(found.iter().any(|state| state.forces[0].abs() > 1e-3));
             assert_eq!(found, one_by_one);
