@@ -329,13 +329,18 @@ impl Driver {
                 .map_err(|pivot| singular(system, state.t, pivot))?;
             add(&mut state.v, &change);
         }
+        let is_met = self.segments.ends_at_met();
         self.segments.pass_kink();
         if let Err(error) = self.begin(system, state) {
             self.segments.return_to_kink();
             return Err(error);
         }
         self.at_kink = false;
-        self.awaited = std::mem::take(&mut self.met);
+        self.awaited = if is_met {
+            std::mem::take(&mut self.met)
+        } else {
+            Vec::new()
+        };
         self.statistics.restarts += 1;
         Ok(())
     }

@@ -129,6 +129,11 @@ impl Segments {
         is_new
     }
 
+    /// Whether the kink at the end of the present segment is the last one that was found in a step.
+    pub(super) fn ends_at_met(&self) -> bool {
+        self.kinks.get(self.passed).is_some_and(|kink| kink.0 == self.latest)
+    }
+
     /// Notes a step that passes no kink of a law.
     pub(super) fn pass_none(&mut self) {
         self.quiet = (self.quiet + 1).min(FIRST_KINKS);

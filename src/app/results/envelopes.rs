@@ -176,18 +176,13 @@ impl BodyEnvelope {
             meet_peak(&mut self.torque, largest(states, at, |state| Some(state.moments[0])));
         }
         meet_peak(&mut self.stress, largest(states, at, |state| body.stress_of(state)));
-        if states.first().is_none_or(|state| state.yield_stress.is_none()) {
-            return;
-        }
-        for state in states.iter().filter(|_| !body.knows_stress) {
-            let (bending, limit) = (state.least_bending.unwrap_or(0.0), state.yield_stress);
-            self.unknown = limit.map_or(self.unknown, |limit| self.unknown.max(bending / limit));
-        }
-        if self.yielding.is_some() {
-            return;
-        }
+        let has_yielded = self.yielding.is_some();
         for state in states {
-            let (Some(value), Some(limit)) = (body.stress_of(state), state.yield_stress) else {
+            let Some(limit) = state.yield_stress else { continue };
+            if !body.knows_stress {
+                self.unknown = self.unknown.max(state.least_bending.unwrap_or(0.0) / limit);
+            }
+            let Some(value) = body.stress_of(state).filter(|_| !has_yielded) else {
                 continue;
             };
             if value / limit > self.share {

@@ -69,47 +69,47 @@ impl Along<'_> {
         &self.sections[place.min(self.sections.len() - 1)]
     }
 
-    /// Second moment of a section over its area where it bends along a direction, m^2; no number where one of them is unknown. Of a line in
-    /// space, whose section has no axes, the larger one.
-    fn square_of_gyration(&self, section: &SectionSpec, fraction: f64, along: Vector) -> f64 {
+    /// Second moment of a section over its area where it bends along a direction at a fraction of the axis, m^2; no number where it is unknown. Without
+    /// these, and of a line in space, whose section has no axes, the larger one.
+    fn square_of_gyration(&self, section: &SectionSpec, bend: Option<(f64, Vector)>) -> f64 {
         if let SectionShape::Numbers { square_of_gyration } = section.shape {
             return square_of_gyration;
         }
         let [about_y, about_z] = section.second_moments;
-        let about = match (self.body.dimension(), self.body.has_section()) {
-            (2, _) => about_z,
-            (_, false) => about_y.max(about_z),
-            (_, true) => {
+        let larger = about_y.max(about_z);
+        let about = match bend {
+            _ if self.body.dimension() == 2 => about_z,
+            Some((fraction, along)) if self.body.has_section() => {
                 let [y, z] = self.body.section(fraction).map(|axis| axis.dot(&along).powi(2));
-                match y + z {
-                    sum if sum > 0.0 => (y * about_z + z * about_y) / sum,
-                    _ => about_y.max(about_z),
+                if y + z > 0.0 {
+                    (y * about_z + z * about_y) / (y + z)
+                } else {
+                    larger
                 }
             }
+            _ => larger,
         };
         about / section.area
     }
 
-    /// The largest one along the axis in any direction, and the mean.
-    fn squares_of_gyration(&self) -> [f64; 2] {
-        let all = self.sections.iter().map(|section| match section.shape {
-            SectionShape::Numbers { square_of_gyration } => square_of_gyration,
-            _ if self.body.dimension() == 2 => section.second_moments[1] / section.area,
-            _ => section.second_moments.into_iter().fold(0.0, f64::max) / section.area,
-        });
-        let (sum, most) = all.fold((0.0, 0.0f64), |(sum, most), square| (sum + square, most.max(square)));
-        [most, sum / self.sections.len() as f64]
+    /// Radius of gyration, m: the root of the mean square along the axis.
+    fn radius_of_gyration(&self) -> f64 {
+        let all = self
+            .sections
+            .iter()
+            .map(|section| self.square_of_gyration(section, None));
+        (all.sum::<f64>() / self.sections.len() as f64).sqrt()
     }
 
     /// Whether it is longer than thick; of what is not more is told already.
     fn is_slender(&self) -> bool {
-        self.squares_of_gyration()[1].sqrt() <= self.body.line.length()
+        self.radius_of_gyration() <= self.body.line.length()
     }
 }
 
 /// A section whose radius of gyration is longer than the body.
 fn too_thick(along: &Along<'_>) -> Option<Warning> {
-    let (radius, length) = (along.squares_of_gyration()[1].sqrt(), along.body.line.length());
+    let (radius, length) = (along.radius_of_gyration(), along.body.line.length());
     let (ratio, words) = match along.sections[0].shape {
         SectionShape::Numbers { .. } => ("EI / EA", "its stiffness"),
         _ => ("second_moment / area", "`second_moment` and `area`"),
@@ -129,7 +129,7 @@ fn too_curved(along: &Along<'_>) -> Option<Warning> {
     let body = along.body;
     let parts = curvatures(body).map(|(fraction, curvature)| {
         let section = along.at(fraction);
-        let square = along.square_of_gyration(section, fraction, curvature);
+        let square = along.square_of_gyration(section, Some((fraction, curvature)));
         let part = section.softness_of_curves * curvature.norm_squared() * square;
         [part, 1.0 / curvature.norm()]
     });
@@ -160,7 +160,7 @@ fn too_deep(along: &Along<'_>) -> Option<Warning> {
     let (mut shear, mut bending) = (0.0, 0.0);
     for (place, section) in along.sections.iter().enumerate() {
         let fraction = (place as f64 + 0.5) / along.sections.len() as f64;
-        let square = along.square_of_gyration(section, fraction, Vector::zeros());
+        let square = along.square_of_gyration(section, None);
         let area = match section.shape {
             SectionShape::Numbers { .. } => 1.0,
             _ => section.area,
