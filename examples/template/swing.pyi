@@ -9,6 +9,7 @@ class Incomplete(RuntimeError):
 
 class Modes:
     frequencies: np.ndarray
+    unit: str
     growth: np.ndarray
     damping_ratios: np.ndarray
     summary: dict[str, Any]
