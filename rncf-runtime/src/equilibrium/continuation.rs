@@ -485,13 +485,8 @@ pub(super) fn check(scene: &mut dyn Scene, at: &Uniform, guess: &State) -> Resul
 }
 
 pub(super) fn failed(scene: &dyn Scene, at: &Uniform, failure: &Failure, scale: f64) -> SolveError {
-    let whole = Uniform {
-        scale: 1.0,
-        spinning: 1.0,
-        ..*at
-    };
     let (part, of) = match at.kind {
-        Kind::Steady if scene.spin_in(&whole) == 0.0 => (scale * scale, "load"),
+        Kind::Steady if scene.spin_in(&at.whole()) == 0.0 => (scale * scale, "load"),
         Kind::Steady => (scale, "angular velocity"),
         Kind::Static => (scale, "load"),
     };

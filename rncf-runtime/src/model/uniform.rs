@@ -59,6 +59,15 @@ impl Uniform {
         }
     }
 
+    /// The same with all of its spins and loads.
+    pub fn whole(&self) -> Self {
+        Self {
+            scale: 1.0,
+            spinning: 1.0,
+            ..*self
+        }
+    }
+
     /// The same at another part of the load.
     pub fn scaled(&self, scale: f64) -> Self {
         Self { scale, ..*self }

@@ -194,11 +194,7 @@ impl<'m> Line<'m> {
                 .and_then(|near| ask(scene.as_mut(), &at.scaled(near.scale), near));
             (rest, near.map(|near| near.negative), measured)
         };
-        let full_spin = scene.spin_in(&Uniform {
-            scale: 1.0,
-            spinning: 1.0,
-            ..at
-        });
+        let full_spin = scene.spin_in(&at.whole());
         Ok(Self {
             model,
             kind,

@@ -68,17 +68,18 @@ fn on_long(place: f64, ratio: f64) -> f64 {
     sum
 }
 
-/// At a place of a short side.
+/// At a place of a short side. In its middle terms alternate: with half of the last one the sum is ten times as near.
 fn on_short(place: f64, ratio: f64) -> f64 {
-    let (mut sum, mut sign) = (0.0, 1.0);
+    let (mut sum, mut last, mut sign) = (0.0, 0.0, 1.0);
     for (n, weight) in terms() {
-        sum += sign * weight * (0.5 * n * PI * ratio).tanh() * (0.5 * n * PI * place).cos();
+        last = sign * weight * (0.5 * n * PI * ratio).tanh() * (0.5 * n * PI * place).cos();
+        sum += last;
         sign = -sign;
     }
-    sum
+    sum - 0.5 * last
 }
 
-/// What is left of the series is below 1e-4 in the middle of a side, and at its corners, where nothing is, below 1e-2.
+/// What is left of the series is below 1e-5 in the middle of a side, and at its corners, where nothing is, below 1e-2.
 const TERMS: i32 = 80;
 
 #[cfg(test)]
@@ -95,7 +96,7 @@ mod tests {
         assert!((long / short / 0.859 - 1.0).abs() < 1e-3, "{short} {long}");
         let [first, second] = torsion_of_sides([1.0, 1.0]);
         assert!((first / 0.6753 - 1.0).abs() < 1e-4, "{first}");
-        assert!((second / first - 1.0).abs() < 2e-4, "{first} {second}");
+        assert!((second / first - 1.0).abs() < 1e-4, "{first} {second}");
     }
 
     #[test]

@@ -129,11 +129,7 @@ impl MeshScene {
                 "the strain energy of body `{name}` changes with time: give it a constant value"
             ));
         }
-        let whole = Uniform {
-            scale: 1.0,
-            spinning: 1.0,
-            ..*at
-        };
+        let whole = at.whole();
         let spin = match self.rotation(&whole) {
             Ok(spin) => spin,
             Err(text) if self.is_coupled() || at.spin.is_some() => return Some(text),

@@ -201,17 +201,17 @@ impl<'a> Check<'a> {
         let mut columns = Vec::new();
         for (place, head) in rows.heads.iter().enumerate().filter(|(_, head)| !head.is_note()) {
             let values = match unit_of(head) {
-                Some(unit) => (rows.columns(&[place], |_, cell| number(cell, unit)))
-                    .map(|mut values| (unit, values.remove(0)))
+                Some((unit, hertz)) => (rows.columns(&[place], |_, cell| number(cell, unit)))
+                    .map(|mut values| (unit.dimension, hertz, values.remove(0)))
                     .map_err(|mistake| say::wrong_file(path, &mistake.to_string())),
                 None => Err(say::unit_of_column(path, head.name, head.unit)),
             };
             match values {
-                Ok((unit, values)) => columns.push(Column {
+                Ok((dimension, hertz, values)) => columns.push(Column {
                     name: head.name.to_string(),
                     header: None,
-                    dimension: unit.dimension,
-                    hertz: i8::from(head.unit.ends_with("Hz") || head.unit == "1/min"),
+                    dimension,
+                    hertz,
                     values,
                     slopes: Vec::new(),
                 }),
@@ -552,19 +552,20 @@ fn places_named(field: &Field) -> Option<&Name> {
     }
 }
 
-/// The unit of a column; `None`: there is no such unit.
-fn unit_of(head: &Head<'_>) -> Option<Compound> {
+/// The unit of a column, and the exponent of hertz in it; `None`: there is no such unit.
+fn unit_of(head: &Head<'_>) -> Option<(Compound, i8)> {
     let text = head.spelled();
     if text.is_empty() {
-        return Some(Compound::ONE);
+        return Some((Compound::ONE, 0));
     }
     let tokens: TokenStream = text.parse().ok()?;
     let mut cursor = Cursor::new(tokens, proc_macro2::Span::call_site());
     let parsed = unit::compound(&mut cursor).ok().filter(|_| cursor.is_empty())?;
     let mut factors = parsed.factors.iter();
-    factors.try_fold(Compound::ONE, |all, (name, exponent)| {
+    let compound = factors.try_fold(Compound::ONE, |all, (name, exponent)| {
         all.times(units::find(&name.text)?, *exponent)
-    })
+    });
+    Some((compound?, hertz(&parsed)))
 }
 
 /// The number of a cell, in SI.
