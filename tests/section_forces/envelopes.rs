@@ -157,6 +157,14 @@ fn what_breaks_between_rows_is_told() {
     let stress = |t: f64| load * (1.0 - (omega * t).cos()) * 0.01 / second_moment;
     let arm = &result.envelopes.bodies[0];
     let (largest, first) = (arm.stress.unwrap(), arm.yielding.unwrap());
+    // And 2 F / k, half a period away from the rows.
+    let (_, highest) = result.history.extremes(result.history.find("y").unwrap()).unwrap();
+    let sag = 2.0 * load / (50.0 * omega * omega);
+    assert!((highest.value / sag - 1.0).abs() < 1e-2, "{highest:?}, {sag}");
+    assert!(
+        (highest.at * omega / std::f64::consts::PI - 1.0).abs() < 0.1,
+        "{highest:?}"
+    );
     assert!(
         (largest.value / stress(std::f64::consts::PI / omega) - 1.0).abs() < 2e-2,
         "{largest:?}"

@@ -78,12 +78,20 @@ impl Newton {
     /// Largest energy of a stiffness over the sizes of its unknowns, J, in some rows, as those of a phase condition:
     /// forces that are in balance by themselves leave round-off of this.
     pub(super) fn stiffest(&self, is_one: impl Fn(usize) -> bool) -> f64 {
-        let columns = self.columns.iter().enumerate();
+        self.largest_energy(&self.tangent.stiffness, is_one)
+    }
+
+    /// The same of the mass, of all rows: twice the kinetic energy of a size in a second, J.
+    pub(super) fn heaviest(&self) -> f64 {
+        self.largest_energy(&self.tangent.mass, |_| true)
+    }
+
+    fn largest_energy(&self, values: &[f64], is_one: impl Fn(usize) -> bool) -> f64 {
         let mut largest: f64 = 0.0;
-        for (entry, &(row, column)) in columns {
+        for (&(row, column), value) in self.columns.iter().zip(values) {
             if is_one(row) {
                 let sizes = self.inverse_sizes[row] * self.inverse_sizes[column];
-                largest = largest.max((self.tangent.stiffness[entry] / sizes).abs());
+                largest = largest.max((value / sizes).abs());
             }
         }
         largest

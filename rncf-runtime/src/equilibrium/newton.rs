@@ -41,6 +41,8 @@ const RESOLVED: f64 = 1e-11;
 const RESOLVED_UNTIED: f64 = 1e-15;
 /// Part of the largest stiffness times the sizes that is left where constraints that are open by round-off exert forces of it, on levers of it.
 const RESOLVED_TWICE: f64 = 1e-28;
+/// Part of the largest inertia of an unknown, times its size and the square of the spin, that is round-off of centrifugal forces which cancel.
+const RESOLVED_SPUN: f64 = 1e-14;
 /// Part of its first increment by which an iteration may miss it, if that is larger than this, relative to the sizes.
 const MISSED: f64 = 0.25;
 const FAR: f64 = 1e-3;
@@ -451,13 +453,14 @@ impl Newton {
         let rounded = ROUNDED * most(loads, &self.inverse_sizes);
         let known = self.phases.len() - self.untied.len();
         let twice = RESOLVED_TWICE * self.stiffest(|_| true);
+        let spun = RESOLVED_SPUN * scene.spin_in(at).powi(2) * self.heaviest();
         for (place, (phase, held)) in self.phases.iter().zip(&self.held).enumerate() {
             let energy = |row: usize| (held * phase[row] / self.inverse_sizes[row]).abs();
             let rows = 0..phase.len();
             let worst = rows.max_by(|&i, &j| energy(i).total_cmp(&energy(j))).unwrap_or(0);
             let resolved = if place < known { RESOLVED } else { RESOLVED_UNTIED };
             let stiff = resolved * self.stiffest(|row| phase[row] != 0.0);
-            if energy(worst) > UNBALANCED * self.acting + rounded + stiff + twice {
+            if energy(worst) > UNBALANCED * self.acting + rounded + stiff + twice + spun {
                 return Err(Failure::Unbalanced(worst));
             }
         }

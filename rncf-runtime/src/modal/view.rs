@@ -4,8 +4,8 @@ use super::scene::{ModalScene, Told, as_described};
 use crate::emitted::Line;
 use crate::error::ModelError;
 use crate::model::{
-    Composition, Configuration, Curve, DescribedBody, ExportedBody, FrameState, MassProperties, MeshError, Scene,
-    SectionBody, SectionState, Sign, Uniform, Warning,
+    Circulating, Composition, Configuration, Curve, DescribedBody, ExportedBody, FrameState, MassProperties, MeshError,
+    Scene, SectionBody, SectionState, Sign, Uniform, Warning,
 };
 use crate::scene::bodies::mesh_body::MeshBody;
 use crate::space::Vector;
@@ -186,10 +186,10 @@ impl Scene for ModalScene {
         self.in_elements(|scene, full| scene.uniform_outputs(at, full, out));
     }
 
-    fn circulation(&mut self, at: &Uniform, state: &State, shape: &[[f64; 2]]) -> Option<f64> {
+    fn circulating(&mut self, at: &Uniform, state: &State, shape: &[[f64; 2]]) -> Option<Circulating> {
         self.expand(state);
         let full = self.expanded_shape(shape);
-        self.scene.circulation_of(at, &self.full, &full)
+        self.scene.circulating_of(at, &self.full, &full)
     }
 
     fn composition(&mut self, at: &Uniform, state: &State, shape: &[[f64; 2]]) -> Composition {

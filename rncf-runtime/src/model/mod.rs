@@ -1,6 +1,7 @@
 //! What a generated model says of itself: parameters, outputs, and how it becomes a scene; and what a scene tells.
 
 mod bodies;
+mod circulating;
 mod composition;
 mod derived;
 mod picture;
@@ -9,6 +10,7 @@ mod uniform;
 
 pub use crate::emitted::Fidelity;
 pub use bodies::{DescribedBody, ExportedBody, MassProperties, MeshError, SectionBody, SectionState};
+pub use circulating::Circulating;
 pub use composition::{Composition, Motion};
 pub use derived::{ConstantArray, KernelCount};
 pub use picture::{Configuration, Curve, Sign, SignKind, SignPlace};

@@ -1,6 +1,7 @@
 //! A scene: a system with bodies in it.
 
 use super::bodies::{DescribedBody, ExportedBody, MassProperties, MeshError, SectionBody, SectionState};
+use super::circulating::Circulating;
 use super::composition::Composition;
 use super::picture::{Configuration, Curve, Sign};
 use super::uniform::Uniform;
@@ -186,13 +187,15 @@ pub trait Scene: System + Send {
         None
     }
 
-    /// Sense in which the points of the bodies circulate about the axis of the rotation in a mode with
-    /// complex increments `shape` of the unknowns that grow as exp(i |im| t), seen in co-rotating axes: 1
-    /// where all go round with the spin on circles, -1 against it, 0 on straight lines or without a common
-    /// sense; weighted by the squares of their displacements across the axis. `None` where nothing
-    /// spins or moves across the axis, or where the scene does not know its points.
-    fn circulation(&mut self, _at: &Uniform, _state: &State, _shape: &[[f64; 2]]) -> Option<f64> {
+    /// What circulates about the axis of the rotation in a mode with complex increments `shape` of the unknowns that grow as
+    /// exp(i |im| t), seen in co-rotating axes. `None` where nothing spins, or where the scene does not know its points.
+    fn circulating(&mut self, _at: &Uniform, _state: &State, _shape: &[[f64; 2]]) -> Option<Circulating> {
         None
+    }
+
+    /// [`Circulating::sense`] of the same.
+    fn circulation(&mut self, at: &Uniform, state: &State, shape: &[[f64; 2]]) -> Option<f64> {
+        self.circulating(at, state, shape)?.sense()
     }
 
     /// Parts of the kinetic energy of a mode about the uniform motion at `state`, by kinds of motion and by bodies; nothing

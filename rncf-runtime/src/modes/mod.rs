@@ -7,6 +7,7 @@
 
 mod arnoldi;
 mod carried;
+mod circles;
 mod critical;
 mod dense;
 mod matrices;
@@ -32,6 +33,7 @@ use crate::linalg::{Pattern, c64};
 use crate::model::{Scene, Uniform};
 use crate::system::State;
 use carried::carried;
+use circles::turn_to_circles;
 use matrices::{apart_from, error, pencil, still, tangent};
 use pair::Pair;
 
@@ -43,7 +45,7 @@ pub struct Wanted {
 }
 
 /// Modes of small motions about the equilibrium `state` of the uniform motion `at`, ascending frequencies,
-/// those of equal frequency by their growth, and behind them what creeps back without one. A motion that drifts (a free body's) is one mode though its
+/// those of equal frequency by their growth, or the one that goes round with the spin first, and behind them what creeps back without one. A motion that drifts (a free body's) is one mode though its
 /// eigenvalue is a double one.
 ///
 /// # Errors
@@ -71,7 +73,9 @@ pub fn modes(scene: &mut dyn Scene, at: &Uniform, state: &State, wanted: Wanted)
     pairs.sort_by(|a, b| pair::order(a.s, b.s));
     pairs.truncate(wanted.count);
     number(&mut pairs, |pair| [pair.s.re, pair.s.im]);
-    Ok(pairs.into_iter().map(|pair| mode(&pencil, &sizes, pair)).collect())
+    let mut modes: Vec<Mode> = pairs.into_iter().map(|pair| mode(&pencil, &sizes, pair)).collect();
+    turn_to_circles(scene, at, state, &mut modes);
+    Ok(modes)
 }
 
 /// Number of directions in which the co-rotating stiffness (its symmetric part: what dissipates in axes

@@ -67,7 +67,7 @@ mod tests {
             whirling.add(point, point);
             whirling.add_whole(point.iter().map(|part| part.dot(part)).sum());
         }
-        whirling.circulation()
+        whirling.sums()?.sense()
     }
 
     #[test]
@@ -90,7 +90,7 @@ mod tests {
             circulation(&[[Vector::new(1e-9, 0.0, 1.0), Vector::new(0.0, 1e-9, 0.0)]], Z),
             None
         );
-        assert_eq!(Whirling::about(None).circulation(), None);
+        assert_eq!(Whirling::about(None).sums(), None);
         assert_eq!(Whirl::of(2.0, None), Whirl::None);
         assert_eq!(Whirl::of(0.0, Some(1.0)), Whirl::None);
         assert_eq!(Whirl::of(2.0, Some(0.05)), Whirl::Mixed);

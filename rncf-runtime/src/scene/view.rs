@@ -3,8 +3,8 @@
 use super::mesh_scene::MeshScene;
 use crate::error::ModelError;
 use crate::model::{
-    Composition, Configuration, Curve, DescribedBody, FrameState, MassProperties, MeshError, Scene, SectionBody,
-    SectionState, Sign, Uniform, Warning,
+    Circulating, Composition, Configuration, Curve, DescribedBody, FrameState, MassProperties, MeshError, Scene,
+    SectionBody, SectionState, Sign, Uniform, Warning,
 };
 use crate::scene::frames::free_frames::declared_free;
 use crate::system::{State, Tangent};
@@ -167,8 +167,8 @@ impl Scene for MeshScene {
         self.evaluate_outputs(at.t, at.load(), &state.lambda, out);
     }
 
-    fn circulation(&mut self, at: &Uniform, state: &State, shape: &[[f64; 2]]) -> Option<f64> {
-        self.circulation_of(at, state, shape)
+    fn circulating(&mut self, at: &Uniform, state: &State, shape: &[[f64; 2]]) -> Option<Circulating> {
+        self.circulating_of(at, state, shape)
     }
 
     fn composition(&mut self, at: &Uniform, state: &State, shape: &[[f64; 2]]) -> Composition {

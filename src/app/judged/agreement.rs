@@ -12,11 +12,11 @@ const LIKE: f64 = 0.1;
 /// Least part that is told: less is round-off.
 const LEAST: f64 = 1e-15;
 
-/// One sentence on a run that was compared until its end, with finer meshes or not; where these had steps of a much `looser` tolerance, with that.
+/// One sentence on a run that was compared until its end, with finer meshes or not; where these had steps of a much `looser` tolerance of Radau, with that.
 pub(in crate::app) fn of_run(outputs: &[Output], off: &[Off], has_meshes: bool, looser: Option<f64>) -> Option<String> {
     let meshes = if has_meshes { "twice as many elements and " } else { "" };
     let steps = looser.map_or("other steps".to_string(), |rtol| {
-        format!("steps of the tolerance {rtol:.0e}, whose errors are in this")
+        format!("steps of Radau with the tolerance {rtol:.0e}, whose errors are in this")
     });
     sentence(outputs, off, &format!("{meshes}{steps}"))
 }
@@ -119,7 +119,7 @@ mod tests {
         );
         assert!(
             of_run(&outputs, &some, true, Some(1e-4)).unwrap().starts_with(
-                "Compared with twice as many elements and steps of the tolerance 1e-4, whose errors are in this, outputs differ by at most 3.1e-4 of"
+                "Compared with twice as many elements and steps of Radau with the tolerance 1e-4, whose errors are in this, outputs differ by at most 3.1e-4 of"
             )
         );
         let mut open = off(1, 1e-5);

@@ -483,8 +483,13 @@ fn found(
     let seen = Some(seen.fold(whole, f64::min)).filter(|&seen| seen < whole);
     let off = each(kinds.iter().flat_map(|kind| kind.seen.concat()).collect());
     let seen_with = kinds.iter().map(|kind| kind.seen_with).fold(0.0, f64::max);
-    let near = TEN * run.options.rtol;
-    let looser = Some(seen_with).filter(|&with| is_exact(run) && with > near && differ(with, near));
+    // Of another method than Radau, which has no tolerance in common with it, every tolerance but the smallest.
+    let near = if is_exact(run) {
+        TEN * run.options.rtol
+    } else {
+        1e-2 * RTOL
+    };
+    let looser = Some(seen_with).filter(|&with| with > near && differ(with, near));
     let [motion, others] = kinds.map(|kind| kind.steps);
     // What is off in places is off in forces too.
     let rtol = if motion.1.is_empty() { others.0 } else { motion.0 };
@@ -541,9 +546,11 @@ fn sentence_on_steps(run: &Ended<'_>, rtol: f64, outputs: &[Output], parts: &[Of
     let moves = parts
         .iter()
         .any(|off| off.part > TOLD && is_of_motion(&outputs[off.output]));
+    let is_fixed = matches!(run.options.step, StepSize::Fixed(_));
     if !is_exact && !moves {
+        let shorter = if is_fixed { "`--step`" } else { "`--rtol`" };
         return Some(format!(
-            "Radau with a tolerance of {rtol:.0e} finds the same motion with other forces, accelerations or energies, which differ by parts of their largest change or value, {names}. They follow vibrations that are too quick for the steps, which one method damps and the other keeps. Take a smaller `--rtol`, or give the model the damping that such vibrations have."
+            "Radau with a tolerance of {rtol:.0e} finds the same motion with other forces, accelerations or energies, which differ by parts of their largest change or value, {names}. They follow vibrations that are too quick for the steps, which one method damps and the other keeps. Take a smaller {shorter}, or give the model the damping that such vibrations have."
         ));
     }
     let found = if is_exact && rtol > run.options.rtol {

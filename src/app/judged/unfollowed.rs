@@ -34,6 +34,9 @@ const LASTING: f64 = 0.7;
 const FOLLOWED: f64 = 4.0;
 /// Part of a swing that an output has where the time in it stands still, if it is one of the motion.
 const OF_MOTION: f64 = 0.1;
+/// Part of a swing by which rows of the run and of the look differ that have it alike, and how many rows say so.
+const SAME: f64 = 0.05;
+const ROWS: usize = 2;
 /// Most outputs that are told.
 const MOST: usize = 4;
 /// Part of the amplitude within which no change of sign counts.
@@ -100,7 +103,8 @@ fn lost(scene: &mut dyn Scene, start: State, run: Followed<'_>, outputs: &[Outpu
             .max((AFFORDED / scene.unknowns().max(1)) as u64),
         time: ENOUGH * step,
     };
-    let states = look(scene, start, (run.t_end, finer), &ends)?;
+    let times: Vec<f64> = run.marks.rows.iter().map(|row| row.0).collect();
+    let Look { states, at_rows } = look(scene, start, (run.t_end, finer), &ends, &times)?;
     let rows: Vec<(f64, Vec<f64>)> = states.iter().map(|state| (state.t, row(scene, state))).collect();
     let last = row(scene, run.end);
     let mut nothing = vec![0.0; last.len()];
@@ -113,6 +117,9 @@ fn lost(scene: &mut dyn Scene, start: State, run: Followed<'_>, outputs: &[Outpu
     }
     let mut found = missing(outputs, &rows, &last, &nothing, run.taken);
     found.retain(|missed| !shows(&run.marks.rows, rows[rows.len() - 1].0, missed));
+    // Steps that are longer than a turn follow it where frames turn with what turns.
+    let at_rows: Vec<Vec<f64>> = at_rows.iter().map(|state| row(scene, state)).collect();
+    found.retain(|missed| !agrees(&run.marks.rows, &at_rows, missed));
     // What an output has of the time alone no step loses.
     let standing = states[states.len() / 2].t;
     found.retain(|missed| {
@@ -160,8 +167,16 @@ struct Ends {
     time: f64,
 }
 
-/// States at the ends of the steps of a short run with a small tolerance; none where it does not begin.
-fn look(scene: &mut dyn Scene, start: State, (t_end, rtol): (f64, f64), ends: &Ends) -> Option<Vec<State>> {
+/// A short run with a small tolerance.
+struct Look {
+    /// At the ends of its steps.
+    states: Vec<State>,
+    /// At the first rows of the run, as far as it goes.
+    at_rows: Vec<State>,
+}
+
+/// The look, with states at these `times`; none where it does not begin.
+fn look(scene: &mut dyn Scene, start: State, (t_end, rtol): (f64, f64), ends: &Ends, times: &[f64]) -> Option<Look> {
     let until = start.t + ends.time;
     let options = Options {
         rtol,
@@ -169,15 +184,24 @@ fn look(scene: &mut dyn Scene, start: State, (t_end, rtol): (f64, f64), ends: &E
     };
     let mut integrator = Integrator::new(scene, start, t_end, Method::Radau, options).ok()?;
     let mut states = vec![integrator.state().clone()];
+    let mut at_rows = Vec::new();
     for _ in 0..ends.steps {
         let stop = integrator.step().ok()?;
         states.push(integrator.state().clone());
+        let reached = integrator.state().t;
+        while let Some(&t) = times.get(at_rows.len()).filter(|&&t| t <= reached) {
+            let mut state = integrator.state().clone();
+            if t < reached {
+                integrator.interpolate(t, &mut state);
+            }
+            at_rows.push(state);
+        }
         let is_enough = integrator.state().t > until || integrator.statistics().newton_iterations > ends.iterations;
         if stop != Stop::Step || is_enough {
             break;
         }
     }
-    Some(states)
+    Some(Look { states, at_rows })
 }
 
 /// Outputs that swing quicker than steps follow, by more than is nothing in a column. What steps follow until the end of the look is seen by their
@@ -235,6 +259,16 @@ fn shows(rows: &[(f64, Vec<f64>)], until: f64, missed: &Missed) -> bool {
     let span = values.last().map_or(0.0, |last| last.0 - values[0].0);
     let a_period = values.len() as f64 * missed.swing.period / span;
     a_period >= FOLLOWED && swing(&values).is_some_and(|swing| swing.amplitude >= LASTING * missed.swing.amplitude)
+}
+
+/// Whether rows of the run have the values of the look: some of a swing that is lost would not.
+fn agrees(rows: &[(f64, Vec<f64>)], at_rows: &[Vec<f64>], missed: &Missed) -> bool {
+    // The start is that of both.
+    let pairs = || rows.iter().zip(at_rows).skip(1);
+    let near = |((_, own), other): (&(f64, Vec<f64>), &Vec<f64>)| {
+        (own[missed.column] - other[missed.column]).abs() <= SAME * missed.swing.amplitude
+    };
+    pairs().count() >= ROWS && pairs().all(near)
 }
 
 /// What of values over time swings about a smooth mean, and lasts.

@@ -169,6 +169,9 @@ fn readings(result: &Modes) -> Vec<String> {
         None if margin.abs() <= neutral(&result.modes) => {
             format!("No mode grows of these {count}: neutrally stable, largest re 0 to round-off.")
         }
+        None if margin > 0.0 => format!(
+            "No mode grows of these {count} by more than round-off makes of two equal frequencies: largest re {told} 1/s."
+        ),
         None => format!("No mode grows of these {count}: stability margin (largest re) {told} 1/s."),
     });
     if (1..count).contains(&still) {

@@ -26,7 +26,7 @@ pub struct History {
     pub values: Vec<f64>,
     /// Number of rows met.
     rows: u64,
-    /// Smallest and largest value of every column, once there are rows.
+    /// Smallest and largest value of every column, once a row is met.
     extremes: Vec<(Extreme, Extreme)>,
     /// Thins the rows where the whole table is on disk.
     sketch: Option<Sketch>,
@@ -149,18 +149,7 @@ impl History {
             ));
         }
         self.rows += 1;
-        let extreme = |&value: &f64| Extreme { value, at: key };
-        if self.extremes.is_empty() {
-            self.extremes = row.iter().map(|value| (extreme(value), extreme(value))).collect();
-        }
-        for ((low, high), value) in self.extremes.iter_mut().zip(row) {
-            if *value < low.value {
-                *low = extreme(value);
-            }
-            if *value > high.value {
-                *high = extreme(value);
-            }
-        }
+        self.meet(key, row);
         match &mut self.sketch {
             Some(sketch) => sketch.add(&mut self.keys, &mut self.values, key, row),
             None => {
@@ -169,6 +158,22 @@ impl History {
             }
         }
         Ok(())
+    }
+
+    /// Takes in values between rows: of these only what is least and greatest is kept.
+    pub(in crate::app) fn meet(&mut self, key: f64, values: &[f64]) {
+        let extreme = |&value: &f64| Extreme { value, at: key };
+        if self.extremes.is_empty() {
+            self.extremes = values.iter().map(|value| (extreme(value), extreme(value))).collect();
+        }
+        for ((low, high), value) in self.extremes.iter_mut().zip(values) {
+            if *value < low.value {
+                *low = extreme(value);
+            }
+            if *value > high.value {
+                *high = extreme(value);
+            }
+        }
     }
 
     /// Values of one column, SI.
@@ -185,7 +190,8 @@ impl History {
         self.columns.iter().position(|column| column.name == name)
     }
 
-    /// Smallest and largest value of a column with the rows where they stand; `None` without rows.
+    /// Smallest and largest value of a column, and where they stand; `None` without rows. Of a run in time those of its rows
+    /// and, where no row is within a step, of the step's end.
     pub fn extremes(&self, index: usize) -> Option<(Extreme, Extreme)> {
         self.extremes.get(index).copied()
     }

@@ -97,12 +97,15 @@ impl Course {
         }
     }
 
-    /// Takes in the end of a step. What sections carry is asked for where no row is within the step: rows may be much farther apart.
+    /// Takes in the end of a step. Where no row is within the step, it is asked for what sections carry and for outputs, of which
+    /// the least and greatest values are kept: rows may be much farther apart.
     fn meet(&mut self, integrator: &mut Running<'_>, result: &mut RunResult) {
         let has_row = self.rows.next_by(integrator.state().t).is_some();
         let state = &mut self.rows.state;
         state.clone_from(integrator.state());
         if !has_row {
+            integrator.system().outputs(state, &mut self.rows.values);
+            result.history.meet(state.t, &self.rows.values);
             result.envelopes.meet(integrator.system(), state.t, state);
             if let Some(pictures) = &mut result.pictures {
                 pictures.meet(state.t, result.envelopes.states());

@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 
 use super::{Declared, Place, Scope, Sight, Use};
+use crate::parse::ascii::is_identifier;
 use crate::vocabulary::members::{GIVEN, Thing};
 
 /// Words in front of names, in models and components.
@@ -96,7 +97,7 @@ fn group(token: Option<&TokenTree>, delimiter: Delimiter) -> Option<&Group> {
 /// A word that may be a name of Rust.
 fn ident(token: Option<&TokenTree>) -> Option<&Ident> {
     match token {
-        Some(TokenTree::Ident(ident)) if syn::parse_str::<Ident>(&ident.to_string()).is_ok() => Some(ident),
+        Some(TokenTree::Ident(ident)) if is_identifier(&ident.to_string()) => Some(ident),
         _ => None,
     }
 }

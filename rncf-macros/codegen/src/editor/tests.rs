@@ -82,6 +82,19 @@ fn what_is_written_is_rust_and_names_may_be_any() {
     leads(odd, &["M_", "s", "names_0"]);
 }
 
+/// `gen` is a name of syn's Rust, and none of that of models.
+#[test]
+fn what_is_no_name_in_rust_is_none_here() {
+    let tokens = expand(
+        "model M { rigid gen { mass = 1 kg; } output x = gen.x; }"
+            .parse()
+            .unwrap(),
+    );
+    let mut found = Vec::new();
+    words(tokens, &mut found);
+    assert!(found.iter().all(|(word, _)| word != "gen"), "{found:?}");
+}
+
 /// Text of the expansion up to the first word that contains `mark`.
 fn up_to(tokens: TokenStream, mark: &str) -> String {
     let text = tokens.to_string();

@@ -1,4 +1,4 @@
-//! ASCII spellings of what people like to write otherwise.
+//! Which words may be names, and ASCII spellings of what people like to write otherwise.
 
 /// Characters and what to write instead.
 #[rustfmt::skip]
@@ -26,4 +26,10 @@ pub fn suggestion(word: &str) -> Option<String> {
             None => "_".into(),
         });
     Some(spelled.collect())
+}
+
+/// Whether Rust takes a word as a name.
+pub fn is_identifier(word: &str) -> bool {
+    // `gen` is none since edition 2024, of which nothing is known here.
+    word != "gen" && syn::parse_str::<syn::Ident>(word).is_ok()
 }

@@ -125,8 +125,7 @@ pub fn check_name(name: &Name) -> Parsed<()> {
         say::not_ascii(text, &plain)
     } else if let Some(plain) = text.strip_prefix("r#") {
         say::raw_name(plain)
-    // `gen` is one since edition 2024, of which nothing is known here.
-    } else if text == "gen" || syn::parse_str::<syn::Ident>(text).is_err() {
+    } else if !ascii::is_identifier(text) {
         say::rust_keyword(text)
     } else {
         return Ok(());

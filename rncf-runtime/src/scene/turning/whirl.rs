@@ -4,7 +4,7 @@
 use super::circulation::Whirling;
 use super::sections::{Sections, inner};
 use crate::emitted::Interpolant;
-use crate::model::{Composition, Motion, Uniform};
+use crate::model::{Circulating, Composition, Motion, Uniform};
 use crate::scene::MeshScene;
 use crate::scene::bodies::nodal_mass::{Padded, padded, spread};
 use crate::scene::frames::directions::Direction;
@@ -13,8 +13,6 @@ use crate::system::State;
 
 /// Sine of the angle to the axis up to which a line counts as a shaft along it: bent ones are shafts as well.
 const SHAFT: f64 = 0.3;
-/// Distance from the axis, part of the way from its point, that is none.
-const ALONG: f64 = 1e-3;
 
 /// Directions of the motions of a place: along, and the two ways across it.
 struct Axes {
@@ -49,6 +47,11 @@ impl Axes {
 }
 
 impl Axes {
+    /// Whether the place is one of a shaft along the axis.
+    fn is_shaft(&self) -> bool {
+        self.across[0].0 == Motion::Lateral
+    }
+
     /// One of three parts of the motion of a vector of the axis.
     fn of_axis(&self, change: &Displaced, slot: usize) -> (Motion, Displaced) {
         match self.across.get(slot) {
@@ -90,9 +93,9 @@ struct Energies {
 }
 
 impl MeshScene {
-    /// Circulation of what moves across the axis of the rotation.
-    pub(crate) fn circulation_of(&mut self, at: &Uniform, state: &State, shape: &[[f64; 2]]) -> Option<f64> {
-        self.energies(at, state, shape).whirling.circulation()
+    /// What moves across the axis of the rotation.
+    pub(crate) fn circulating_of(&mut self, at: &Uniform, state: &State, shape: &[[f64; 2]]) -> Option<Circulating> {
+        self.energies(at, state, shape).whirling.sums()
     }
 
     /// Parts of the kinetic energy in the axes that turn with the system.
@@ -208,7 +211,23 @@ impl MeshScene {
                 energies.whirling.add(&short(centre), &short(image));
             }
         }
-        let total = inner(&centres, &image) + inner(&changes, &sections.image_of_sections(&changes));
+        let about = sections.image_of_sections(&changes);
+        if axis.is_some() {
+            // A section of a shaft is a disc: a vector along the axis that tilts with it goes across.
+            let mut tilts = vec![[[Vector::zeros(); 2]; 2]; tangents.len()];
+            for place in (0..mass.vectors()).filter(|&place| !is_axis[place] && ways[place].is_shaft()) {
+                let (node, direction) = (spec.locate(place).0, 1.0 / own[place].norm() * own[place]);
+                for (tilt, moved) in tilts[node].iter_mut().zip([&changes, &about]) {
+                    for (tilt, moved) in tilt.iter_mut().zip(short(&moved[place])) {
+                        *tilt -= moved.dot(&ways[place].along) * direction;
+                    }
+                }
+            }
+            for [tilt, image] in &tilts {
+                energies.whirling.add(tilt, image);
+            }
+        }
+        let total = inner(&centres, &image) + inner(&changes, &about);
         energies.whirling.add_whole(total);
         for slot in 0..3 {
             let part = |place: usize| {
@@ -260,10 +279,13 @@ impl MeshScene {
             let carried = rigid.mass * arm.cross(&within[part].cross(&arm));
             motion.direction_to_inertial(about - carried)
         });
+        // Mass times the square of the distance of its parts from the centre, of all three directions.
+        let gyration = 0.5 * rigid.inertia.trace() - rigid.mass * centre.norm_squared();
         let along_axis = axis.map_or(Vector::x(), |(axis, point)| {
             let away = motion.position + centre - point;
             let out = away - away.dot(&axis) * axis;
-            if out.norm() > ALONG * away.norm().max(f64::MIN_POSITIVE) && out.norm() > 0.0 {
+            // The axis goes through what reaches as far: no unbalance makes a blade of a disc.
+            if rigid.mass * out.norm_squared() > gyration.max(0.0) {
                 1.0 / out.norm() * out
             } else {
                 axis
@@ -298,11 +320,6 @@ impl MeshScene {
         if axis.is_some() {
             // Points on both sides of it see the tilt: along the axis where it lies there, as of a disc, else outwards, as of a blade.
             let tilted = turn.map(|turn| turn.cross(&along_axis));
-            let size = |axis: Vector| axis.dot(&(rigid.inertia * axis));
-            let gyration = 0.5
-                * (0..3)
-                    .map(|i| size(Vector::from_fn(|j, _| f64::from(i == j))))
-                    .sum::<f64>();
             energies.whirling.add(&tilted, &tilted.map(|value| gyration * value));
         }
         energies.whirling.add_whole(total);

@@ -1,6 +1,5 @@
 //! Outputs: expressions of what the simulated system does.
 
-use crate::check::values::quantity::hertz;
 use crate::check::values::scope::Scope;
 use crate::check::values::vector::Quantity;
 use crate::check::values::words::AXES;
@@ -65,12 +64,7 @@ impl<'a> Check<'a> {
             self.errors.at(told.area, say::output_unit(&own, &other));
             return None;
         }
-        let message = match (hertz(told) != 0, unit.dimension[5] != 0) {
-            (true, _) if nature.is_no_cycle() => Some(say::ANGLE_IN_HERTZ),
-            (_, true) if nature.is_no_angle() => Some(say::CYCLES_AS_ANGLE),
-            _ => None,
-        };
-        if let Some(message) = message {
+        if let Some(message) = nature.misread_in(told, unit) {
             self.errors.at(told.area, message);
             return None;
         }

@@ -225,6 +225,14 @@ fn angles_are_counted() {
         ),
         ("output z: 1/min = pump.speed;", "hertz and `1/min` count cycles"),
         (
+            "component shaker(of: body, f: Hz) { load l = moment(of, [0, 0, 3 [N*m] * sin(2*pi*f*t)]); } part p = shaker(of = pump, f = 600 rpm);",
+            "hertz and `1/min` count cycles",
+        ),
+        (
+            "component shaker(of: body, w: rad/s) { load l = moment(of, [0, 0, 3 [N*m] * sin(w*t)]); } part p = shaker(of = pump, w = 10 Hz);",
+            "this counts cycles",
+        ),
+        (
             "frame g = rotating(axis = z, angle = 1500 [1/min] * t);",
             "hertz and `1/min` count cycles",
         ),

@@ -100,6 +100,11 @@ impl<'a> Check<'a> {
                     self.errors.at(value.area, message);
                     return None;
                 }
+                let typed = self.expr(value, Scope::Parameter)?;
+                if let Some(message) = typed.nature.misread_in(unit, compound) {
+                    self.errors.at(value.area, message);
+                    return None;
+                }
                 compound.dimension
             }
             _ => return Some(()),

@@ -110,6 +110,14 @@ impl Nature {
         self.angle && self.pi >= 0 && !self.counts_cycles()
     }
 
+    /// What is wrong with telling it in a unit that counts cycles or angles.
+    pub fn misread_in(self, unit: &UnitText, compound: Compound) -> Option<&'static str> {
+        if hertz(unit) != 0 {
+            return self.is_no_cycle().then_some(say::ANGLE_IN_HERTZ);
+        }
+        (compound.dimension[5] != 0 && self.is_no_angle()).then_some(say::CYCLES_AS_ANGLE)
+    }
+
     /// Whether one of two terms counts cycles and the other one angles.
     pub fn clashes(self, other: Nature) -> bool {
         let clash = |cycles: Nature, angle: Nature| cycles.counts_cycles() && angle.is_no_cycle();
