@@ -23,3 +23,4 @@ mod shafts;
 mod stiff_shear;
 mod tangents;
 mod turned;
+mod wheels;

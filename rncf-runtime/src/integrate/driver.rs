@@ -336,11 +336,15 @@ impl Driver {
             return Err(error);
         }
         self.at_kink = false;
-        self.awaited = if is_met {
-            std::mem::take(&mut self.met)
-        } else {
-            Vec::new()
-        };
+        if !is_met {
+            self.awaited.clear();
+            self.met.clear();
+        }
+        // What is still ahead of the kink before is so, too: of two that are near each other each ends one step.
+        let met = std::mem::take(&mut self.met);
+        self.awaited
+            .retain(|(law, _)| met.iter().all(|(other, _)| other != law));
+        self.awaited.extend(met);
         self.statistics.restarts += 1;
         Ok(())
     }

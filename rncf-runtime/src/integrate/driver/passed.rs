@@ -6,8 +6,6 @@ use crate::system::{Branch, System};
 
 /// Most times that a step is shortened because its matrix is of another side of a kink.
 pub(super) const ACROSS: u32 = 8;
-/// Part of a step within which several kinks are one.
-const TOGETHER: f64 = 1e-2;
 
 impl Driver {
     /// Branches of the step just taken, each with its time, s: where it began, where forces were evaluated inside, and at its end.
@@ -67,7 +65,7 @@ impl Driver {
             }
             if let Some((kink, law)) = first {
                 let is_new = self.segments.meet(kink);
-                let together = met.iter().filter(|other| other.0 - kink <= TOGETHER * (end - from));
+                let together = met.iter().filter(|other| self.segments.is_near(other.0, kink));
                 self.met = together
                     .filter_map(|&(_, law)| Some((law, last[law].side()?)))
                     .collect();
