@@ -195,3 +195,54 @@ fn a_damper_of_one_direction_acts_between_links() {
         assert!(found.statistics.steps < 2000, "{}", found.statistics.steps);
     }
 }
+
+mod detent {
+    rncf::model! {
+        /// A spring with a preload of 1 N that changes its sign within 2 um.
+        pub model Detent {
+            const width = 1 um;
+            rigid bob { plane xy; mass = 1 kg; origin = [1, 0, 0] m; }
+            spring s = coordinate_law(bob.x, force = 10 [N/m] * value + 1 [N] * min(max(value / width, -1), 1));
+            output x = bob.x;
+            run { t_end = 100 s; every = 0.1 s; }
+        }
+    }
+}
+
+/// Two cosines a quarter of a period: about -0.1 m, and a stiff one within the width.
+#[test]
+fn a_force_between_two_kinks_does_its_work() {
+    let (slow, fast, width) = (10.0_f64.sqrt(), (10.0_f64 + 1e6).sqrt(), 1e-6_f64);
+    let outside = ((width + 0.1) / 1.1).acos() / slow;
+    let speed = 1.1 * slow * (slow * outside).sin();
+    let quarter = outside + (width * fast / speed).atan() / fast;
+    let exact = |t: f64| {
+        let phase = t % (4.0 * quarter);
+        let back = (2.0 * quarter - phase).abs();
+        let from_end = if back > quarter { 2.0 * quarter - back } else { back };
+        let sign = if back > quarter { 1.0 } else { -1.0 };
+        let x = match from_end {
+            r if r <= outside => 1.1 * (slow * r).cos() - 0.1,
+            r => width * (fast * (r - outside)).cos() - speed / fast * (fast * (r - outside)).sin(),
+        };
+        sign * x
+    };
+    for (method, rtol, bound) in [
+        (Method::Radau, 1e-6, 2e-5),
+        (Method::Radau, 1e-7, 2e-6),
+        (Method::Radau13, 1e-6, 2e-5),
+    ] {
+        let settings = RunSettings {
+            method,
+            options: Options {
+                rtol,
+                ..Options::default()
+            },
+            ..RunSettings::default()
+        };
+        let found = run(&detent::Detent {}, &settings).unwrap();
+        let off = found.history.keys.iter().zip(found.history.column(0));
+        let off = off.map(|(&t, x)| (x - exact(t)).abs()).fold(0.0, f64::max);
+        assert!(off < bound, "{method:?} {rtol}: {off}");
+    }
+}

@@ -202,3 +202,33 @@ fn a_rotation_that_rows_have_is_not_lost() {
     assert!(worst < 1e-9, "{worst}");
     assert!(found.warnings.is_empty(), "{:?}", found.warnings);
 }
+
+mod standing {
+    rncf::model! {
+        /// A disc on springs that are not alike, in axes that stand still: its spin is the moment that it makes of a tilt.
+        pub model Standing {
+            param speed = 300 rad/s;
+            const polar = 1 kg*m^2;
+            rigid disc { mass = 10 kg; inertia = [1, 0.6, 0.6] kg*m^2; }
+            spring mount = bushing(disc, inertial, stiffness = [4000, 1000, 2000] N/m, rotational_stiffness = [50, 3000, 8000] N*m/rad);
+            load gyro = moment(disc, polar * speed * [0, -disc.angular_velocity.z, disc.angular_velocity.y], in = disc);
+            output x = disc.x;
+        }
+    }
+}
+
+/// `Id^2 w^4 - (Id (ky + kz) + (Ip speed)^2) w^2 + ky kz = 0`.
+#[test]
+fn a_spin_is_a_moment_on_bearings_that_are_not_alike() {
+    let found = modes(&standing::Standing::default(), &EquilibriumSettings::default()).unwrap();
+    let (inertia, stiff) = (0.6_f64, [3000.0, 8000.0]);
+    let half = 0.5 * (inertia * (stiff[0] + stiff[1]) + 300.0_f64.powi(2)) / (inertia * inertia);
+    let root = (half * half - stiff[0] * stiff[1] / (inertia * inertia)).sqrt();
+    for square in [half + root, half - root] {
+        let near = found
+            .modes
+            .iter()
+            .any(|mode| (mode.im / square.sqrt() - 1.0).abs() < 1e-9 && mode.re.abs() < 1e-9);
+        assert!(near, "{} among {:?}", square.sqrt(), found.modes);
+    }
+}

@@ -65,6 +65,8 @@ pub struct Modes {
 /// Circulation of what counts as a circle.
 const ROUND: f64 = 0.999;
 
+/// Part of the spin below which a whirl in space is round-off.
+const STILL: f64 = 1e-12;
 /// Rates of growth below this part of the largest |s| are round-off.
 const NEUTRAL: f64 = 1e-9;
 /// Growth, of the frequency of the mode itself, that round-off makes of two equal ones: its root.
@@ -99,7 +101,10 @@ impl SeenMode {
             _ if spin == 0.0 => Inertial::One(self.im),
             None => Inertial::One(self.im),
             Some(circulation) if circulation.abs() > ROUND && self.im > 0.0 => {
-                Inertial::Whirl(spin + self.im * circulation.signum())
+                let velocity = spin + self.im * circulation.signum();
+                // What stands still in space has the round-off of two equal numbers.
+                let is_still = velocity.abs() <= STILL * spin;
+                Inertial::Whirl(if is_still { 0.0 } else { velocity })
             }
             Some(_) => Inertial::Two([spin + self.im, (spin - self.im).abs()]),
         }

@@ -205,16 +205,15 @@ impl MeshScene {
         let sections = Sections::new(mass, &is_axis);
         let centres = sections.centres(&changes);
         let image = sections.image_of_axis(&centres);
+        let about = sections.image_of_sections(&changes);
         // What stands beside a rotor is seen as it moves.
         if moved.is_some() || frame.spin != Vector::zeros() {
             for (centre, image) in centres.iter().zip(&image) {
                 energies.whirling.add(&short(centre), &short(image));
             }
-        }
-        let about = sections.image_of_sections(&changes);
-        if axis.is_some() {
             // A section of a shaft is a disc: a vector along the axis that tilts with it goes across.
-            let mut tilts = vec![[[Vector::zeros(); 2]; 2]; tangents.len()];
+            let last = (0..mass.vectors()).map(|place| spec.locate(place).0).max().unwrap_or(0);
+            let mut tilts = vec![[[Vector::zeros(); 2]; 2]; 1 + last];
             for place in (0..mass.vectors()).filter(|&place| !is_axis[place] && ways[place].is_shaft()) {
                 let (node, direction) = (spec.locate(place).0, 1.0 / own[place].norm() * own[place]);
                 for (tilt, moved) in tilts[node].iter_mut().zip([&changes, &about]) {

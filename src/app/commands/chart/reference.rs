@@ -299,7 +299,10 @@ mod tests {
         let change = first.uncertainty.as_ref().unwrap()[0].max;
         assert!(change > 0.0 && change < 1e-6, "{change:e}");
         let (again, runs) = found(&rotor, &grid, &folder, None);
-        assert_eq!((runs, &again.unwrap().exact), (0, &first.exact));
+        let again = again.unwrap().exact;
+        // What is kept are rows; extremes between them are not.
+        let rows = |of: &History| (of.columns.clone(), of.keys.clone(), of.values.clone());
+        assert_eq!((runs, rows(&again)), (0, rows(&first.exact)));
         // Another problem has other references.
         let other = Rotor { loss: 0.0, ..rotor };
         let (other, runs) = found(&other, &grid, &folder, None);
