@@ -28,12 +28,20 @@ fn tilts(wheel: &Flywheel) -> [f64; 2] {
     [half + root, half - root]
 }
 
-fn whirls(modes: &[SeenMode], spin: f64) -> Vec<f64> {
-    let whirl = |mode: &SeenMode| match mode.inertial(spin) {
+/// Both tilts are among the whirls, and all that whirls does so on circles.
+#[track_caller]
+fn tilts_as_it_should(wheel: &Flywheel, within: f64) {
+    let found = modes(wheel, &EquilibriumSettings::default()).unwrap();
+    let whirl = |mode: &SeenMode| match mode.inertial(found.spin) {
         Inertial::Whirl(velocity) => Some(velocity),
         _ => None,
     };
-    modes.iter().filter_map(whirl).collect()
+    let seen: Vec<f64> = found.modes.iter().filter_map(whirl).collect();
+    for tilt in tilts(wheel) {
+        let near = seen.iter().any(|whirl| (whirl / tilt - 1.0).abs() < within);
+        assert!(near, "{wheel:?}: {tilt} among {seen:?}");
+    }
+    assert!(found.is_round, "{wheel:?}");
 }
 
 /// Whether an unbalance is one of a micrometre or of a millimetre, a disc is no blade.
@@ -45,13 +53,7 @@ fn an_unbalance_makes_no_blade_of_a_disc() {
             diametral: 0.51,
             eccentricity,
         };
-        let found = modes(&wheel, &EquilibriumSettings::default()).unwrap();
-        let seen = whirls(&found.modes, found.spin);
-        for tilt in tilts(&wheel) {
-            let near = seen.iter().any(|whirl| (whirl / tilt - 1.0).abs() < within);
-            assert!(near, "{eccentricity}: {tilt} among {seen:?}");
-        }
-        assert!(found.is_round, "{eccentricity}");
+        tilts_as_it_should(&wheel, within);
     }
 }
 
@@ -63,13 +65,7 @@ fn modes_that_meet_are_told_apart() {
             speed,
             ..Flywheel::default()
         };
-        let found = modes(&wheel, &EquilibriumSettings::default()).unwrap();
-        let seen = whirls(&found.modes, found.spin);
-        for tilt in tilts(&wheel) {
-            let near = seen.iter().any(|whirl| (whirl / tilt - 1.0).abs() < 1e-9);
-            assert!(near, "{speed}: {tilt} among {seen:?}");
-        }
-        assert!(found.is_round, "{speed}");
+        tilts_as_it_should(&wheel, 1e-9);
     }
     let wheel = Flywheel {
         speed: 30.0,

@@ -164,7 +164,7 @@ impl Driver {
         let fixed = matches!(self.options.step, StepSize::Fixed(_));
         let may_stray = !fixed && self.may_stray(system);
         let before = (has_kinks || may_stray).then(|| self.state().clone());
-        let (mut across, mut failed, mut cuts) = (0, 0, 0);
+        let (mut across, mut failed) = (0, 0);
         loop {
             let limited = self.wanted.min(self.options.max_step);
             let mut h = self.segments.fit((t, low), limited, fixed, self.options.max_step);
@@ -184,8 +184,7 @@ impl Driver {
                 Outcome::Accepted { next } => {
                     if let Some(before) = &before {
                         let course = self.branches_of_step(system, (before.t, &branches));
-                        let passed = self.ends_at_passed_kink(system, &course, cuts);
-                        cuts += u32::from(passed);
+                        let passed = self.ends_at_passed_kink(system, &course);
                         let may_retry = has_kinks && !fixed && !passed && across < passed::ACROSS;
                         let is_across = may_retry && self.is_on_other_side(system, &course);
                         across += u32::from(is_across);

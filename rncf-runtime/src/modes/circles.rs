@@ -4,7 +4,7 @@
 //! disc the two tilts at every one: what comes out of an eigenvalue problem is any two combinations of forward and backward.
 //! An observer who does not turn sees these at different frequencies, so each has to stand by itself.
 
-use super::mode::Mode;
+use super::mode::{Mode, shape};
 use super::pair::normalise;
 use crate::linalg::{c64, natural_modes};
 use crate::model::{Scene, Uniform};
@@ -20,7 +20,12 @@ const MOST: f64 = 10.0;
 const OWN: f64 = 1e-3;
 
 /// Turns every group of modes of one eigenvalue; they stand in the order of their numbers.
-pub(super) fn turn_to_circles(scene: &mut dyn Scene, at: &Uniform, state: &State, modes: &mut [Mode]) {
+pub(super) fn turn_to_circles(
+    scene: &mut dyn Scene,
+    at: &Uniform,
+    state: &State,
+    (modes, sizes): (&mut [Mode], &[f64]),
+) {
     let mut first = 0;
     while first < modes.len() {
         let is_same = |pair: &[Mode]| {
@@ -29,18 +34,17 @@ pub(super) fn turn_to_circles(scene: &mut dyn Scene, at: &Uniform, state: &State
         };
         let count = 1 + modes[first..].windows(2).take_while(|pair| is_same(pair)).count();
         if count > 1 {
-            turn(scene, at, state, &mut modes[first..first + count]);
+            turn(scene, at, state, (&mut modes[first..first + count], sizes));
         }
         first += count;
     }
 }
 
 /// Turns modes of one eigenvalue: those in which most goes round with the spin first.
-fn turn(scene: &mut dyn Scene, at: &Uniform, state: &State, modes: &mut [Mode]) {
+fn turn(scene: &mut dyn Scene, at: &Uniform, state: &State, (modes, sizes): (&mut [Mode], &[f64])) {
     let count = modes.len();
-    let sizes = scene.sizes().to_vec();
-    let shapes: Vec<Vec<c64>> = modes.iter().map(|mode| relative(&mode.shape, &sizes)).collect();
-    let Some([turning, whole]) = forms(scene, at, state, &shapes, &sizes) else {
+    let shapes: Vec<Vec<c64>> = modes.iter().map(|mode| relative(&mode.shape, sizes)).collect();
+    let Some([turning, whole]) = forms(scene, at, state, &shapes, sizes) else {
         return;
     };
     let shares = |row: usize, column: usize| {
@@ -76,9 +80,9 @@ fn turn(scene: &mut dyn Scene, at: &Uniform, state: &State, modes: &mut [Mode]) 
         return;
     }
     for (mode, parts) in modes.iter_mut().zip(&chosen) {
-        let mut shape = combined(&shapes, parts);
-        normalise(&mut shape, &mut []);
-        mode.shape = absolute(&shape, &sizes);
+        let mut x = combined(&shapes, parts);
+        normalise(&mut x, &mut []);
+        mode.shape = shape(&x, sizes);
     }
 }
 
@@ -92,8 +96,7 @@ fn forms(
 ) -> Option<[Vec<c64>; 2]> {
     let count = shapes.len();
     let mut of = |parts: &[c64]| {
-        let shape = absolute(&combined(shapes, parts), sizes);
-        let sums = scene.circulating(at, state, &shape)?;
+        let sums = scene.circulating(at, state, &shape(&combined(shapes, parts), sizes))?;
         Some([sums.turning, sums.whole])
     };
     let unit = |row: usize, column: usize, factor: c64| {
@@ -164,9 +167,4 @@ fn combined(shapes: &[Vec<c64>], parts: &[c64]) -> Vec<c64> {
 fn relative(shape: &[[f64; 2]], sizes: &[f64]) -> Vec<c64> {
     let parts = shape.iter().zip(sizes);
     parts.map(|([re, im], size)| c64::new(re / size, im / size)).collect()
-}
-
-fn absolute(shape: &[c64], sizes: &[f64]) -> Vec<[f64; 2]> {
-    let parts = shape.iter().zip(sizes);
-    parts.map(|(value, size)| [value.re * size, value.im * size]).collect()
 }

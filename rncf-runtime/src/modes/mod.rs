@@ -74,7 +74,7 @@ pub fn modes(scene: &mut dyn Scene, at: &Uniform, state: &State, wanted: Wanted)
     pairs.truncate(wanted.count);
     number(&mut pairs, |pair| [pair.s.re, pair.s.im]);
     let mut modes: Vec<Mode> = pairs.into_iter().map(|pair| mode(&pencil, &sizes, pair)).collect();
-    turn_to_circles(scene, at, state, &mut modes);
+    turn_to_circles(scene, at, state, (&mut modes, &sizes));
     Ok(modes)
 }
 
@@ -181,14 +181,10 @@ fn mode(pencil: &Pencil, sizes: &[f64], Pair { s, mut x }: Pair) -> Mode {
         *value *= scale / size;
     }
     pair::normalise(&mut x, &mut []);
-    let shape = x
-        .iter()
-        .zip(sizes)
-        .map(|(value, size)| [value.re * size, value.im * size]);
     Mode {
         re: s.re,
         im: s.im,
-        shape: shape.collect(),
+        shape: mode::shape(&x, sizes),
     }
 }
 

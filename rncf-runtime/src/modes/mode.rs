@@ -1,5 +1,7 @@
 //! A mode of small motions.
 
+use crate::linalg::c64;
+
 /// A mode of small motions: `x(t) = Re(shape exp((re + i im) t))`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mode {
@@ -20,6 +22,12 @@ impl Mode {
         mode.shape.iter_mut().for_each(|value| value[1] = -value[1]);
         mode
     }
+}
+
+/// A vector relative to the sizes of the unknowns as the shape of a mode.
+pub(super) fn shape(x: &[c64], sizes: &[f64]) -> Vec<[f64; 2]> {
+    let parts = x.iter().zip(sizes);
+    parts.map(|(value, size)| [value.re * size, value.im * size]).collect()
 }
 
 /// Part of the largest |s| below which a rate is round-off.

@@ -103,8 +103,8 @@ fn lost(scene: &mut dyn Scene, start: State, run: Followed<'_>, outputs: &[Outpu
             .max((AFFORDED / scene.unknowns().max(1)) as u64),
         time: ENOUGH * step,
     };
-    let times: Vec<f64> = run.marks.rows.iter().map(|row| row.0).collect();
-    let Look { states, at_rows } = look(scene, start, (run.t_end, finer), &ends, &times)?;
+    let marks = sparsely(&run.marks.rows, start.t + ends.time);
+    let Look { states, at_rows } = look(scene, start, (run.t_end, finer), &ends, &marks)?;
     let rows: Vec<(f64, Vec<f64>)> = states.iter().map(|state| (state.t, row(scene, state))).collect();
     let last = row(scene, run.end);
     let mut nothing = vec![0.0; last.len()];
@@ -118,8 +118,7 @@ fn lost(scene: &mut dyn Scene, start: State, run: Followed<'_>, outputs: &[Outpu
     let mut found = missing(outputs, &rows, &last, &nothing, run.taken);
     found.retain(|missed| !shows(&run.marks.rows, rows[rows.len() - 1].0, missed));
     // Steps that are longer than a turn follow it where frames turn with what turns.
-    let at_rows: Vec<Vec<f64>> = at_rows.iter().map(|state| row(scene, state)).collect();
-    found.retain(|missed| !agrees(&run.marks.rows, &at_rows, missed));
+    found.retain(|missed| !agrees(&marks, &at_rows, missed));
     // What an output has of the time alone no step loses.
     let standing = states[states.len() / 2].t;
     found.retain(|missed| {
@@ -171,12 +170,18 @@ struct Ends {
 struct Look {
     /// At the ends of its steps.
     states: Vec<State>,
-    /// At the first rows of the run, as far as it goes.
-    at_rows: Vec<State>,
+    /// Outputs at rows of the run, as far as it goes.
+    at_rows: Vec<Vec<f64>>,
 }
 
-/// The look, with states at these `times`; none where it does not begin.
-fn look(scene: &mut dyn Scene, start: State, (t_end, rtol): (f64, f64), ends: &Ends, times: &[f64]) -> Option<Look> {
+/// The look, with outputs at the times of these rows; none where it does not begin.
+fn look(
+    scene: &mut dyn Scene,
+    start: State,
+    (t_end, rtol): (f64, f64),
+    ends: &Ends,
+    marks: &[&(f64, Vec<f64>)],
+) -> Option<Look> {
     let until = start.t + ends.time;
     let options = Options {
         rtol,
@@ -189,12 +194,14 @@ fn look(scene: &mut dyn Scene, start: State, (t_end, rtol): (f64, f64), ends: &E
         let stop = integrator.step().ok()?;
         states.push(integrator.state().clone());
         let reached = integrator.state().t;
-        while let Some(&t) = times.get(at_rows.len()).filter(|&&t| t <= reached) {
+        while let Some(&&(t, ref own)) = marks.get(at_rows.len()).filter(|mark| mark.0 <= reached) {
             let mut state = integrator.state().clone();
             if t < reached {
                 integrator.interpolate(t, &mut state);
             }
-            at_rows.push(state);
+            let mut row = vec![0.0; own.len()];
+            integrator.system().outputs(&state, &mut row);
+            at_rows.push(row);
         }
         let is_enough = integrator.state().t > until || integrator.statistics().newton_iterations > ends.iterations;
         if stop != Stop::Step || is_enough {
@@ -261,12 +268,18 @@ fn shows(rows: &[(f64, Vec<f64>)], until: f64, missed: &Missed) -> bool {
     a_period >= FOLLOWED && swing(&values).is_some_and(|swing| swing.amplitude >= LASTING * missed.swing.amplitude)
 }
 
+/// Some rows until a time, s, evenly spread: of many a few say as much.
+fn sparsely(rows: &[(f64, Vec<f64>)], until: f64) -> Vec<&(f64, Vec<f64>)> {
+    let within = rows.partition_point(|row| row.0 <= until);
+    rows[..within].iter().step_by(within.div_ceil(TIMES).max(1)).collect()
+}
+
 /// Whether rows of the run have the values of the look: some of a swing that is lost would not.
-fn agrees(rows: &[(f64, Vec<f64>)], at_rows: &[Vec<f64>], missed: &Missed) -> bool {
+fn agrees(rows: &[&(f64, Vec<f64>)], at_rows: &[Vec<f64>], missed: &Missed) -> bool {
     // The start is that of both.
     let pairs = || rows.iter().zip(at_rows).skip(1);
-    let near = |((_, own), other): (&(f64, Vec<f64>), &Vec<f64>)| {
-        (own[missed.column] - other[missed.column]).abs() <= SAME * missed.swing.amplitude
+    let near = |(own, other): (&&(f64, Vec<f64>), &Vec<f64>)| {
+        (own.1[missed.column] - other[missed.column]).abs() <= SAME * missed.swing.amplitude
     };
     pairs().count() >= ROWS && pairs().all(near)
 }

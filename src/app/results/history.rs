@@ -160,13 +160,14 @@ impl History {
         Ok(())
     }
 
-    /// Takes in values between rows: of these only what is least and greatest is kept.
+    /// Takes in values between rows: of these only what is least and greatest is kept. What is not finite counts in rows alone.
     pub(in crate::app) fn meet(&mut self, key: f64, values: &[f64]) {
         let extreme = |&value: &f64| Extreme { value, at: key };
         if self.extremes.is_empty() {
             self.extremes = values.iter().map(|value| (extreme(value), extreme(value))).collect();
         }
-        for ((low, high), value) in self.extremes.iter_mut().zip(values) {
+        let pairs = self.extremes.iter_mut().zip(values);
+        for ((low, high), value) in pairs.filter(|(_, value)| value.is_finite()) {
             if *value < low.value {
                 *low = extreme(value);
             }

@@ -6,9 +6,6 @@ use crate::system::{Branch, System};
 
 /// Most times that a step is shortened because its matrix is of another side of a kink.
 pub(super) const ACROSS: u32 = 8;
-/// Most times that a step is cut at kinks that it passes. Of a law that is steeper than the places of a step are exact, its end is
-/// always beyond.
-const CUTS: u32 = 64;
 
 impl Driver {
     /// Branches of the step just taken, each with its time, s: where it began, where forces were evaluated inside, and at its end.
@@ -30,13 +27,8 @@ impl Driver {
     }
 
     /// Ends the present segment where the step just taken first passed a kink of a law, at its end or inside, where it may have been and come back;
-    /// false if it passed none, if something rattles, or if the step has been cut too often.
-    pub(super) fn ends_at_passed_kink(
-        &mut self,
-        system: &mut dyn System,
-        course: &[(f64, Vec<Branch>)],
-        cuts: u32,
-    ) -> bool {
+    /// false if it passed none, or if something rattles.
+    pub(super) fn ends_at_passed_kink(&mut self, system: &mut dyn System, course: &[(f64, Vec<Branch>)]) -> bool {
         let mut state = self.state().clone();
         let (from, end) = (course[0].0, state.t);
         let mut is_any = false;
@@ -50,7 +42,7 @@ impl Driver {
                 .filter(|&law| is_passed(&now[law], &last[law]) && !self.awaits(law, &last[law]))
                 .collect();
             if let Some(&law) = passed.first()
-                && (cuts >= CUTS || self.segments.rattles(self.statistics.steps))
+                && self.segments.rattles(self.statistics.steps)
             {
                 self.statistics.note_rattling(from, &system.describe_branch(law));
                 return false;

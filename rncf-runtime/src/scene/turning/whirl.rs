@@ -2,7 +2,7 @@
 //! its kinetic energy.
 
 use super::circulation::Whirling;
-use super::sections::{Sections, inner};
+use super::sections::{Displacements, Sections, inner};
 use crate::emitted::Interpolant;
 use crate::model::{Circulating, Composition, Motion, Uniform};
 use crate::scene::MeshScene;
@@ -211,17 +211,9 @@ impl MeshScene {
             for (centre, image) in centres.iter().zip(&image) {
                 energies.whirling.add(&short(centre), &short(image));
             }
-            // A section of a shaft is a disc: a vector along the axis that tilts with it goes across.
-            let last = (0..mass.vectors()).map(|place| spec.locate(place).0).max().unwrap_or(0);
-            let mut tilts = vec![[[Vector::zeros(); 2]; 2]; 1 + last];
-            for place in (0..mass.vectors()).filter(|&place| !is_axis[place] && ways[place].is_shaft()) {
-                let (node, direction) = (spec.locate(place).0, 1.0 / own[place].norm() * own[place]);
-                for (tilt, moved) in tilts[node].iter_mut().zip([&changes, &about]) {
-                    for (tilt, moved) in tilt.iter_mut().zip(short(&moved[place])) {
-                        *tilt -= moved.dot(&ways[place].along) * direction;
-                    }
-                }
-            }
+            let nodes = (0..mass.vectors()).map(|place| spec.locate(place).0);
+            let places = nodes.enumerate().filter(|&(place, _)| !is_axis[place]);
+            let tilts = shaft_tilts(places, &ways, &own, [&changes, &about]);
             for [tilt, image] in &tilts {
                 energies.whirling.add(tilt, image);
             }
@@ -326,6 +318,27 @@ impl MeshScene {
             .bodies
             .push((self.parts.frame_name(frame.spec.frame).to_string(), total));
     }
+}
+
+/// A section of a shaft is a disc: of each node what a unit vector along the axis does that tilts with its section, and the product with the
+/// mass about the centre, from those of the vectors of the sections; of these the places and nodes are given.
+fn shaft_tilts(
+    places: impl Iterator<Item = (usize, usize)>,
+    ways: &[Axes],
+    own: &[Vector],
+    moved: [&Displacements; 2],
+) -> Vec<[Displaced; 2]> {
+    let mut tilts: Vec<[Displaced; 2]> = Vec::new();
+    for (place, node) in places.filter(|&(place, _)| ways[place].is_shaft()) {
+        tilts.resize(tilts.len().max(node + 1), [[Vector::zeros(); 2]; 2]);
+        let direction = 1.0 / own[place].norm() * own[place];
+        for (tilt, moved) in tilts[node].iter_mut().zip(moved) {
+            for (tilt, moved) in tilt.iter_mut().zip(short(&moved[place])) {
+                *tilt -= moved.dot(&ways[place].along) * direction;
+            }
+        }
+    }
+    tilts
 }
 
 fn short(displaced: &[Padded; 2]) -> Displaced {
