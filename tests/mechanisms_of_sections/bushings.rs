@@ -1,6 +1,6 @@
 //! Bushings with cross terms, angles and coupling: films, pedestals and foundations in closed form, shafts in shafts.
 
-use rncf::app::{EquilibriumSettings, RunSettings, modes, run};
+use rncf::app::{EquilibriumSettings, RunSettings, modes, run, static_equilibria};
 use rncf::{AnyModel, Options};
 
 rncf::model! {
@@ -335,4 +335,46 @@ fn a_speed_beyond_the_rows_of_a_table_is_told_as_that() {
     let still = Film { speed: 500.0 };
     let told = modes(&still, &EquilibriumSettings::default()).unwrap_err().to_string();
     assert!(told.contains("`oil` is not finite"), "{told}");
+}
+
+rncf::model! {
+    /// A body on a ball joint, which a coil holds that is as stiff about every axis.
+    pub model Round {
+        param mx = 0 N*m;
+        param my = 0 N*m;
+        param mz = 1 N*m;
+        rigid ball { mass = 1 kg; inertia = [0.01, 0.01, 0.01] kg*m^2; }
+        joint pivot = spherical(ball, inertial);
+        spring coil = bushing(ball, inertial, rotational_stiffness = [2, 2, 2] N*m/rad);
+        load push = moment(ball, [mx, my, mz]);
+        output cosine = (ball.ex.x + ball.ey.y + ball.ez.z - 1) / 2;
+        run { t_end = 2 s; every = 10 ms; }
+    }
+}
+
+const OBLIQUE: [[f64; 3]; 3] = [[0.0, 0.0, 1.0], [0.8, 0.0, 0.6], [0.48, 0.6, -0.64]];
+
+/// `M / k` about every axis, of small turns and large ones.
+#[test]
+fn equal_stiffness_about_all_axes_is_that_about_any() {
+    for axis in OBLIQUE {
+        for size in [0.4, 1.0, 4.0] {
+            let [mx, my, mz] = axis.map(|part| size * part);
+            let found = static_equilibria(&Round { mx, my, mz }, &EquilibriumSettings::default()).unwrap();
+            let cosine = found.history.column(0).last().unwrap();
+            near(cosine.acos(), 0.5 * size, 0.5 * size, 1e-6);
+        }
+    }
+}
+
+/// Beyond half a turn the rotation vector turns back.
+#[test]
+fn half_a_turn_about_an_oblique_axis_is_told() {
+    for axis in OBLIQUE {
+        let [mx, my, mz] = axis.map(|part| 10.0 * part);
+        let error = run(&Round { mx, my, mz }, &RunSettings::default())
+            .unwrap_err()
+            .to_string();
+        assert!(error.contains("half a turn") && error.contains("`coil`"), "{error}");
+    }
 }
