@@ -7,7 +7,7 @@ use super::documentation::documentation;
 use super::item::check_name;
 use super::messages as say;
 use super::recover::recover_before;
-use super::tree::{ElementKind, ElementStatement, Expr, ItemKind, Name, UnitText, When};
+use super::tree::{ElementKind, ElementStatement, Expr, ItemKind, Name, When};
 use super::{expr, unit};
 use crate::errors::{Errors, Mistake};
 
@@ -99,7 +99,7 @@ fn statement(cursor: &mut Cursor, doc: String) -> Parsed<ElementStatement> {
                 return Err(Mistake::new(name.span, say::coefficient_without_unit(&name.text)));
             }
             cursor.expect_punct(':')?;
-            let unit = unit_before_equals(cursor)?;
+            let unit = unit::before_equals(cursor)?;
             cursor.expect_punct('=')?;
             let value = expr::right_side(cursor)?;
             ElementKind::Coefficient { name, unit, value }
@@ -209,23 +209,6 @@ fn when(cursor: &mut Cursor) -> Parsed<When> {
         when.space = Some(space);
     }
     Ok(when)
-}
-
-/// A unit up to `=`, which is no name of an argument here.
-fn unit_before_equals(cursor: &mut Cursor) -> Parsed<UnitText> {
-    let mut tokens = Vec::new();
-    while !cursor.is_punct('=') && !cursor.is_punct(';') {
-        match cursor.next() {
-            Some(token) => tokens.push(token),
-            None => break,
-        }
-    }
-    let mut inner = Cursor::new(tokens.into_iter().collect(), cursor.here());
-    let unit = unit::compound(&mut inner)?;
-    if inner.is_empty() {
-        return Ok(unit);
-    }
-    Err(inner.expected("a unit such as `N m^2`"))
 }
 
 /// `0..1`

@@ -213,7 +213,7 @@ fn content(cursor: &mut Cursor, keyword: Keyword, errors: &mut Errors) -> Parsed
         Keyword::Const => ItemKind::Const(assignment(cursor)?),
         Keyword::Let => ItemKind::Let(assignment(cursor)?),
         Keyword::Output => {
-            let unit = cursor.eat_punct(':').then(|| unit::compound(cursor)).transpose()?;
+            let unit = cursor.eat_punct(':').then(|| unit::before_equals(cursor)).transpose()?;
             ItemKind::Output {
                 unit,
                 value: output(cursor)?,

@@ -35,6 +35,26 @@ pub fn bracketed(group: &Group) -> Parsed<UnitText> {
     Ok(unit)
 }
 
+/// A unit up to `=`, in brackets or not, which is no name of an argument here.
+pub fn before_equals(cursor: &mut Cursor) -> Parsed<UnitText> {
+    if let Some(group) = cursor.eat_group(Delimiter::Bracket) {
+        return bracketed(&group);
+    }
+    let mut tokens = Vec::new();
+    while !cursor.is_punct('=') && !cursor.is_punct(';') {
+        match cursor.next() {
+            Some(token) => tokens.push(token),
+            None => break,
+        }
+    }
+    let mut inner = Cursor::new(tokens.into_iter().collect(), cursor.here());
+    let unit = compound(&mut inner)?;
+    if inner.is_empty() {
+        return Ok(unit);
+    }
+    Err(inner.expected("a unit such as `N m^2`"))
+}
+
 /// Refuses a symbol behind a quotient: `m/s s` may mean two things.
 pub fn check_end(cursor: &Cursor) -> Parsed<()> {
     if is_unit_next(cursor) {

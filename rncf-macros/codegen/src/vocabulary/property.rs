@@ -43,3 +43,10 @@ pub struct Property {
     /// Value where the user gives none; `None`: required by the elements that use it.
     pub default: Option<f64>,
 }
+
+impl Property {
+    /// Whether it is an angle, which is written with its unit.
+    pub fn is_angle(&self) -> bool {
+        self.dimension == [0, 0, 0, 0, 0, 1]
+    }
+}

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, HashMap};
 
 use super::known::{Section, Values};
-use crate::check::values::quantity::{Typed, Wanted, bare_literal};
+use crate::check::values::quantity::{Typed, Wanted, bare_literal, is_bare_zero};
 use crate::check::values::scope::Scope;
 use crate::check::{Check, fold, say};
 use crate::elements::{Coefficient, Element};
@@ -170,7 +170,10 @@ impl<'a> Check<'a> {
             self.errors.at(value.area, say::bare_damping(&text));
             return None;
         }
-        let found = self.quantity(value, Scope::Parameter, wanted);
+        let found = match property.is_angle() && !is_bare_zero(value) {
+            true => self.angle(value, Scope::Parameter, what),
+            false => self.quantity(value, Scope::Parameter, wanted),
+        };
         if let Some(constant) = found.as_ref().and_then(fold::constant) {
             self.range(what, property.range, constant, value.area);
         }

@@ -185,6 +185,8 @@ fn angles_are_counted() {
                 param f = 0.8 Hz; param phase = 70 deg; param w = 3 rad/s;
                 table motor {{ at = n; n = [0, 10, 200] Hz; q = [0, 10, 200] N*m; interpolation = linear; }}
                 table slip {{ at = nu; nu = [-1, 0, 2]; k = [3, 2, 1] N*m; interpolation = linear; }}
+                table turned {{ at = psi; psi = [-180, 0, 180] deg; k = [3, 2, 3] N*m; }}
+                param plain = 3; param ratio = 0.5;
                 rigid pump {{ plane xy; mass = 1 kg; inertia = 1 kg*m^2; }}
                 rigid turbine {{ plane xy; mass = 1 kg; inertia = 1 kg*m^2; }}
                 joint a = revolute(inertial, pump);
@@ -239,6 +241,18 @@ fn angles_are_counted() {
         (
             "load l = moment(pump, [0, 0, slip.k(pump.angle)]);",
             "this is an angle, and the rows of `slip` are at plain numbers",
+        ),
+        (
+            "load l = moment(pump, [0, 0, turned.k(3)]);",
+            "the place in a table over an angle needs a unit: `3 rad` or `3 deg`",
+        ),
+        (
+            "load l = moment(pump, [0, 0, turned.k(plain)]);",
+            "the place in a table over an angle",
+        ),
+        (
+            "section tilted { EA = 1 N; GA = 1 N; GJ = 1 N*m^2; EIy = 1 N*m^2; EIz = 1 N*m^2; mass = 1 kg/m; inertia_y = 1 kg*m; inertia_z = 1 kg*m; principal = 20; }",
+            "principal needs a unit: `20 rad` or `20 deg`",
         ),
         (
             "spring s = torsional_law(b, moment = 0.1 [N*m] * max(angle - 1, 0));",

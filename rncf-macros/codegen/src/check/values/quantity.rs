@@ -295,10 +295,17 @@ impl<'a> Check<'a> {
             ExprKind::Negate(inner) => is_single(inner),
             _ => is_single(angle),
         };
-        if !(nature.is_no_cycle() && stands_alone) || is_bare_zero(other) {
+        match nature.is_no_cycle() && stands_alone {
+            true => self.no_bare_number("what stands beside an angle", other),
+            false => Some(()),
+        }
+    }
+
+    /// Refuses a number without unit where an angle is meant.
+    pub(super) fn no_bare_number(&mut self, what: &'static str, other: &Expr) -> Option<()> {
+        if is_bare_zero(other) {
             return Some(());
         }
-        let what = "what stands beside an angle";
         let message = match (bare_literal(other), self.bare_declaration(other)) {
             (Some(text), _) => say::bare_angle(what, &text),
             (None, Some((name, text))) => say::bare_declaration(what, "an angle", name, &text, "rad"),

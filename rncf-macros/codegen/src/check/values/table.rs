@@ -461,6 +461,10 @@ impl<'a> Check<'a> {
             self.errors.at(value.area, message);
             return None;
         }
+        if wanted.is_none() && is_angle {
+            self.no_bare_number("the place in a table over an angle", value)?;
+        }
+        let table = &self.model.tables[id.0];
         let of_rows = table.placed_by.first().map(|&place| self.column_at(id, place).nature);
         if of_rows.is_some_and(|rows| rows.clashes(at.nature)) {
             self.errors.at(value.area, say::HERTZ);
