@@ -129,7 +129,7 @@ impl fmt::Display for SolveError {
             )?,
             SolveErrorKind::NotFinite => write!(
                 f,
-                "a value is not finite after t = {t} s with h = {h} s: the solution diverges, or a parameter is unphysical"
+                "a value is not finite after t = {t} s with h = {h} s: the solution diverges, a parameter is unphysical, or something is divided by what is zero there"
             )?,
             SolveErrorKind::Inconsistent(size) => {
                 let worst = self.worst.as_deref().unwrap_or_default();

@@ -246,3 +246,36 @@ fn a_force_between_two_kinks_does_its_work() {
         assert!(off < bound, "{method:?} {rtol}: {off}");
     }
 }
+
+mod switch {
+    rncf::model! {
+        /// A force of 1 N that changes its sign within 2 nm, for a thousand seconds.
+        pub model Switch {
+            rigid bob { plane xy; mass = 1 kg; origin = [1, 0, 0] m; }
+            spring s = coordinate_law(bob.x, force = 1 [N] * min(max(value / 1 [nm], -1), 1));
+            output x = bob.x;
+            run { t_end = 1000 s; every = 1 s; }
+        }
+    }
+}
+
+/// Parabolas: the nanometres change the period by their square. However long a run is, what is passed at its own speed is met.
+#[test]
+fn kinks_a_nanosecond_apart_are_met_in_a_long_run() {
+    let quarter = 2.0_f64.sqrt();
+    let exact = |t: f64| {
+        let phase = t % (4.0 * quarter);
+        let back = (2.0 * quarter - phase).abs();
+        match back > quarter {
+            true => 1.0 - 0.5 * (2.0 * quarter - back).powi(2),
+            false => 0.5 * back * back - 1.0,
+        }
+    };
+    for (rtol, bound) in [(1e-6, 1e-4), (1e-8, 1e-7)] {
+        let found = run(&switch::Switch::default(), &settings(1000.0, Method::Radau, rtol)).unwrap();
+        let rows = found.history.keys.iter().zip(found.history.column(0));
+        let off = rows.map(|(t, x)| (x - exact(*t)).abs()).fold(0.0, f64::max);
+        println!("{rtol:e}: {off:.1e}");
+        assert!(off < bound, "{rtol:e}: {off:e}");
+    }
+}

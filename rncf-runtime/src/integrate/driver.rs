@@ -185,10 +185,12 @@ impl Driver {
                     if let Some(before) = &before {
                         let course = self.branches_of_step(system, (before.t, &branches));
                         let passed = self.ends_at_passed_kink(system, &course);
-                        let may_retry = has_kinks && !fixed && !passed && across < passed::ACROSS;
+                        // Of kinks that lie so near that they count as one, every step is of another side.
+                        let is_long = strays::RETRY * h > self.segments.smallest_step(t);
+                        let may_retry = has_kinks && !fixed && !passed && is_long && across < passed::ACROSS;
                         let is_across = may_retry && self.is_on_other_side(system, &course);
                         across += u32::from(is_across);
-                        if passed || is_across || self.strays(system, h) {
+                        if passed || is_across || is_long && self.strays(system, h) {
                             if !passed {
                                 self.wanted = strays::RETRY * h;
                             }
@@ -402,13 +404,12 @@ impl Driver {
         has_positions
     }
 
-    /// Whether they do at the end of the step just taken, and a shorter one is possible.
+    /// Whether they do at the end of the step just taken.
     fn strays(&mut self, system: &mut dyn System, h: f64) -> bool {
         let (rtol, state) = (self.options.rtol, self.scheme.state());
-        let is_long = strays::RETRY * h > self.segments.smallest_step(state.t);
         self.strays
             .as_mut()
-            .is_some_and(|strays| is_long && strays.are_in(system, state, h, rtol))
+            .is_some_and(|strays| strays.are_in(system, state, h, rtol))
     }
 
     /// What is known of courses over the run.

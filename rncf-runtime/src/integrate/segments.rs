@@ -5,6 +5,8 @@ use crate::archive::{Archive, Keep};
 
 /// Kinks closer than this part of the span are one kink.
 const ONE_KINK: f64 = 1e-11;
+/// Round-off of times within which two kinks of laws, which are passed at speeds of their own however long a run is, are one.
+const SAME: f64 = 64.0 * f64::EPSILON;
 /// Smallest step as a part of the span.
 const SMALLEST: f64 = 1e-12;
 /// Kinks of laws that steps end at in any case; beyond, one in so many steps.
@@ -103,7 +105,10 @@ impl Segments {
 
     /// Ends the present segment at a kink (s) found within it, which is over at `last`; false if one is known there, or the end.
     pub(super) fn insert(&mut self, kink: f64, last: f64) -> bool {
-        let near = self.one_kink();
+        self.insert_within(self.one_kink(), kink, last)
+    }
+
+    fn insert_within(&mut self, near: f64, kink: f64, last: f64) -> bool {
         let is_end = kink >= self.end - near;
         let is_known = self.kinks.get(self.passed).is_some_and(|next| kink >= next.0 - near);
         if is_end || is_known {
@@ -116,7 +121,7 @@ impl Segments {
     /// [`Segments::insert`] of a kink of a law, of which a shorter step knows better where it is: one that was found before and lies just behind would
     /// cut a tiny step.
     pub(super) fn meet(&mut self, kink: f64) -> bool {
-        let is_new = self.insert(kink, kink);
+        let is_new = self.insert_within(SAME * kink.abs(), kink, kink);
         if is_new {
             let behind = self.passed + 1;
             if self.kinks.get(behind).is_some_and(|old| old.0 == self.latest) {
@@ -143,6 +148,11 @@ impl Segments {
     /// leave at a kink again.
     pub(super) fn rattles(&self, steps: u64) -> bool {
         self.met > FIRST_KINKS && self.met * STEPS_A_KINK > steps && self.quiet == 0
+    }
+
+    /// Whether two times (s) count as one kink of laws.
+    pub(super) fn is_same(&self, a: f64, b: f64) -> bool {
+        (a - b).abs() <= SAME * a.abs().max(b.abs())
     }
 
     /// Whether two times (s) count as one kink.
