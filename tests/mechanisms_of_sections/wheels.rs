@@ -1,6 +1,6 @@
 //! Discs whose tilt is told by nothing but itself: thin ones, unbalanced ones, and rotors that spin freely.
 
-use rncf::app::{EquilibriumSettings, Inertial, Judging, RunSettings, SeenMode, modes, run, steady};
+use rncf::app::{EquilibriumSettings, Inertial, Judging, Range, RunSettings, SeenMode, campbell, modes, run, steady};
 
 mod flywheel {
     rncf::model! {
@@ -227,4 +227,36 @@ fn a_spin_is_a_moment_on_bearings_that_are_not_alike() {
             .any(|mode| (mode.im / square.sqrt() - 1.0).abs() < 1e-9 && mode.re.abs() < 1e-9);
         assert!(near, "{} among {:?}", square.sqrt(), found.modes);
     }
+}
+
+/// Over its speed the frequencies of the same disc meet it: those of its translations and of its twist, and where
+/// `(Ip^2 - Id^2) w^4 + Id (ky + kz) w^2 - ky kz = 0` a tilt.
+#[test]
+fn frequencies_of_a_rotor_that_stands_still_are_compared_with_its_speed() {
+    let range = Range {
+        param: 0,
+        from: 0.0,
+        to: 100.0,
+    };
+    let settings = EquilibriumSettings {
+        range: Some(range),
+        ..EquilibriumSettings::default()
+    };
+    let found = campbell(&standing::Standing::default(), &settings).unwrap();
+    let (inertia, stiff) = (0.6_f64, [3000.0, 8000.0]);
+    let (more, half) = (1.0 - inertia * inertia, 0.5 * inertia * (stiff[0] + stiff[1]));
+    let tilt = ((half * half + more * stiff[0] * stiff[1]).sqrt() - half) / more;
+    let exact = [50.0, 1000.0 / 10.0, 2000.0 / 10.0, 4000.0 / 10.0, tilt].map(f64::sqrt);
+    let mut met: Vec<f64> = found
+        .crossings
+        .iter()
+        .filter(|crossing| crossing.order == 1)
+        .map(|crossing| crossing.key)
+        .collect();
+    met.sort_by(f64::total_cmp);
+    assert_eq!(met.len(), exact.len(), "{met:?} {exact:?}");
+    for (met, exact) in met.iter().zip(exact) {
+        assert!((met / exact - 1.0).abs() < 1e-6, "{met} {exact}");
+    }
+    assert!(found.spins.iter().all(|&spin| spin == 0.0) && found.excitations == found.keys);
 }

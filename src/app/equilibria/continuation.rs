@@ -6,7 +6,7 @@ use std::cell::OnceCell;
 use super::balanced::is_balanced;
 use super::directions::{self, Measured};
 use super::way::{Unplaced, between, check, placed, uniform};
-use crate::app::results::equilibria::EquilibriumSettings;
+use crate::app::results::equilibria::{EquilibriumSettings, Range};
 use crate::app::results::error::RunError;
 use crate::app::results::history::Column;
 use crate::app::writing::numbers::in_unit;
@@ -103,8 +103,9 @@ pub(in crate::app) struct Station<'l> {
     pub scene: &'l mut dyn Scene,
     pub at: Uniform,
     pub state: &'l State,
-    /// Angular velocity, rad/s.
+    /// Angular velocity, rad/s, and that of what excites.
     pub spin: f64,
+    pub excitation: f64,
 }
 
 /// An equilibrium that is found from the start, with its scene.
@@ -251,11 +252,22 @@ impl<'m> Line<'m> {
         }
     }
 
+    /// Angular velocity of what excites at a part of the way, rad/s: the spin. Where nothing turns, a parameter that is one counts as that of a rotor.
+    pub fn excitation(&self, share: f64, spin: f64) -> f64 {
+        let angular_velocity = |range: &Range| self.model.params()[range.param].dimension == [0, 0, -1, 0, 0, 1];
+        match self.settings.range.filter(angular_velocity) {
+            Some(range) if spin == 0.0 => between(range, share).abs(),
+            _ => spin,
+        }
+    }
+
     /// The last equilibrium.
     pub fn station(&mut self) -> Station<'_> {
+        let spin = self.scene.spin_in(&self.at);
         Station {
             key: self.key(self.last.share),
-            spin: self.scene.spin_in(&self.at),
+            spin,
+            excitation: self.excitation(self.last.share, spin),
             scene: self.scene.as_mut(),
             at: self.at,
             state: &self.state,

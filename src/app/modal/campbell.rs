@@ -81,6 +81,7 @@ pub fn campbell_watched(
         key: line.column(),
         keys: Vec::new(),
         spins: Vec::new(),
+        excitations: Vec::new(),
         tracks: Vec::new(),
         is_round: true,
         critical: Vec::new(),

@@ -117,7 +117,7 @@ impl Tracker {
     pub fn look(&mut self, line: &mut Line<'_>, diagram: &mut Campbell) -> Result<(), String> {
         let count = diagram.settings.count;
         let station = line.station();
-        let (at, key, spin) = (station.at, station.key, station.spin);
+        let (at, key, spin, excitation) = (station.at, station.key, station.spin, station.excitation);
         let told = |error: SolveError| format!("at {} = {key} {}: {error}", diagram.key.name, diagram.key.unit);
         let found = Looked::at(station.scene, &at, station.state, count).map_err(told)?;
         let symmetric = directions::turning(station.scene, &at, station.state, false).map_err(told)?;
@@ -130,6 +130,7 @@ impl Tracker {
         };
         diagram.keys.push(key);
         diagram.spins.push(spin);
+        diagram.excitations.push(excitation);
         let before = self.last.clone();
         let expected: Vec<Mode> = before
             .iter()
@@ -425,7 +426,7 @@ fn expected(diagram: &Campbell, mode: &Mode, track: &[Option<SeenMode>]) -> Mode
     expected
 }
 
-/// A frequency that is compared with multiples of the spin, and the sense of its whirl as of [`Crossing`].
+/// A frequency that is compared with multiples of what excites, and the sense of its whirl as of [`Crossing`].
 fn compared(mode: SeenMode, spin: f64) -> (f64, Whirl) {
     match mode.inertial(spin) {
         Inertial::One(im) => (im, Whirl::None),
@@ -434,7 +435,7 @@ fn compared(mode: SeenMode, spin: f64) -> (f64, Whirl) {
     }
 }
 
-/// How far a frequency is from a multiple of the spin: the free tilt of what nothing holds has that of the spin itself.
+/// How far a frequency is from a multiple: the free tilt of what nothing holds has that of the spin itself.
 fn apart(im: f64, multiple: f64) -> f64 {
     if (im - multiple).abs() <= SAME * multiple {
         return 0.0;
@@ -442,14 +443,15 @@ fn apart(im: f64, multiple: f64) -> f64 {
     im - multiple
 }
 
-/// Crossings with the spin and twice the spin in the last step, on straight lines.
+/// Crossings with what excites and twice that in the last step, on straight lines.
 fn crossed(diagram: &Campbell) -> Vec<Crossing> {
     let mut found = Vec::new();
     let Some(row) = diagram.keys.len().checked_sub(2) else {
         return found;
     };
     let spins = [diagram.spins[row], diagram.spins[row + 1]];
-    if spins == [0.0; 2] {
+    let excitations = [diagram.excitations[row], diagram.excitations[row + 1]];
+    if excitations == [0.0; 2] {
         return found;
     }
     let keys = [diagram.keys[row], diagram.keys[row + 1]];
@@ -469,8 +471,8 @@ fn crossed(diagram: &Campbell) -> Vec<Crossing> {
             continue;
         }
         for order in [1, 2] {
-            let ends = [(first.0, spins[0]), (last.0, spins[1])];
-            let [low, high] = ends.map(|(im, spin)| apart(im, f64::from(order) * spin));
+            let ends = [(first.0, excitations[0]), (last.0, excitations[1])];
+            let [low, high] = ends.map(|(im, excitation)| apart(im, f64::from(order) * excitation));
             if low != 0.0 && low * high <= 0.0 {
                 let share = low / (low - high);
                 found.push(Crossing {
@@ -504,8 +506,8 @@ fn refined(
     let track = &diagram.tracks[crossing.track];
     let order = f64::from(crossing.order);
     let end = |row: usize| {
-        let spin = diagram.spins[row];
-        track[row].map(|mode| compared(mode, spin).0 - order * spin)
+        let (spin, excitation) = (diagram.spins[row], diagram.excitations[row]);
+        track[row].map(|mode| compared(mode, spin).0 - order * excitation)
     };
     let (mut low, mut high) = ((first.share, end(row)?), (last.share, end(row + 1)?));
     let slope = (high.1 - low.1) / (high.0 - low.0);
@@ -518,6 +520,7 @@ fn refined(
         let (mut scene, at, state, _) = line.between(share, &first.state)?;
         let looked = Looked::at(scene.as_mut(), &at, &state, diagram.settings.count).ok()?;
         let spin = scene.spin_in(&at);
+        let excitation = line.excitation(share, spin);
         let is_with_spin = crossing.order == 1 && crossing.whirl == Whirl::Forward;
         let part = (share - first.share) / (last.share - first.share);
         let expected = rate.unwrap_or(rates[0] + part * (rates[1] - rates[0]));
@@ -532,7 +535,7 @@ fn refined(
         if whirl != crossing.whirl {
             return None;
         }
-        let value = im - order * spin;
+        let value = im - order * excitation;
         rate = Some(best.re);
         place = (share, im, (value / slope).abs());
         if place.2 <= WIDTH {

@@ -230,34 +230,47 @@ fn modes_picture(title: &str, result: &Modes, frequency: Frequency) -> Option<St
 /// What a critical value is, without damping that counts and with it.
 const CRITICAL: &str = "Critical speed (a frequency in the reference frame is zero)";
 const UNDAMPED: &str = "Undamped critical speed (the stiffness in the reference frame is zero)";
+/// The same where nothing turns.
+const FREE: &str = "Critical value (a frequency is zero)";
+const UNSTIFF: &str = "Critical value (the stiffness is zero)";
 
 /// What to read off a Campbell diagram, in sentences.
 pub(in crate::app) fn campbell_lines(result: &Campbell, frequency: Frequency) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for (critical, &is_standing) in result.critical.iter().zip(&result.standing) {
-        let what = if is_standing { CRITICAL } else { UNDAMPED };
+        let what = match (result.is_turning(), is_standing) {
+            (true, true) => CRITICAL,
+            (true, false) => UNDAMPED,
+            (false, true) => FREE,
+            (false, false) => UNSTIFF,
+        };
         lines.extend(critical_lines(&result.key, std::slice::from_ref(critical), what));
     }
-    if result.standing.contains(&false) {
+    if result.is_turning() && result.standing.contains(&false) {
         lines.push("With damping no frequency in the reference frame is zero at an undamped critical speed: an unbalance excites most where lightly damped forward modes cross 1x the spin.".into());
     }
     if lines.is_empty() {
         lines.push(match result.is_near {
-            _ if result.spins.iter().all(|spin| *spin == 0.0) => {
-                "Nothing turns: there are no critical speeds.".into()
+            _ if !result.is_turning() && result.is_excited() => {
+                format!("Nothing turns: `{}` counts as the speed of a rotor, with which frequencies are compared.", result.key.name)
             }
+            _ if !result.is_turning() => "Nothing turns: there are no critical speeds.".into(),
             true => "No frequency in the reference frame reaches zero: no critical speed in this range.".into(),
             false => "No frequency in the reference frame reaches zero on this way, which ends far from the undeformed shape: of critical speeds about the other equilibrium it says nothing.".into(),
         });
     }
     for crossing in &result.crossings {
+        let excitation = match result.is_turning() {
+            true => "the spin".to_string(),
+            false => format!("`{}`", result.key.name),
+        };
         let (frame, sense) = match crossing.whirl {
             Whirl::Mixed => ("reference frame", String::new()),
             Whirl::None => ("inertial frame", String::new()),
             whirl => ("inertial frame", format!(" ({})", whirl.name())),
         };
         let mut line = format!(
-            "Mode {}{sense} crosses {}x the spin at {} ({}, {frame})",
+            "Mode {}{sense} crosses {}x {excitation} at {} ({}, {frame})",
             crossing.track + 1,
             crossing.order,
             result.key.at(crossing.key, 7),
@@ -317,7 +330,7 @@ pub(in crate::app) fn campbell_lines(result: &Campbell, frequency: Frequency) ->
 /// A chart that cannot be drawn.
 pub(in crate::app) fn campbell_part(result: &Campbell, frequency: Frequency) -> Result<String, String> {
     let mut part = String::new();
-    let is_turning = result.spins.iter().any(|&spin| spin > 0.0);
+    let is_turning = result.is_turning();
     if is_turning && result.is_round {
         let of_inertial = |mode: SeenMode, spin: f64| mode.inertial_frequencies(spin);
         let chart = diagram(result, frequency, of_inertial, "frequency in the inertial frame");
@@ -330,7 +343,12 @@ pub(in crate::app) fn campbell_part(result: &Campbell, frequency: Frequency) -> 
         |mode, _| vec![mode.im],
         "frequency in the reference frame",
     );
-    let caption = "Campbell diagram<span>in the reference frame, which turns with the system: 0 is the synchronous critical condition</span>";
+    let caption = match is_turning {
+        true => {
+            "Campbell diagram<span>in the reference frame, which turns with the system: 0 is the synchronous critical condition</span>"
+        }
+        false => "Frequencies<span>nothing turns</span>",
+    };
     figure(&mut part, caption, &co_rotating, &legend(result, true))?;
     let is_across = (0..result.keys.len()).any(|row| result.row(row).any(|mode| mode.is_across()));
     if is_turning && is_across && !result.is_round {
@@ -381,10 +399,10 @@ fn diagram(result: &Campbell, frequency: Frequency, seen: impl Fn(SeenMode, f64)
         .fold(0.0, f64::max);
     // The axis begins at zero, where the reference frame is critical.
     lines.push(Line::new([(result.keys[0], 0.0), (result.keys[0], 0.0)], 5));
-    if highest > 0.0 && result.spins.iter().any(|&spin| spin > 0.0) {
+    if highest > 0.0 && result.is_excited() {
         for (order, label) in [(1.0, "1x"), (2.0, "2x")] {
-            let points = result.keys.iter().zip(&result.spins);
-            let mut points: Vec<(f64, f64)> = points.map(|(&key, spin)| (key, frequency.of(order * spin))).collect();
+            let points = result.keys.iter().zip(&result.excitations);
+            let mut points: Vec<(f64, f64)> = points.map(|(&key, speed)| (key, frequency.of(order * speed))).collect();
             if points.first() > points.last() {
                 points.reverse();
             }
@@ -459,15 +477,19 @@ fn legend(result: &Campbell, has_guides: bool) -> String {
     let occurs = |whirl: Whirl| {
         let spinning = result.spins.iter().enumerate().filter(|(_, spin)| **spin > 0.0);
         let mut rows = spinning.map(|(row, _)| row);
-        rows.any(|row| result.row(row).any(|mode| mode.whirl == whirl))
-            || whirl == Whirl::None && result.spins.iter().all(|&spin| spin == 0.0)
+        rows.any(|row| result.row(row).any(|mode| mode.whirl == whirl)) || whirl == Whirl::None && !result.is_turning()
     };
     let mut text = String::from("<p class=\"extremes\">");
     for (_, color, name) in CLASSES.iter().filter(|class| occurs(class.0)) {
         let _ = write!(text, "<i class=\"key k{color}\"></i>{name}&emsp;");
     }
-    if has_guides && result.spins.iter().any(|&spin| spin > 0.0) {
-        text += "<i class=\"key dashed\"></i>1x, 2x the spin";
+    if has_guides && result.is_excited() {
+        let of = if result.is_turning() {
+            "the spin"
+        } else {
+            &result.key.name
+        };
+        let _ = write!(text, "<i class=\"key dashed\"></i>1x, 2x {}", escape(of));
     }
     text + "</p>\n"
 }

@@ -15,7 +15,7 @@ use crate::app::results::history::History;
 use crate::app::results::run::{RunResult, StepTaken};
 use crate::app::writing::entries::Summary;
 use crate::app::writing::html::escape;
-use crate::app::writing::numbers::{digits, in_unit, short};
+use crate::app::writing::numbers::{digits, in_unit};
 use crate::modes::Critical;
 use crate::{AnyModel, Caution, Output};
 
@@ -212,7 +212,7 @@ fn extremes(output: &Output, history: &History, first: usize) -> String {
             Some(component) => format!("<i class=\"key k{}\"></i>{}: ", line % LINES.len(), escape(component)),
             None => String::new(),
         };
-        let at = |place: f64| format!("at {} = {} {}", history.key.name, short(place), history.key.unit);
+        let at = |place: f64| format!("at {}", history.key.at(place, 7));
         let _ = writeln!(
             text,
             "<p class=\"extremes\">{key}least {} {unit} {}; greatest {} {unit} {}</p>",

@@ -22,6 +22,9 @@ pub struct Campbell {
     pub keys: Vec<f64>,
     /// Spin at each of them, rad/s.
     pub spins: Vec<f64>,
+    /// Angular velocity with whose multiples frequencies are compared at each of them, rad/s: the spin, or where nothing turns that of a rotor in
+    /// bearings that stand still, as which a continued parameter counts that is an angular velocity.
+    pub excitations: Vec<f64>,
     /// Modes followed by their shapes: for each its values at each of [`Campbell::keys`], `None` where it
     /// is not among the lowest ones.
     pub tracks: Vec<Vec<Option<SeenMode>>>,
@@ -36,7 +39,7 @@ pub struct Campbell {
     pub standing: Vec<bool>,
     /// Whether the last equilibrium is the one nearest to the undeformed shape: an unbalanced shaft that stiffens as it bends goes on as a rope that is swung.
     pub is_near: bool,
-    /// Where a frequency is that of the spin, or twice it.
+    /// Where a frequency is one of [`Campbell::excitations`], or twice it.
     pub crossings: Vec<Crossing>,
     /// Where a mode begins to grow, or the last one ceases to, while the stiffness does not vanish.
     pub onsets: Vec<Onset>,
@@ -64,13 +67,13 @@ pub struct Campbell {
     pub incomplete: Option<Incomplete>,
 }
 
-/// Where the frequency of a mode is a multiple of the spin: as an observer sees it who does not turn, or in the reference
+/// Where the frequency of a mode is a multiple of what excites: as an observer sees it who does not turn, or in the reference
 /// frame where that observer sees two frequencies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
     /// Index of the mode in [`Campbell::tracks`].
     pub track: usize,
-    /// Multiple of the spin: 1 or 2.
+    /// Multiple: 1 or 2.
     pub order: u32,
     /// Sense of the whirl in the inertial frame; [`Whirl::None`] where nothing moves across the axis, [`Whirl::Mixed`] where
     /// the frequency is that of the reference frame.
@@ -97,6 +100,16 @@ pub struct Onset {
 }
 
 impl Campbell {
+    /// Whether anything turns.
+    pub(in crate::app) fn is_turning(&self) -> bool {
+        self.spins.iter().any(|&spin| spin > 0.0)
+    }
+
+    /// Whether there is anything with whose multiples frequencies are compared.
+    pub(in crate::app) fn is_excited(&self) -> bool {
+        self.excitations.iter().any(|&excitation| excitation > 0.0)
+    }
+
     /// The largest rate of growth at each of [`Campbell::keys`], 1/s.
     pub fn margins(&self) -> Vec<Option<f64>> {
         let at = |row: usize| self.row(row).map(|mode| mode.re).reduce(f64::max);
