@@ -1,6 +1,6 @@
 //! What is closed to a ring, and free.
 
-use rncf::app::{EquilibriumSettings, modes};
+use rncf::app::{EquilibriumSettings, RunSettings, modes, run, static_equilibria};
 
 rncf::model! {
     /// A ring in space that nothing holds and nothing acts on.
@@ -42,5 +42,42 @@ fn a_free_ring_that_is_welded_has_its_modes() {
             own[index],
             right(n)
         );
+    }
+}
+
+rncf::model! {
+    /// An arm that is declared beside the pin that it hangs on.
+    pub model Beside {
+        param gap = 0 m;
+        rigid arm { plane xy; mass = 1 kg; inertia = 1 kg*m^2; origin = [gap, 0, 0]; center = [1, 0, 0] m; }
+        joint pin = revolute(arm.at([0, 0, 0] m), inertial.at([0, 0, 0] m));
+        spring coil = torsional(pin, stiffness = 100 N*m/rad);
+        load push = force(arm.at([1, 0, 0] m), [0, 1, 0] N);
+        output tip = arm.at([1, 0, 0] m);
+        run { t_end = 0.1 s; every = 0.01 s; }
+    }
+}
+
+/// A run refuses what is open; an equilibrium closes it, and says so.
+#[test]
+fn a_joint_that_an_equilibrium_closes_is_told() {
+    let of = |warnings: &[String]| {
+        warnings
+            .iter()
+            .any(|text| text.contains("joint `pin` (revolute)") && text.contains("is open, by 0.5:"))
+    };
+    for (gap, is_open) in [(0.0, false), (0.5, true)] {
+        let model = Beside { gap };
+        let settings = EquilibriumSettings::default();
+        let held = static_equilibria(&model, &settings).unwrap();
+        let found = modes(&model, &settings).unwrap();
+        assert_eq!(
+            [of(&held.warnings), of(&found.warnings)],
+            [is_open; 2],
+            "{:?} {:?}",
+            held.warnings,
+            found.warnings
+        );
+        assert_eq!(run(&model, &RunSettings::default()).is_err(), is_open);
     }
 }

@@ -3,6 +3,7 @@
 //! guess.
 
 mod assembled;
+mod closed;
 mod continuation;
 mod critical;
 mod distance;
@@ -14,6 +15,7 @@ mod untied;
 
 pub use crate::model::{Kind, Spin, Uniform};
 pub use assembled::assembled;
+pub use closed::closed;
 pub use continuation::{
     CUTS, Continued, Equilibrium, continue_from, continue_holding, follow, goes_back, is_nearer, sagged, settle,
     static_load, steady, unloaded,

@@ -46,6 +46,16 @@ pub(super) fn project(
     Ok(())
 }
 
+/// By how much a state violates a constraint that is too far off to be corrected, in its unit, and which; of positions.
+pub(crate) fn far_off(system: &mut dyn System, state: &State) -> Option<(f64, usize)> {
+    if system.constraints() == 0 {
+        return None;
+    }
+    let mut projection = Projection::new(system, 1.0);
+    let (violation, worst) = projection.violation(system, state, ConstraintLevel::Position);
+    (violation > NEAR).then(|| (projection.value[worst].abs(), worst))
+}
+
 /// Constraint values, their scales, and the matrix.
 struct Projection {
     bordered: Bordered,

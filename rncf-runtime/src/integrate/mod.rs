@@ -40,6 +40,7 @@ mod watch;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use consistent::far_off;
 pub use driver::Stop;
 pub use method::{Method, Parameter};
 pub use options::{Options, StepSize};

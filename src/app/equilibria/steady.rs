@@ -211,6 +211,7 @@ pub fn equilibria(
     warnings.extend(way::as_it_is(station.scene, &station.at, station.state));
     warnings.extend(cautions::texts(station.scene.warnings(station.state)));
     warnings.extend(equilibrium::untied(station.scene, &station.at, station.state));
+    warnings.extend(equilibrium::closed(station.scene));
     warnings.extend(envelopes.warnings());
     let coarse = coarse::of_equilibrium(station.scene, &station.at, station.state);
     warnings.extend(leaps);

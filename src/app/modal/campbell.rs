@@ -149,6 +149,7 @@ pub fn campbell_watched(
     diagram.warnings.extend(nearer);
     let (at, state) = (station.at, station.state);
     diagram.warnings.extend(equilibrium::untied(station.scene, &at, state));
+    diagram.warnings.extend(equilibrium::closed(station.scene));
     diagram.seconds = clock.seconds();
     // The modes of a finer mesh are those about the nearest equilibrium.
     let found = match (&diagram.incomplete, diagram.is_near) {

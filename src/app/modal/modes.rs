@@ -50,6 +50,7 @@ pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Mod
     warnings.extend(way::stopped(scene, &at));
     warnings.extend(way::as_it_is(scene, &at, &state));
     warnings.extend(crate::equilibrium::untied(scene, &at, &state));
+    warnings.extend(crate::equilibrium::closed(scene));
     warnings.extend(told.equilibrium);
     warnings.extend(fewer(scene, &modes, settings.count));
     warnings.extend(told.modes);
