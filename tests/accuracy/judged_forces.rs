@@ -257,3 +257,105 @@ fn a_difference_of_equal_copies_is_not_told() {
         assert_eq!(found.warnings, Vec::<String>::new(), "{method:?} {rtol}");
     }
 }
+
+mod cranks {
+    rncf::model! {
+        /// Two cranks and a coupler that turn evenly: all that the coupler's mass needs acts at one of its pins, at the other nothing.
+        pub model Cranks {
+            param w = 1 rad/s;
+            rigid a { plane xy; mass = 1 kg; inertia = 0.1 kg*m^2; speed = w; }
+            rigid b { plane xy; mass = 1 kg; inertia = 0.1 kg*m^2; origin = [3, 0, 0] m; speed = w; }
+            rigid c { plane xy; mass = 2 kg; inertia = 1 kg*m^2; origin = [0, 1, 0] m; velocity = -w * [1, 0, 0] m; }
+            joint left = revolute(inertial, a);
+            joint right = revolute(inertial.at([3, 0, 0] m), b);
+            joint front = revolute(a.at([0, 1, 0] m), c);
+            joint back = revolute(b.at([0, 1, 0] m), c.at([3, 0, 0] m));
+            output angle = a.angle;
+            output carried = front.force;
+            output spared = back.force;
+            run { t_end = 20 s; every = 0.05 s; }
+        }
+    }
+}
+
+/// A reaction is known as well as those that it balances.
+#[test]
+fn a_reaction_that_is_nothing_is_no_other_motion() {
+    for rtol in [1e-6, 1e-8] {
+        let found = run(
+            &cranks::Cranks::default(),
+            &settings(Method::Radau, rtol, Judging::Affordable),
+        )
+        .unwrap();
+        assert_eq!(found.warnings, Vec::<String>::new(), "{rtol}");
+        let first = found.history.find("spared.x").unwrap();
+        let largest =
+            [first, first + 1].map(|column| found.history.column(column).fold(0.0, |most: f64, f| most.max(f.abs())));
+        assert!(
+            largest.iter().all(|most| *most < 2.0 * rtol.sqrt()),
+            "{rtol}: {largest:?}"
+        );
+    }
+}
+
+mod ground {
+    rncf::model! {
+        /// A body that is welded to the ground, beside a pendulum.
+        pub model Ground {
+            rigid a { plane xy; mass = 1.7 kg; inertia = 0.018 kg*m^2; origin = [0.033, 0.137, 0] m; center = [0.019, 0.084, 0] m; }
+            rigid b { plane xy; mass = 1.5 kg; inertia = 0.0168 kg*m^2; origin = [0.2425, -0.349, 0] m; }
+            joint foot = weld(inertial.at([0.2496, -0.0156, 0] m), a.at([0.2166, -0.1526, 0] m));
+            joint pivot = spherical(inertial.at([0.2496, -0.0156, 0] m), b.at([0.0071, 0.3334, 0] m));
+            load weight = gravity([7.6, -6.2, 0] m/s^2);
+            output velocity = a.velocity;
+            output acceleration = a.center.acceleration;
+            output swing = b;
+            output mass: [t] = total.mass;
+            output moment: N m = foot.moment.z;
+            run { t_end = 0.5 s; every = 0.05 s; }
+        }
+    }
+}
+
+/// Velocities and accelerations of what stands still are round-off, which no steps lose; units of outputs with blanks and in brackets are units.
+#[test]
+fn what_stands_still_loses_no_vibrations() {
+    let found = run(
+        &ground::Ground::default(),
+        &settings(Method::Radau, 1e-6, Judging::Affordable),
+    )
+    .unwrap();
+    assert_eq!(found.warnings, Vec::<String>::new());
+    let [mass, moment] = ["mass", "moment"].map(|name| {
+        let column = found.history.find(name).unwrap();
+        found.history.column(column).next().unwrap()
+    });
+    assert!((mass - 3.2e-3).abs() < 1e-15 && moment.abs() > 0.1, "{mass} {moment}");
+}
+
+mod stretched {
+    rncf::model! {
+        /// A bar of 1 m under a step of its load: its end moves by half a millimetre.
+        pub model Stretched {
+            material steel { density = 7850 kg/m^3; young = 210 GPa; }
+            section round = circle(radius = 10 mm);
+            body bar { planar xy; line from [0, 0, 0] m to [1, 0, 0] m; mesh 20 * cable(round, steel, axial = engineering); }
+            joint root = clamp(bar.start, inertial);
+            load pull = force(bar.end, [50000 N, 0 N, 0 N]);
+            output end = bar.end.x;
+            run { t_end = 4 ms; every = 4 ms; }
+        }
+    }
+}
+
+/// What is known to a small part of its change has one, however small beside its value.
+#[test]
+fn a_change_that_is_small_beside_its_value_is_compared() {
+    let found = run(
+        &stretched::Stretched::default(),
+        &settings(Method::Radau, 1e-6, Judging::Affordable),
+    )
+    .unwrap();
+    let told = found.agreement.unwrap();
+    assert!(told.contains("of their largest change (`end`)"), "{told}");
+}

@@ -5,7 +5,7 @@ use crate::emitted::Line;
 use crate::error::ModelError;
 use crate::model::{
     Circulating, Composition, Configuration, Curve, DescribedBody, ExportedBody, FrameState, MassProperties, MeshError,
-    Scene, SectionBody, SectionState, Sign, Uniform, Warning,
+    Operands, Scene, SectionBody, SectionState, Sign, Uniform, Warning,
 };
 use crate::scene::bodies::mesh_body::MeshBody;
 use crate::space::Vector;
@@ -38,9 +38,9 @@ impl Scene for ModalScene {
         self.in_elements(|scene, full| scene.outputs(full, out));
     }
 
-    fn operands(&mut self, state: &State, out: &mut [f64]) {
+    fn operands(&mut self, state: &State) -> Vec<Operands> {
         self.expand(state);
-        self.in_elements(|scene, full| scene.operands(full, out));
+        self.in_elements(|scene, full| scene.operands(full))
     }
 
     fn curves(&self) -> Vec<Curve> {

@@ -4,6 +4,7 @@ mod bodies;
 mod circulating;
 mod composition;
 mod derived;
+mod operands;
 mod picture;
 mod scene;
 mod uniform;
@@ -13,6 +14,7 @@ pub use bodies::{DescribedBody, ExportedBody, MassProperties, MeshError, Section
 pub use circulating::Circulating;
 pub use composition::{Composition, Motion};
 pub use derived::{ConstantArray, KernelCount};
+pub use operands::Operands;
 pub use picture::{Configuration, Curve, Sign, SignKind, SignPlace};
 pub use scene::{FrameState, Pose, Scene, Warning};
 pub use uniform::{Kind, Spin, Uniform};

@@ -3,6 +3,7 @@
 use super::bodies::{DescribedBody, ExportedBody, MassProperties, MeshError, SectionBody, SectionState};
 use super::circulating::Circulating;
 use super::composition::Composition;
+use super::operands::Operands;
 use super::picture::{Configuration, Curve, Sign};
 use super::uniform::Uniform;
 use crate::archive::{Archive, Keep};
@@ -18,11 +19,15 @@ pub trait Scene: System + Send {
     /// Values of all outputs, SI, at a state.
     fn outputs(&mut self, state: &State, out: &mut [f64]);
 
-    /// Sizes of what all outputs are made of at a state, SI, one for each column: a difference of two ways has that of the ways. An output is
-    /// known as well as these are. Default: the values themselves.
-    fn operands(&mut self, state: &State, out: &mut [f64]) {
-        self.outputs(state, out);
-        out.iter_mut().for_each(|value| *value = value.abs());
+    /// What all outputs are made of at a state, SI, one for each column. Default: the values themselves.
+    fn operands(&mut self, state: &State) -> Vec<Operands> {
+        let mut values = vec![0.0; self.output_columns()];
+        self.outputs(state, &mut values);
+        let of = |value: f64| Operands {
+            size: value.abs(),
+            balanced: 0.0,
+        };
+        values.into_iter().map(of).collect()
     }
 
     /// The flexible bodies whose section states are told, in the order of [`Scene::section_states`].

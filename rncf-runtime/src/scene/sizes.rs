@@ -134,7 +134,7 @@ impl MeshScene {
     }
 
     /// Whether an unknown is the position of a node or frame.
-    fn is_length(&self, unknown: usize) -> bool {
+    pub(crate) fn is_length(&self, unknown: usize) -> bool {
         let Some(&(vector, _)) = self.layout.origins().get(unknown) else {
             let place = unknown - (self.layout.unknowns() - self.layout.border());
             let frame = &self.frames.free[self.frames.free.partition_point(|frame| frame.first <= place) - 1];

@@ -3,8 +3,8 @@
 use super::mesh_scene::MeshScene;
 use crate::error::ModelError;
 use crate::model::{
-    Circulating, Composition, Configuration, Curve, DescribedBody, FrameState, MassProperties, MeshError, Scene,
-    SectionBody, SectionState, Sign, Uniform, Warning,
+    Circulating, Composition, Configuration, Curve, DescribedBody, FrameState, MassProperties, MeshError, Operands,
+    Scene, SectionBody, SectionState, Sign, Uniform, Warning,
 };
 use crate::scene::frames::free_frames::declared_free;
 use crate::system::{State, Tangent};
@@ -20,10 +20,10 @@ impl Scene for MeshScene {
         self.evaluate_outputs(state.t, 1.0, &state.lambda, out);
     }
 
-    fn operands(&mut self, state: &State, out: &mut [f64]) {
+    fn operands(&mut self, state: &State) -> Vec<Operands> {
         self.load_state(state);
         self.follow();
-        self.operands_of_outputs(state, out);
+        self.operands_of_outputs(state)
     }
 
     fn bodies(&self) -> Vec<DescribedBody> {

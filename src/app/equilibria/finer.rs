@@ -15,7 +15,7 @@ use crate::app::judged::meshes::on_meshes;
 use crate::app::results::equilibria::EquilibriumSettings;
 use crate::app::results::history::{Column, History};
 use crate::equilibrium::Kind;
-use crate::model::DescribedBody;
+use crate::model::{DescribedBody, Operands};
 use crate::modes::Critical;
 
 /// Iterations of the own way, times unknowns, that the finer one may take,
@@ -42,7 +42,7 @@ pub(in crate::app) struct Own<'e> {
     pub iterations: u64,
     /// What round-off makes of the outputs, and what they are made of, by columns.
     pub round_off: Vec<f64>,
-    pub operands: Vec<f64>,
+    pub operands: Vec<Operands>,
 }
 
 /// What is found.

@@ -277,8 +277,6 @@ fn look_again(
     if result.settings.judged == Judging::No || result.incomplete == Some(Incomplete::Interrupted) {
         return None;
     }
-    let mut operands = vec![0.0; station.scene.output_columns()];
-    station.scene.operands(station.state, &mut operands);
     let own = finer::Own {
         kind: result.kind,
         settings: &result.settings,
@@ -290,7 +288,7 @@ fn look_again(
         unknowns: result.unknowns,
         iterations: result.newton_iterations,
         round_off: round_off(station.scene, station.state),
-        operands,
+        operands: station.scene.operands(station.state),
     };
     let progress = EquilibriumProgress {
         share: 1.0,

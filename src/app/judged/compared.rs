@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use crate::Output;
+use crate::model::Operands;
 
 /// Part of the largest change of an output from which on its error is told.
 pub(in crate::app) const TOLD: f64 = 0.01;
@@ -11,6 +12,9 @@ pub(in crate::app) const TOLD: f64 = 0.01;
 /// Less is what a motion leaves where nothing moves, or a number that should not change.
 const KEPT: f64 = 1e3;
 const SMALL: f64 = 1e-3;
+/// Most part of the forces that it balances below which one is nothing that two runs do not find alike; less where the root of the tolerance, as which forces
+/// are known, is.
+const BALANCED: f64 = 0.1;
 /// Part of its value by which a number changes that is told as one which should not.
 const CONSTANT: f64 = 0.01;
 /// Part of the tolerance, of what an output is made of, below which it is nothing.
@@ -75,6 +79,8 @@ pub(super) struct Compared {
     pub sizes: [f64; 2],
     pub operands: f64,
     pub round_off: f64,
+    /// Forces that it balances, if it is a reaction or what a section carries.
+    pub balanced: f64,
     /// Whether both are near each other at first, however far apart they are later.
     pub begins_alike: bool,
 }
@@ -88,13 +94,24 @@ impl Compared {
 
     /// The size by which a distance is measured, of an output that is known to be there or not.
     pub fn measure(&self, is_known: bool, rtol: f64) -> f64 {
-        let floor = if is_known { 0.0 } else { self.operands };
-        let kept = (KEPT * rtol).min(SMALL) * self.value.max(floor);
-        self.size.max(kept).max(self.round_off)
+        let least = (KEPT * rtol).min(SMALL);
+        let balanced = (rtol.sqrt() / TOLD).min(BALANCED) * self.balanced;
+        let nothing = if is_known {
+            0.0
+        } else {
+            balanced.max(least * self.operands)
+        };
+        self.size.max(least * self.value).max(nothing).max(self.round_off)
     }
 
     pub fn off(&self, is_known: bool, rtol: f64) -> Off {
-        let measure = self.measure(is_known, rtol);
+        // What is known to a small part of its change has one, however small.
+        let changes = self.away <= TOLD * self.size && self.size > noise(self.operands, self.round_off);
+        let measure = if changes {
+            self.size
+        } else {
+            self.measure(is_known, rtol)
+        };
         let part = self.away / measure;
         // Of a number that hardly changes, and by no more than it is off, parts of its change say nothing.
         let is_constant = part > WRONG && self.size < CONSTANT * self.value;
@@ -117,7 +134,7 @@ impl Compared {
 pub(super) struct Run<'r> {
     pub rows: &'r [(f64, Vec<f64>)],
     pub round_off: &'r [f64],
-    pub operands: &'r [f64],
+    pub operands: &'r [Operands],
 }
 
 /// Size up to which an output may be noise.
@@ -169,7 +186,8 @@ pub(super) fn compared(
                 whole.map_or(far, |turn| far.min(turn - far))
             };
             let pairs = || here.iter().map(|(_, row)| &row[..]).zip(there);
-            let in_columns = |of: &[f64]| norm(of.get(columns.clone()).unwrap_or_default().iter().copied());
+            let norm_of = |of: &dyn Fn(usize) -> Option<f64>| norm(columns.clone().filter_map(of));
+            let in_columns = |size: &dyn Fn(&Operands) -> f64| norm_of(&|column| run.operands.get(column).map(size));
             // What changes nowhere, such as a mass, or a force at rest, is measured by its value.
             let stays = |rows: &mut dyn Iterator<Item = &[f64]>| {
                 let rows: Vec<&[f64]> = rows.collect();
@@ -180,8 +198,8 @@ pub(super) fn compared(
                 && stays(&mut here.iter().take(there.len()).map(|row| &row.1[..]))
                 && stays(&mut there.iter().map(|row| &row[..]));
             let sizes = both.map(|[change, value]| change.min(value));
-            let round_off = in_columns(run.round_off);
-            let operands = match in_columns(run.operands) {
+            let round_off = norm_of(&|column| run.round_off.get(column).copied());
+            let operands = match in_columns(&|of| of.size) {
                 // Places are made of unknowns alone: of a body in a frame far away not of where that is.
                 operands if output.time_exponent == 0.0 && round_off > 0.0 => operands.min(round_off / ROUND_OFF),
                 operands => operands,
@@ -205,6 +223,7 @@ pub(super) fn compared(
                 sizes,
                 operands,
                 round_off,
+                balanced: in_columns(&|of| of.balanced),
                 begins_alike,
             }
         };

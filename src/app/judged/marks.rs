@@ -3,6 +3,7 @@
 use super::compared::{Compared, NOTHING, Off, ROUND_OFF, Run, TOLD, WRONG, compared, of_outputs};
 use crate::app::writing::sentences::listed;
 use crate::archive::{Archive, Keep};
+use crate::model::Operands;
 use crate::{Integrator, Method, Options, Output, Scene, State, Stop};
 
 /// Most numbers that are kept, with the times and what a row costs beside them: of longer histories every second, third, .. row.
@@ -27,8 +28,8 @@ pub(in crate::app) struct Marks {
     left_out: u64,
     /// What round-off makes of the outputs, by columns; empty until it is known.
     pub round_off: Vec<f64>,
-    /// Largest sizes of what the outputs are made of, by columns; empty where that is not looked at.
-    pub operands: Vec<f64>,
+    /// What the outputs are made of at most, by columns; empty where that is not looked at.
+    pub operands: Vec<Operands>,
 }
 
 impl Keep for Marks {
@@ -78,8 +79,8 @@ impl Marks {
     }
 
     /// Takes in what outputs are made of at a row.
-    pub fn meet_operands(&mut self, values: &[f64]) {
-        self.operands.resize(values.len(), 0.0);
+    pub fn meet_operands(&mut self, values: &[Operands]) {
+        self.operands.resize(values.len(), Operands::default());
         for (largest, value) in self.operands.iter_mut().zip(values) {
             // What has no size there may have one elsewhere.
             *largest = largest.max(*value);
@@ -165,6 +166,8 @@ impl Marks {
         let off = |&(output, amplitude): &(usize, f64)| {
             let missing = Compared {
                 away: amplitude,
+                // What steps lose is there.
+                balanced: 0.0,
                 ..*compared.iter().find(|of| of.output == output)?
             };
             Some(Off {
@@ -441,7 +444,8 @@ mod tests {
         };
         assert!((part(&marks, &rows, 1) - 2.0).abs() < 1e-9);
         let mut measured = marks.clone();
-        measured.meet_operands(&[1.0, 1.0, 1.0, 1.0, 5.0, 1.0]);
+        let made_of = |size| Operands { size, balanced: 0.0 };
+        measured.meet_operands(&[1.0, 1.0, 1.0, 1.0, 5.0, 1.0].map(made_of));
         let found = measured.differences(&outputs, &rows, 1e-6);
         assert_eq!(
             told(&outputs, &found).unwrap(),

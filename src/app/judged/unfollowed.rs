@@ -108,11 +108,9 @@ fn lost(scene: &mut dyn Scene, start: State, run: Followed<'_>, outputs: &[Outpu
     let rows: Vec<(f64, Vec<f64>)> = states.iter().map(|state| (state.t, row(scene, state))).collect();
     let last = row(scene, run.end);
     let mut nothing = vec![0.0; last.len()];
-    let mut operands = nothing.clone();
     for state in states.iter().step_by(LOOKED_AT).chain([run.end]) {
-        scene.operands(state, &mut operands);
-        for (nothing, size) in nothing.iter_mut().zip(&operands) {
-            *nothing = f64::max(*nothing, SMALL * rtol * size);
+        for (nothing, of) in nothing.iter_mut().zip(scene.operands(state)) {
+            *nothing = f64::max(*nothing, SMALL * rtol * of.size);
         }
     }
     let mut found = missing(outputs, &rows, &last, &nothing, run.taken);

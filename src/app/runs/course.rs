@@ -248,8 +248,7 @@ impl Rows {
         result.envelopes.meet(integrator.system(), time, &self.state);
         self.marks.meet(self.next, t, &self.values);
         if result.settings.judged != Judging::No && self.next.is_multiple_of(self.times.count / OPERANDS + 1) {
-            let mut operands = vec![0.0; self.values.len()];
-            integrator.system().operands(&self.state, &mut operands);
+            let operands = integrator.system().operands(&self.state);
             self.marks.meet_operands(&operands);
         }
         self.coarseness.meet(integrator.system(), &self.state, self.times.t_end);

@@ -5,6 +5,7 @@ pub(crate) mod between_points;
 pub(crate) mod bodies;
 pub(crate) mod compression;
 pub(crate) mod configuration;
+mod exerted;
 pub(crate) mod fibres;
 pub(crate) mod followed;
 pub(crate) mod masses;

@@ -146,7 +146,7 @@ impl MeshScene {
     }
 
     /// Place among the constraints that are there of a declared one.
-    fn linked(&self, constraint: usize) -> Option<usize> {
+    pub(super) fn linked(&self, constraint: usize) -> Option<usize> {
         self.links
             .constraints
             .iter()
@@ -214,10 +214,15 @@ impl MeshScene {
     /// Forces of all components at the loaded state as joints on nodes supply them: what constraints on markers and rigid
     /// sections do is part of them, and bodies in modes carry what their modes leave unbalanced to their joints.
     fn evaluate_reactions(&mut self, t: f64, load_scale: f64, lambda: &[f64]) {
+        self.evaluate_acting(t, load_scale, lambda);
+        self.hold_modes();
+    }
+
+    /// The same without what bodies in modes carry to their joints.
+    pub(crate) fn evaluate_acting(&mut self, t: f64, load_scale: f64, lambda: &[f64]) {
         self.full_force(t, load_scale);
         self.add_marker_constraint_forces(t, lambda);
         self.add_rigid_section_forces(lambda);
-        self.hold_modes();
     }
 
     /// Lets the joints of modal bodies take what their modes leave unbalanced in the evaluated forces, and remembers
@@ -250,7 +255,7 @@ impl MeshScene {
         self.bodies.iter().any(|body| body.modes.is_some())
     }
 
-    fn observes(&self, such: impl Fn(&ObservedSpec) -> bool) -> bool {
+    pub(super) fn observes(&self, such: impl Fn(&ObservedSpec) -> bool) -> bool {
         self.observed.specs.iter().any(such)
     }
 

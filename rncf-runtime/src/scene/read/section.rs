@@ -426,4 +426,13 @@ impl MeshScene {
         reader.begin(point.element);
         reader.state(point.element, point.xi)
     }
+    /// The same of the sections at both ends of a body.
+    pub(crate) fn sections_at_ends(&self, body: usize, reaches: &mut Reaches) -> [SectionState; 2] {
+        let last = self.bodies[body].spec.count - 1;
+        let mut reader = Reader::new(self, body, reaches);
+        [(0, 0.0), (last, 1.0)].map(|(element, xi)| {
+            reader.begin(element);
+            reader.state(element, xi)
+        })
+    }
 }
