@@ -20,11 +20,11 @@ pub struct Lowest {
     pub vectors: Vec<Vec<f64>>,
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
+pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-fn add_scaled(x: &mut [f64], factor: f64, y: &[f64]) {
+pub(super) fn add_scaled(x: &mut [f64], factor: f64, y: &[f64]) {
     x.iter_mut().zip(y).for_each(|(x, y)| *x += factor * y);
 }
 
@@ -49,7 +49,7 @@ pub(super) fn orthonormal(mass: &Sparse, mut vectors: Vec<Vec<f64>>) -> Option<V
 }
 
 /// Unknowns at which holding them holds the body and no more: by elimination with complete pivoting.
-fn supports(rigid: &[Vec<f64>]) -> Vec<usize> {
+pub(super) fn supports(rigid: &[Vec<f64>]) -> Vec<usize> {
     let mut left: Vec<Vec<f64>> = rigid.to_vec();
     let mut found = Vec::new();
     while !left.is_empty() {

@@ -5,6 +5,7 @@ mod craig_bampton;
 mod files;
 mod freedoms;
 mod inertia;
+mod lacking;
 mod lowest;
 mod reduce;
 #[cfg(test)]

@@ -6,6 +6,7 @@ use super::craig_bampton::craig_bampton;
 use super::files::{FULL_NODE, Matrices, Sparse};
 use super::freedoms::{Columns, Freedoms, loose, massless, rigid_motion, rigid_motions};
 use super::inertia::Inertia;
+use super::lacking::lacking;
 use super::lowest::{lowest, orthonormal};
 use crate::linalg::Cholesky;
 use crate::space::{Vector, three};
@@ -47,6 +48,9 @@ pub struct Reduced {
     /// Damping matrix, rows first; none where nothing damps.
     pub damping: Option<Vec<f64>>,
     pub inertia: Inertia,
+    /// What displacements and rotations of all interfaces by forces (N) and moments (N m) at them lack, m and rad, rows first; `None` where nothing does,
+    /// or it is not known.
+    pub lacking: Option<Vec<f64>>,
     /// What is to be told.
     pub notes: Vec<String>,
 }
@@ -60,6 +64,8 @@ struct Found {
     interfaces: Vec<Vec<[Vector; 2]>>,
     /// What combines ready-made modes to these.
     combined: Columns,
+    /// See [`Reduced::lacking`].
+    lacking: Option<Vec<f64>>,
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {
@@ -132,6 +138,7 @@ impl Imported {
             axes,
             interfaces: found.interfaces,
             frequencies: found.frequencies,
+            lacking: found.lacking,
             inertia,
             notes,
         })
@@ -224,6 +231,10 @@ impl Imported {
                 lowest.vectors.len()
             ));
         }
+        let lacking = match self.keeps_interfaces {
+            true => None,
+            false => lacking(&freedoms, [&k, &m], &rigid, &lowest),
+        };
         let interfaces = lowest.vectors.iter().map(|y| {
             let own = freedoms.interfaces.iter();
             let value = |unknown: Option<usize>| unknown.map_or(0.0, |unknown| y[unknown]);
@@ -235,6 +246,7 @@ impl Imported {
             shapes: lowest.vectors.iter().map(|y| freedoms.expanded(y)).collect(),
             frequencies: lowest.frequencies,
             combined: Vec::new(),
+            lacking,
         })
     }
 
@@ -310,6 +322,7 @@ impl Imported {
             frequencies: lowest.frequencies,
             shapes,
             combined: lowest.vectors,
+            lacking: None,
         })
     }
 
@@ -465,6 +478,7 @@ impl Found {
             shapes: Vec::new(),
             interfaces: Vec::new(),
             combined: Vec::new(),
+            lacking: None,
         }
     }
 }

@@ -16,8 +16,10 @@ use crate::import::{Imported, Wanted};
 use crate::model::Warning;
 use crate::scene::MeshScene;
 use crate::scene::bodies::described::Inertial;
+use crate::scene::bodies::mesh_body::MeshBody;
 use crate::scene::bodies::place::element_at;
 use crate::space::Vector;
+use crate::system::State;
 
 /// Rotation of an interface (rad) from which a linear body is told to be bent too far: its error is half the square.
 const LARGE: f64 = 0.2;
@@ -122,11 +124,8 @@ impl ModalBody {
             },
             stiffness: None,
             elsewhere: Some(Elsewhere {
-                turns: found
-                    .interfaces
-                    .iter()
-                    .map(|mode| mode.iter().map(|motion| motion[1]).collect())
-                    .collect(),
+                motions: found.interfaces,
+                lacking: found.lacking,
                 names: (0..body.interfaces())
                     .map(|interface| body.interface_name(interface))
                     .collect(),
@@ -161,22 +160,17 @@ impl ModalBody {
     }
 
     /// What is to be told of the modal coordinates of a body from elsewhere.
-    pub(super) fn told(&self, frame: &FrameAction, p: &[f64]) -> Vec<Warning> {
+    pub(super) fn told(&self, frame: &FrameAction, p: &[f64], acting: &[[Vector; 2]]) -> Vec<Warning> {
         let Some(elsewhere) = &self.elsewhere else {
             return Vec::new();
         };
-        let mut warnings = Vec::new();
-        let farthest = elsewhere.names.iter().enumerate().map(|(interface, name)| {
-            let sum = Vector::from_fn(|axis, _| {
-                elsewhere
-                    .turns
-                    .iter()
-                    .zip(p)
-                    .map(|(mode, p)| mode[interface][axis] * p)
-                    .sum()
-            });
-            (sum.norm(), name)
-        });
+        let mut warnings: Vec<Warning> = elsewhere
+            .told_of_modes(&self.nodal.name, p, acting)
+            .into_iter()
+            .collect();
+        let moved = elsewhere.moved(p);
+        let turns = moved.iter().map(|[_, turn]| turn.norm());
+        let farthest = turns.zip(&elsewhere.names);
         if let Some((angle, interface)) = farthest.max_by(|a, b| a.0.total_cmp(&b.0))
             && angle > LARGE
         {
@@ -218,6 +212,40 @@ impl MeshScene {
             return Ok(None);
         };
         nodes.body().map(|body| Some(body.clone())).map_err(ModelError::new)
+    }
+
+    /// Force (N) and moment (N m) of all that acts on every interface of a body from elsewhere, frame axes, in the evaluated forces.
+    fn on_interfaces(&self, index: usize) -> Vec<[Vector; 2]> {
+        let body = &self.bodies[index];
+        let mut acting = Vec::new();
+        let Line::Nodes(nodes) = &body.spec.line else {
+            return acting;
+        };
+        for vector in 0..body.spec.vectors() {
+            let (node, local) = body.spec.locate(vector);
+            let Held::Interface(interface) = nodes.at(node) else {
+                continue;
+            };
+            acting.resize(acting.len().max(interface + 1), [Vector::zeros(); 2]);
+            let offset = self.layout.offset(body.first_vector + vector);
+            let [force, direction] = [&self.buffers.force, &self.buffers.q].map(|of| self.vector_at(body, of, offset));
+            match body.spec.nodal[local].is_position() {
+                true => acting[interface][0] -= force,
+                false => acting[interface][1] -= direction.cross(&force),
+            }
+        }
+        acting
+    }
+
+    /// The same of all bodies at a state, by their number; of others nothing.
+    pub(super) fn on_all_interfaces(&mut self, state: &State) -> Vec<Vec<[Vector; 2]>> {
+        let is_elsewhere = |body: &MeshBody| matches!(body.spec.line, Line::Nodes(_));
+        if !self.bodies.iter().any(is_elsewhere) {
+            return vec![Vec::new(); self.bodies.len()];
+        }
+        self.load_state(state);
+        self.evaluate_acting(state.t, 1.0, &state.lambda);
+        (0..self.bodies.len()).map(|index| self.on_interfaces(index)).collect()
     }
 
     /// What joints to its own frame hold of every interface of a body from elsewhere; refuses what it cannot be asked for.

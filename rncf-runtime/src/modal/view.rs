@@ -247,12 +247,13 @@ impl Scene for ModalScene {
     fn warnings(&mut self, state: &State) -> Vec<Warning> {
         self.expand(state);
         let mut warnings = self.scene.warnings(&self.full);
+        let acting = self.scene.on_all_interfaces(&self.full);
         let mut worst = std::mem::take(&mut self.worst);
         self.each_body(Vector::zeros(), |block, body, modes, elements, action| {
             let own = |of: &[f64]| of[block.coordinate..][..block.count].to_vec();
             let [p, v, a] = [&state.x, &state.v, &state.a].map(|of| own(of));
             if modes.elsewhere.is_some() {
-                warnings.extend(modes.told(action, &p));
+                warnings.extend(modes.told(action, &p, &acting[body]));
                 return;
             }
             let loss = modes.loss_of_stiffness(elements, action, &p);

@@ -4,6 +4,7 @@
 // One declaration serves several models: not all of them need all of its params.
 #![allow(deprecated)]
 
+use rncf::app::{EquilibriumSettings, static_equilibria};
 use rncf::{Formulation, Joints, Method, Model, Scene};
 
 use super::frequencies::natural;
@@ -370,6 +371,47 @@ fn what_its_file_does_not_know_is_told() {
     let full = [("arm".to_string(), rncf::model::Fidelity::Full)];
     let whole = Flying::default().build_as(Formulation::Rncf, Joints::Eliminated, &full);
     assert!(whole.is_err_and(|error| error.to_string().contains("has modes alone")));
+}
+
+/// Of a moment at the tip few modes turn it by much less than the matrices of the file do; those of the interfaces know it.
+#[test]
+fn what_its_modes_lack_of_a_force_is_told() {
+    let told = |model: &dyn rncf::AnyModel| {
+        let found = static_equilibria(model, &EquilibriumSettings::default()).unwrap();
+        let lacking = found
+            .warnings
+            .into_iter()
+            .find(|text| text.contains("modes are too few"));
+        (lacking, found.history.column(1).last().unwrap())
+    };
+    let arm = |modes: usize| ImportedArm {
+        push: 3.0,
+        swing: 0.0,
+        modes,
+        ..ImportedArm::default()
+    };
+    let exact = 3.0 * LENGTH.powi(3) / (3.0 * BENDING[0]);
+    for modes in [1, 2] {
+        let (text, y) = told(&arm(modes));
+        let text = text.unwrap();
+        let part: f64 = text
+            .split(" % of how far")
+            .next()
+            .unwrap()
+            .rsplit(' ')
+            .next()
+            .unwrap()
+            .parse()
+            .unwrap();
+        let lost = 1.0 - y / exact;
+        println!("{modes}: {lost} {text}");
+        assert!(
+            text.contains("`tip`") && part >= (100.0 * lost).floor(),
+            "{lost} {text}"
+        );
+    }
+    assert_eq!(told(&arm(48)).0, None);
+    assert_eq!(told(&Fixed::default()).0, None);
 }
 
 rncf::model! {
