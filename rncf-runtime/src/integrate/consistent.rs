@@ -51,29 +51,32 @@ pub(crate) fn far_off(system: &mut dyn System, state: &State) -> Option<(f64, us
     if system.constraints() == 0 {
         return None;
     }
-    let mut projection = Projection::new(system, 1.0);
-    let (violation, worst) = projection.violation(system, state, ConstraintLevel::Position);
-    (violation > NEAR).then(|| (projection.value[worst].abs(), worst))
+    let mut violations = Violations::new(system, f64::INFINITY);
+    let (violation, worst) = violations.largest(system, state, ConstraintLevel::Position);
+    (violation > NEAR).then(|| (violations.value[worst].abs(), worst))
 }
 
-/// Constraint values, their scales, and the matrix.
-struct Projection {
-    bordered: Bordered,
-    charts: Charts,
-    span: f64,
+/// Values of constraints, and what they are measured by.
+struct Violations {
     jacobian: Vec<f64>,
     value: Vec<f64>,
+    span: f64,
+}
+
+/// Values of constraints, and the matrix that takes them away.
+struct Projection {
+    violations: Violations,
+    bordered: Bordered,
+    charts: Charts,
     change: Vec<f64>,
 }
 
 impl Projection {
     fn new(system: &dyn System, span: f64) -> Self {
         Self {
+            violations: Violations::new(system, span),
             bordered: Bordered::by_sizes(system),
             charts: Charts::new(system.turns(), system.pattern()),
-            span,
-            jacobian: vec![0.0; system.constraint_pattern().entries()],
-            value: vec![0.0; system.constraints()],
             change: vec![0.0; system.unknowns()],
         }
     }
@@ -83,8 +86,8 @@ impl Projection {
     fn run(&mut self, system: &mut dyn System, state: &mut State, level: ConstraintLevel) -> Result<f64, Inconsistent> {
         let (mut largest, mut before) = (0.0_f64, f64::INFINITY);
         for iteration in 0..=ITERATIONS {
-            let (violation, worst) = self.violation(system, state, level);
-            let far = Inconsistent::Far(self.value[worst].abs(), worst, level);
+            let (violation, worst) = self.violations.largest(system, state, level);
+            let far = Inconsistent::Far(self.violations.value[worst].abs(), worst, level);
             if iteration == 0 && violation > NEAR || !violation.is_finite() {
                 return Err(far);
             }
@@ -99,7 +102,7 @@ impl Projection {
             // Solutions for a start are not counted.
             self.bordered.move_to(system, state);
             self.bordered
-                .least_change(&self.value, &mut self.change, &mut Statistics::default())
+                .least_change(&self.violations.value, &mut self.change, &mut Statistics::default())
                 .map_err(Inconsistent::Singular)?;
             let sizes = system.sizes();
             let unit = if level == ConstraintLevel::Position {
@@ -108,16 +111,26 @@ impl Projection {
                 1.0
             } else {
                 add(&mut state.v, &self.change);
-                self.span
+                self.violations.span
             };
             let moved = self.change.iter().zip(sizes).map(|(change, size)| change.abs() / size);
             largest = moved.fold(largest, |largest, moved| largest.max(unit * moved));
         }
         Ok(largest)
     }
+}
+
+impl Violations {
+    fn new(system: &dyn System, span: f64) -> Self {
+        Self {
+            jacobian: vec![0.0; system.constraint_pattern().entries()],
+            value: vec![0.0; system.constraints()],
+            span,
+        }
+    }
 
     /// The largest violation of a constraint, relative to its scale, and its index; values on the way.
-    fn violation(&mut self, system: &mut dyn System, state: &State, level: ConstraintLevel) -> (f64, usize) {
+    fn largest(&mut self, system: &mut dyn System, state: &State, level: ConstraintLevel) -> (f64, usize) {
         system.constraint_jacobian(state, &mut self.jacobian);
         system.constraint(level, state, &mut self.value);
         let (pattern, sizes) = (system.constraint_pattern(), system.sizes());
