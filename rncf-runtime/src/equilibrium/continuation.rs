@@ -117,6 +117,14 @@ pub fn follow(
     along(scene, at, largest, Patience::Patient, visit)
 }
 
+/// The equilibrium up to `at` where Newton's iteration leads straight to it: a first look, for where there may be none.
+///
+/// # Errors
+/// As [`follow`], and where a longer look would find one.
+pub fn glance(scene: &mut dyn Scene, at: &Uniform) -> Result<Equilibrium, SolveError> {
+    along(scene, at, 1.0, Patience::Strict, |_, _| ())
+}
+
 /// [`follow`] with the given patience of the iteration.
 pub(super) fn along(
     scene: &mut dyn Scene,

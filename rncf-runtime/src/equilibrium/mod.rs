@@ -17,8 +17,8 @@ pub use crate::model::{Kind, Spin, Uniform};
 pub use assembled::assembled;
 pub use closed::closed;
 pub use continuation::{
-    CUTS, Continued, Equilibrium, continue_from, continue_holding, follow, goes_back, is_nearer, sagged, settle,
-    static_load, steady, unloaded,
+    CUTS, Continued, Equilibrium, continue_from, continue_holding, follow, glance, goes_back, is_nearer, sagged,
+    settle, static_load, steady, unloaded,
 };
 pub use critical::{Critical, critical_factor};
 pub use distance::distance;

@@ -11,7 +11,7 @@ use crate::app::pictures::Shapes;
 use crate::app::results::equilibria::EquilibriumSettings;
 use crate::app::results::error::RunError;
 use crate::app::results::modes::{Modes, SeenMode, grows, is_round};
-use crate::equilibrium::{Uniform, assembled, follow};
+use crate::equilibrium::{Uniform, assembled, follow, glance};
 use crate::model::DescribedBody;
 use crate::modes::{self, Mode, Wanted};
 use crate::{AnyModel, Formulation, Joints, Scene, SolveError, State};
@@ -30,7 +30,7 @@ const SAME: f64 = 1e-9;
 pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Modes, RunError> {
     let clock = Clock::start();
     let model = way::at_the_end(model, settings);
-    let mut found = about(model.as_ref(), settings)?;
+    let mut found = about(model.as_ref(), settings, Look::Long)?;
     let seconds = clock.seconds();
     let told = found.told(model.as_ref(), settings);
     let About {
@@ -98,10 +98,22 @@ pub(in crate::app) struct First {
     pub coarse: Option<String>,
 }
 
+/// How long an equilibrium is looked for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(in crate::app) enum Look {
+    /// Where Newton's iteration leads straight to it: beside a run that ends in motion there may be none.
+    Short,
+    Long,
+}
+
 /// The modes of [`modes`] alone, with how far the meshes are off.
-pub(in crate::app) fn first(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<First, RunError> {
+pub(in crate::app) fn first(
+    model: &dyn AnyModel,
+    settings: &EquilibriumSettings,
+    look: Look,
+) -> Result<First, RunError> {
     let model = way::at_the_end(model, settings);
-    let mut found = about(model.as_ref(), settings)?;
+    let mut found = about(model.as_ref(), settings, look)?;
     let coarse = found.told(model.as_ref(), settings).modes;
     Ok(First {
         t: found.at.t,
@@ -117,7 +129,7 @@ pub(super) fn of_finer(
     settings: &EquilibriumSettings,
     own: &[DescribedBody],
 ) -> Option<Vec<SeenMode>> {
-    let there = about(finer, settings).ok()?;
+    let there = about(finer, settings, Look::Long).ok()?;
     (there.scene.bodies() != own).then_some(there.modes)
 }
 
@@ -147,7 +159,7 @@ impl About {
 }
 
 /// The modes of a model about its relative equilibrium.
-fn about(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<About, RunError> {
+fn about(model: &dyn AnyModel, settings: &EquilibriumSettings, look: Look) -> Result<About, RunError> {
     let t = way::time(model, settings).map_err(RunError::Settings)?;
     let mut scene = model
         .build(Formulation::Rncf, Joints::Eliminated)
@@ -157,7 +169,11 @@ fn about(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<About, 
         ..Uniform::steady(t)
     };
     let told = |error: SolveError| RunError::Equilibrium(error.to_string());
-    let found = follow(scene.as_mut(), &at, 1.0, |_, _| ()).map_err(told)?;
+    let found = match look {
+        Look::Short => glance(scene.as_mut(), &at),
+        Look::Long => follow(scene.as_mut(), &at, 1.0, |_, _| ()),
+    };
+    let found = found.map_err(told)?;
     let state = found.state().cloned().unwrap_or_else(|| assembled(scene.as_mut(), &at));
     let shapes = lowest_and_growing(scene.as_mut(), &at, &state, settings.count).map_err(told)?;
     let modes = shapes

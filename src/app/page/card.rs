@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use super::mass_table;
 use crate::AnyModel;
 use crate::app::equilibria::way::at_the_end;
-use crate::app::modal::modes::first;
+use crate::app::modal::modes::{Look, first};
 use crate::app::results::equilibria::{Equilibria, EquilibriumSettings};
 use crate::app::results::modes::growth;
 use crate::app::results::run::{RunResult, times};
@@ -74,7 +74,7 @@ fn frequencies(model: &dyn AnyModel, result: &RunResult) -> Result<Value, String
         judged: result.settings.judged,
         ..EquilibriumSettings::default()
     };
-    about(model, &settings)
+    about(model, &settings, Look::Short)
 }
 
 /// About the last of some equilibria.
@@ -89,7 +89,7 @@ fn frequencies_at_the_end(model: &dyn AnyModel, result: &Equilibria) -> Result<V
         ..result.settings
     };
     let last = at_the_end(model, &result.settings);
-    let found = about(last.as_ref(), &settings)?;
+    let found = about(last.as_ref(), &settings, Look::Long)?;
     if result.kind == Kind::Static && found["spin"].as_f64() != Some(0.0) {
         return Err(
             "they are known about relative equilibria, and these rest; the command `modes` finds those of the rotation"
@@ -108,8 +108,11 @@ fn affordable(unknowns: usize) -> Result<(), String> {
     ))
 }
 
-fn about(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Value, String> {
-    let found = first(model, settings).map_err(|error| error.to_string())?;
+fn about(model: &dyn AnyModel, settings: &EquilibriumSettings, look: Look) -> Result<Value, String> {
+    let found = first(model, settings, look).map_err(|error| match look {
+        Look::Short => format!("{error}; the command `modes` looks longer"),
+        Look::Long => error.to_string(),
+    })?;
     let own: Vec<f64> = found.modes.iter().map(|mode| mode.im).collect();
     if own.is_empty() {
         return Err("no motion is free".into());

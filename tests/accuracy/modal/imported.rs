@@ -427,7 +427,7 @@ rncf::model! {
 /// The carrier's part alone was told: the bending of the arm was its rigid motion to 100 per cent.
 #[test]
 fn parts_of_the_kinetic_energy_are_not_told_where_a_body_is_from_a_file() {
-    let found = rncf::app::modes(&Carried {}, &rncf::app::EquilibriumSettings::default()).unwrap();
+    let found = rncf::app::modes(&Carried {}, &EquilibriumSettings::default()).unwrap();
     assert!(found.modes.len() >= 4);
     assert!(
         found
