@@ -26,6 +26,11 @@ impl fmt::Display for ModelError {
 
 impl std::error::Error for ModelError {}
 
+/// Whether the words for a row are those of what a drive prescribes.
+pub(crate) fn is_of_drive(row: &str) -> bool {
+    row.contains("(drive)")
+}
+
 /// A number with six digits, as it is read best.
 pub(crate) struct Short(pub(crate) f64);
 
@@ -133,7 +138,7 @@ impl fmt::Display for SolveError {
             )?,
             SolveErrorKind::Inconsistent(size) => {
                 let worst = self.worst.as_deref().unwrap_or_default();
-                let cure = match (worst.contains("(drive)"), worst.starts_with("the rate")) {
+                let cure = match (is_of_drive(worst), worst.starts_with("the rate")) {
                     // No position cures this: coordinates of joints in space count from where the bodies start.
                     (true, false) => {
                         "let what the drive prescribes begin with the coordinate of the start, which is 0 in space"

@@ -16,7 +16,6 @@ use crate::import::{Imported, Wanted};
 use crate::model::Warning;
 use crate::scene::MeshScene;
 use crate::scene::bodies::described::Inertial;
-use crate::scene::bodies::mesh_body::MeshBody;
 use crate::scene::bodies::place::element_at;
 use crate::space::Vector;
 use crate::system::State;
@@ -159,6 +158,13 @@ impl ModalBody {
         Some(each.map(|(p, frequency)| 0.5 * (frequency * p).powi(2)).sum())
     }
 
+    /// Whether it is known what the modes of a body from elsewhere lack.
+    pub(super) fn lacks(&self) -> bool {
+        self.elsewhere
+            .as_ref()
+            .is_some_and(|elsewhere| elsewhere.lacking.is_some())
+    }
+
     /// What is to be told of the modal coordinates of a body from elsewhere.
     pub(super) fn told(&self, frame: &FrameAction, p: &[f64], acting: &[[Vector; 2]]) -> Vec<Warning> {
         let Some(elsewhere) = &self.elsewhere else {
@@ -239,10 +245,6 @@ impl MeshScene {
 
     /// The same of all bodies at a state, by their number; of others nothing.
     pub(super) fn on_all_interfaces(&mut self, state: &State) -> Vec<Vec<[Vector; 2]>> {
-        let is_elsewhere = |body: &MeshBody| matches!(body.spec.line, Line::Nodes(_));
-        if !self.bodies.iter().any(is_elsewhere) {
-            return vec![Vec::new(); self.bodies.len()];
-        }
         self.load_state(state);
         self.evaluate_acting(state.t, 1.0, &state.lambda);
         (0..self.bodies.len()).map(|index| self.on_interfaces(index)).collect()

@@ -247,13 +247,16 @@ impl Scene for ModalScene {
     fn warnings(&mut self, state: &State) -> Vec<Warning> {
         self.expand(state);
         let mut warnings = self.scene.warnings(&self.full);
-        let acting = self.scene.on_all_interfaces(&self.full);
+        let acting = match self.modes.iter().any(|modes| modes.lacks()) {
+            true => self.scene.on_all_interfaces(&self.full),
+            false => Vec::new(),
+        };
         let mut worst = std::mem::take(&mut self.worst);
         self.each_body(Vector::zeros(), |block, body, modes, elements, action| {
             let own = |of: &[f64]| of[block.coordinate..][..block.count].to_vec();
             let [p, v, a] = [&state.x, &state.v, &state.a].map(|of| own(of));
             if modes.elsewhere.is_some() {
-                warnings.extend(modes.told(action, &p, &acting[body]));
+                warnings.extend(modes.told(action, &p, acting.get(body).map_or(&[], Vec::as_slice)));
                 return;
             }
             let loss = modes.loss_of_stiffness(elements, action, &p);
