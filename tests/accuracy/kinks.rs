@@ -3,6 +3,7 @@
 
 use std::f64::consts::PI;
 
+use rncf::app::{Judging, RunSettings};
 use rncf::linalg::Pattern;
 use rncf::system::{Branch, ConstraintLevel, Tangent};
 use rncf::{Formulation, Integrator, Joints, Method, Model, Options, State, Statistics, Stop, System};
@@ -132,6 +133,43 @@ fn the_order_is_kept_across_switches() {
             "{method:?}: {} slope {slope:.2}",
             short(&errors)
         );
+    }
+}
+
+mod blow {
+    rncf::model! {
+        /// Blows of 15 N s within 3 ns, behind 400 s of a run of 1000 s: by conditions, and by a table.
+        pub model Blow {
+            table pulse {
+                at = t; t = [0 [s], 400 [s], 400.000000001 [s], 400.000000003 [s], 1000 [s]]; f = [0, 0, 10e9, 0, 0] N; interpolation = linear;
+            }
+            rigid a { plane xy; mass = 5 kg; velocity = [0.1, 0, 0] m/s; }
+            load kick = force(a, [if t > 400 s { if t < 400.000000003 s { 5e9 N } else { 0 N } } else { 0 N }, 0 N, 0 N]);
+            rigid b { plane xy; mass = 5 kg; velocity = [0.1, 0, 0] m/s; }
+            load push = force(b, [pulse.f(t), 0 N, 0 N]);
+            output va = a.velocity.x; output vb = b.velocity.x;
+            run { t_end = 1000 s; every = 10 s; }
+        }
+    }
+}
+
+/// However long a run is, what acts between two switches acts: kinks within 1e-11 of the run were one, and the blows nothing. Times at 400 s are
+/// multiples of 57 fs.
+#[test]
+fn blows_of_nanoseconds_act_in_a_long_run() {
+    for method in METHODS.into_iter().chain([Method::Radau9]) {
+        // Of the ramps of the table a method of second order has the tolerance of its steps.
+        let bound = if method.adds_up() { 3e-3 } else { 3e-4 };
+        let settings = RunSettings {
+            method,
+            judged: Judging::No,
+            ..RunSettings::default()
+        };
+        let found = rncf::app::run(&blow::Blow {}, &settings).unwrap();
+        for column in [0, 1] {
+            let v = found.history.column(column).last().unwrap();
+            assert!((v - 3.1).abs() < bound, "{method:?}: {v}");
+        }
     }
 }
 

@@ -37,6 +37,8 @@ const AT_CEILING: f64 = 0.99;
 const STUBBORN: u32 = 4;
 /// Steps after which it is looked whether something moves faster than light.
 const LIGHT: u64 = 16;
+/// So many of the smallest steps behind a failure it is looked what has no value any more: of the last ones round-off makes errors that are too large.
+const BEFORE_END: f64 = 1e6;
 /// Where to look when a motion grows without end.
 const CAUSES: &str = "look for a damper or load with the wrong sign, or a load that is far too large";
 
@@ -359,8 +361,10 @@ impl Driver {
         while let Some(kink) = self.switches.next(from, to, |t, out| system.gaps(t, out)) {
             // What is as near as round-off to where the segment begins is one with that.
             if !self.segments.is_near(t, kink) {
-                let until = kink + self.segments.one_kink();
-                let last = self.switches.last(kink, until, &mut |t, out| system.gaps(t, out));
+                let (near, at_zero) = (self.segments.near(kink), self.segments.at_zero());
+                let last = self
+                    .switches
+                    .last(kink, near, at_zero, &mut |t, out| system.gaps(t, out));
                 return self.segments.insert(kink, last);
             }
             from = kink.next_up();
@@ -500,6 +504,13 @@ impl Driver {
     }
 
     fn rejection_error(&mut self, system: &mut dyn System, t: f64, h: f64, cause: Cause) -> SolveError {
+        let state = self.state().clone();
+        // Steps fall to nothing just before where something ends, as the rows of a table.
+        if self.options.step == StepSize::Adaptive
+            && let Some((t, text)) = undefined(system, &state, BEFORE_END * h)
+        {
+            return error(system, SolveErrorKind::Undefined(text), t, h, None);
+        }
         if let Some(near) = system.branches(self.scheme.state()).iter().position(Branch::is_near) {
             let law = system.describe_branch(near);
             return error(system, SolveErrorKind::HalfTurn(law), t, h, None);
@@ -511,11 +522,10 @@ impl Driver {
         if let Some(text) = branching {
             return error(system, SolveErrorKind::SingularConfiguration(text), t, h, None);
         }
-        if let (Cause::Newton { .. } | Cause::Error, StepSize::Adaptive) = (&cause, self.options.step) {
-            let state = self.state().clone();
-            if let Some(text) = noise::below_round_off(system, &state, self.options.rtol) {
-                return error(system, SolveErrorKind::BelowRoundOff(text), t, h, None);
-            }
+        if let (Cause::Newton { .. } | Cause::Error, StepSize::Adaptive) = (&cause, self.options.step)
+            && let Some(text) = noise::below_round_off(system, &state, self.options.rtol)
+        {
+            return error(system, SolveErrorKind::BelowRoundOff(text), t, h, None);
         }
         let (kind, worst) = match cause {
             Cause::Error => (SolveErrorKind::StepTooSmall, self.scheme.worst_error()),
@@ -527,30 +537,31 @@ impl Driver {
                 )
             }
             Cause::Singular { worst } => (SolveErrorKind::Singular, worst),
-            Cause::NotFinite => {
-                let state = self.state().clone();
-                return self.not_finite(system, &state, h);
-            }
+            Cause::NotFinite => return self.not_finite(system, &state, h),
         };
         error(system, kind, t, h, worst)
     }
 
     /// What is not finite at a state, or where it would be a step later.
     fn not_finite(&mut self, system: &mut dyn System, state: &State, h: f64) -> SolveError {
-        let mut later = state.clone();
-        later.t += h;
-        for i in 0..later.x.len() {
-            later.x[i] += h * (state.v[i] + 0.5 * h * state.a[i]);
-            later.v[i] += h * state.a[i];
-        }
-        let text = [state, &later]
-            .into_iter()
-            .find_map(|state| Some((state.t, system.undefined(state)?)));
-        match text {
+        match undefined(system, state, h) {
             Some((t, text)) => error(system, SolveErrorKind::Undefined(text), t, h, None),
             None => error(system, SolveErrorKind::NotFinite, state.t, h, None),
         }
     }
+}
+
+/// What has no value at a state, or where it would be a step of `h` later, and when, s.
+fn undefined(system: &mut dyn System, state: &State, h: f64) -> Option<(f64, String)> {
+    let mut later = state.clone();
+    later.t += h;
+    for i in 0..later.x.len() {
+        later.x[i] += h * (state.v[i] + 0.5 * h * state.a[i]);
+        later.v[i] += h * state.a[i];
+    }
+    [state, &later]
+        .into_iter()
+        .find_map(|state| Some((state.t, system.undefined(state)?)))
 }
 
 /// A singular matrix, with the row in the user's words.

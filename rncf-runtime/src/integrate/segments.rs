@@ -3,12 +3,12 @@
 use super::compensated;
 use crate::archive::{Archive, Keep};
 
-/// Kinks closer than this part of the span are one kink.
-const ONE_KINK: f64 = 1e-11;
-/// Round-off of times within which two kinks of laws, which are passed at speeds of their own however long a run is, are one.
+/// Round-off of times within which two kinks are one, however long the run is: what acts between them may be as strong as it likes.
 const SAME: f64 = 64.0 * f64::EPSILON;
-/// Smallest step as a part of the span.
-const SMALLEST: f64 = 1e-12;
+/// Smallest step that makes sense, as a part of what lies between times that are one.
+const SMALLEST: f64 = 0.25;
+/// What a gap of numbers that nearly cancel may leave at zero, as a part of the span.
+const AT_ZERO: f64 = 1e-11;
 /// Kinks of laws that steps end at in any case; beyond, one in so many steps.
 const FIRST_KINKS: u64 = 64;
 const STEPS_A_KINK: u64 = 4;
@@ -65,17 +65,9 @@ impl Segments {
     /// Segments between `start` and `end`. A kink at the start lies before the first segment, one
     /// at the end behind the last.
     pub(super) fn new(start: f64, end: f64, kinks: &[f64]) -> Self {
-        let span = end - start;
-        let near = ONE_KINK * span;
-        let mut times: Vec<f64> = kinks
-            .iter()
-            .copied()
-            .filter(|kink| (start - near..=end + near).contains(kink))
-            .collect();
-        times.sort_by(f64::total_cmp);
         let mut segments = Self {
             start,
-            span,
+            span: end - start,
             kinks: Vec::new(),
             passed: 0,
             met: 0,
@@ -83,7 +75,14 @@ impl Segments {
             quiet: 0,
             end,
         };
+        let mut times: Vec<f64> = kinks
+            .iter()
+            .copied()
+            .filter(|kink| (start - segments.near(start)..=end + segments.near(end)).contains(kink))
+            .collect();
+        times.sort_by(f64::total_cmp);
         for kink in times {
+            let near = segments.near(kink);
             if kink <= segments.start + near {
                 segments.start = segments.start.max(kink.next_up());
             } else if kink >= end - near {
@@ -98,17 +97,19 @@ impl Segments {
         segments
     }
 
-    /// How near kinks are one, s.
-    pub(super) fn one_kink(&self) -> f64 {
-        ONE_KINK * self.span
+    /// Times as near to `t` as this are one with it, s.
+    pub(super) fn near(&self, t: f64) -> f64 {
+        (SAME * t.abs()).max(f64::EPSILON * self.span)
+    }
+
+    /// The longest for which a gap is zero by round-off alone, s.
+    pub(super) fn at_zero(&self) -> f64 {
+        AT_ZERO * self.span
     }
 
     /// Ends the present segment at a kink (s) found within it, which is over at `last`; false if one is known there, or the end.
     pub(super) fn insert(&mut self, kink: f64, last: f64) -> bool {
-        self.insert_within(self.one_kink(), kink, last)
-    }
-
-    fn insert_within(&mut self, near: f64, kink: f64, last: f64) -> bool {
+        let near = self.near(kink);
         let is_end = kink >= self.end - near;
         let is_known = self.kinks.get(self.passed).is_some_and(|next| kink >= next.0 - near);
         if is_end || is_known {
@@ -121,7 +122,7 @@ impl Segments {
     /// [`Segments::insert`] of a kink of a law, of which a shorter step knows better where it is: one that was found before and lies just behind would
     /// cut a tiny step.
     pub(super) fn meet(&mut self, kink: f64) -> bool {
-        let is_new = self.insert_within(SAME * kink.abs(), kink, kink);
+        let is_new = self.insert(kink, kink);
         if is_new {
             let behind = self.passed + 1;
             if self.kinks.get(behind).is_some_and(|old| old.0 == self.latest) {
@@ -150,14 +151,9 @@ impl Segments {
         self.met > FIRST_KINKS && self.met * STEPS_A_KINK > steps && self.quiet == 0
     }
 
-    /// Whether two times (s) count as one kink of laws.
-    pub(super) fn is_same(&self, a: f64, b: f64) -> bool {
-        (a - b).abs() <= SAME * a.abs().max(b.abs())
-    }
-
     /// Whether two times (s) count as one kink.
     pub(super) fn is_near(&self, a: f64, b: f64) -> bool {
-        (a - b).abs() <= self.one_kink()
+        (a - b).abs() <= self.near(a.abs().max(b.abs()))
     }
 
     /// From the start to the end time, s.
@@ -200,7 +196,7 @@ impl Segments {
 
     /// Smallest step at `t` that makes sense, s.
     pub(super) fn smallest_step(&self, t: f64) -> f64 {
-        (SMALLEST * self.span).max(16.0 * f64::EPSILON * t.abs())
+        SMALLEST * self.near(t)
     }
 
     /// Whether the end time is reached at `t`.

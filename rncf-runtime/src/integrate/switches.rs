@@ -66,17 +66,41 @@ impl Switches {
         None
     }
 
-    /// The last switch from the one at `kink` to `until`, s. A gap of numbers that nearly cancel is zero in many neighbouring times: what it decides
-    /// changes at the end of these, or at the begin.
-    pub(super) fn last(&mut self, kink: f64, until: f64, gaps: &mut dyn FnMut(f64, &mut Vec<[f64; 2]>)) -> f64 {
+    /// The last switch that is one with that at `kink`: within `near` (s) of it, where round-off may switch again and again, or behind a zero of up to
+    /// `at_zero` (s): a gap of numbers that nearly cancel is zero in many neighbouring times, and what it decides changes at the end of these, or at the
+    /// begin.
+    pub(super) fn last(
+        &mut self,
+        kink: f64,
+        near: f64,
+        at_zero: f64,
+        gaps: &mut dyn FnMut(f64, &mut Vec<[f64; 2]>),
+    ) -> f64 {
         let mut last = kink;
         for _ in 0..MOST {
-            match self.next(last, until, &mut *gaps) {
+            match self.next(last, kink + near, &mut *gaps) {
                 Some(next) => last = next,
                 None => break,
             }
         }
-        last
+        let behind = last + at_zero;
+        self.from.clear();
+        gaps(last, &mut self.from);
+        self.to.clear();
+        gaps(behind, &mut self.to);
+        let mut end = last;
+        for index in 0..self.from.len().min(self.to.len()) {
+            if self.from[index][0] == 0.0 && self.to[index][0] != 0.0 {
+                let probe = &mut self.probe;
+                let leaves = first_that(last, behind, |t| {
+                    probe.clear();
+                    gaps(t, probe);
+                    probe[index][0] != 0.0
+                });
+                end = end.max(leaves);
+            }
+        }
+        end
     }
 
     /// Whether a gap is zero at `t`, s: what is left and right of it differs.
@@ -169,10 +193,10 @@ mod tests {
         let mut gaps = |t: f64, out: &mut Vec<[f64; 2]>| out.push([gap(t), 1e-4]);
         let mut switches = Switches::default();
         let first = switches.next(0.0, 1.0, &mut gaps).unwrap();
-        let last = switches.last(first, first + 1e-10, &mut gaps);
+        let last = switches.last(first, 0.0, 1e-10, &mut gaps);
         assert!(gap(first.next_down()) < 0.0 && gap(first.next_up()) == 0.0, "{first}");
         assert!(gap(last.next_up()) > 0.0 && last - first < 3e-12, "{first} {last}");
-        assert_eq!(switches.last(0.5, 0.6, &mut gaps), 0.5);
+        assert_eq!(switches.last(0.5, 0.1, 0.1, &mut gaps), 0.5);
     }
 
     #[test]

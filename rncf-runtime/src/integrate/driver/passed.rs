@@ -57,7 +57,7 @@ impl Driver {
                     is_passed(&system.branches(&state)[law], &last[law])
                 });
                 // At the end of a step the formulas of the method are better than what lies between.
-                let counts = kink < end && !self.segments.is_same(from, kink);
+                let counts = kink < end && !self.segments.is_near(from, kink);
                 met.push((kink, law));
                 if counts && first.is_none_or(|(earlier, _)| kink < earlier) {
                     first = Some((kink, law));
@@ -65,7 +65,7 @@ impl Driver {
             }
             if let Some((kink, law)) = first {
                 let is_new = self.segments.meet(kink);
-                let together = met.iter().filter(|other| self.segments.is_same(other.0, kink));
+                let together = met.iter().filter(|other| self.segments.is_near(other.0, kink));
                 self.met = together
                     .filter_map(|&(_, law)| Some((law, last[law].side()?)))
                     .collect();

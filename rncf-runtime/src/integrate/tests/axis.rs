@@ -20,7 +20,7 @@ fn walk(axis: &mut Segments, wanted: f64, fixed: bool) -> Vec<f64> {
 
 #[test]
 fn steps_end_just_before_kinks_and_at_the_end() {
-    let kinks = [1.0 / 3.0, 0.7, 0.7 + 1e-13, 5.0, -1.0, f64::NAN];
+    let kinks = [1.0 / 3.0, 0.7, 0.7 + 5e-15, 5.0, -1.0, f64::NAN];
     for fixed in [false, true] {
         let mut axis = Segments::new(0.0, 1.0, &kinks);
         let ends = walk(&mut axis, 0.0123, fixed);
@@ -32,11 +32,15 @@ fn steps_end_just_before_kinks_and_at_the_end() {
 
 #[test]
 fn two_kinks_within_round_off_are_one() {
-    let mut axis = Segments::new(0.0, 1.0, &[0.7, 0.7 + 1e-13]);
-    assert!(axis.is_at_kink(0.7_f64.next_down()));
-    assert_eq!(axis.behind_kink(), (0.7 + 1e-13_f64).next_up());
-    axis.pass_kink();
-    assert!(axis.is_at_end(1.0) && !axis.is_at_kink(1.0));
+    for (apart, is_one) in [(5e-15, true), (1e-13, false)] {
+        let mut axis = Segments::new(0.0, 1.0, &[0.7, 0.7 + apart]);
+        assert!(axis.is_at_kink(0.7_f64.next_down()));
+        let last = if is_one { 0.7 + apart } else { 0.7 };
+        assert_eq!(axis.behind_kink(), last.next_up());
+        axis.pass_kink();
+        assert_eq!(axis.is_at_end(1.0), is_one);
+        assert_eq!(axis.is_at_kink((0.7 + apart).next_down()), !is_one);
+    }
 }
 
 #[test]
