@@ -19,6 +19,7 @@ mod hanging;
 mod heavy_top;
 mod jolts;
 mod judged_forces;
+mod judged_quick;
 mod judged_steps;
 mod kinks;
 mod left_rates;

@@ -30,6 +30,8 @@ pub(in crate::app) struct Ended<'r> {
     /// Steps and iterations.
     pub steps: u64,
     pub iterations: u64,
+    /// The longest step, s.
+    pub longest: f64,
     /// Whether steps are as long as motions and loads allow, and so with other tolerances too.
     pub is_shortened: bool,
     pub marks: &'r Marks,
@@ -170,6 +172,7 @@ mod tests {
             options: result.settings.options,
             steps: result.statistics.steps,
             iterations: result.statistics.newton_iterations,
+            longest: result.statistics.largest_step,
             is_shortened: false,
             marks: &result.marks,
             is_compared: false,

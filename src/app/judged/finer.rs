@@ -31,6 +31,8 @@ const STEPS: f64 = 0.3;
 /// Part by which outputs of Radau with ten times the tolerance are off, from which on it is not taken for ten times the error of the run: where steps are too
 /// long for what moves, both are wrong alike. A tenth of the tolerance tells.
 const FAR: f64 = 2.0 * TOLD;
+/// Longest step of that, as a part of the longest of the run: what moves by less than the tolerance, and grows, has steps that no tolerance chooses.
+const SHORTER: f64 = 0.5;
 /// Part of the iterations of the run, times unknowns, that this may take.
 const LAST: f64 = 2.5;
 /// The work of Radau grows with the inverse of the tolerance to this power, at most.
@@ -321,7 +323,7 @@ pub(in crate::app) fn compare(
     };
     let (left, last) = (Cell::new(afforded(SHARE, &own)), Cell::new(0.0));
     let failed = RefCell::new(None);
-    let mut rows = |of: &mut Begun<'_>, rtol: f64, share: f64, marks: &Marks| {
+    let mut rows = |of: &mut Begun<'_>, (rtol, longest): (f64, f64), share: f64, marks: &Marks| {
         let how = Again {
             t_end: run.t_end,
             method: match run.method.is_radau() {
@@ -331,6 +333,7 @@ pub(in crate::app) fn compare(
             options: Options {
                 rtol,
                 step: StepSize::Adaptive,
+                max_step: run.options.max_step.min(longest),
                 ..run.options
             },
             // Of infinitely many there are u64::MAX.
@@ -347,7 +350,7 @@ pub(in crate::app) fn compare(
     let mut kinds = [true, false].map(|is_motion| Kind::new(run, outputs, is_motion));
     let mut found_so_far = Sets::new(run, outputs);
     let (mut spent, mut is_alike) = (0.0, false);
-    let tolerances = tolerances(run.options.rtol, is_exact(&run), finer.is_some());
+    let tolerances = tolerances(&run, finer.is_some());
     for (place, &rtol) in tolerances.iter().enumerate() {
         if kinds.iter().all(|kind| kind.is_settled) {
             break;
@@ -356,7 +359,7 @@ pub(in crate::app) fn compare(
         let mut seen = run.marks.clone();
         let asks_meshes = kinds.iter().any(|kind| !kind.is_settled && !kind.is_near);
         let finer = finer.as_mut().filter(|_| asks_meshes);
-        let there = finer.map(|finer| rows(finer, rtol, FIRST, run.marks));
+        let there = finer.map(|finer| rows(finer, (rtol, f64::INFINITY), FIRST, run.marks));
         if place == 0 {
             spent = last.get();
         }
@@ -381,7 +384,7 @@ pub(in crate::app) fn compare(
         // The run itself serves where its steps are those of the second one.
         let (mut steps, mut open) = (Vec::new(), Vec::new());
         if !is_exact(&run) || run.options.rtol != rtol {
-            let here = rows(&mut own, rtol, 1.0, &seen);
+            let here = rows(&mut own, (rtol, f64::INFINITY), 1.0, &seen);
             let all = run.iterations as f64 * unknowns(&own);
             is_alike |=
                 here.len() == run.marks.rows.len() && last.get() >= ALIKE * all && differ(rtol, run.options.rtol);
@@ -411,7 +414,7 @@ pub(in crate::app) fn compare(
         let is_settled = kinds.iter().all(|kind| kind.is_settled && !kind.is_far);
         is_exact(&run) && near < RTOL && !is_known && is_settled && expected <= left.get()
     }) {
-        let there = rows(finer, near, 1.0, run.marks);
+        let there = rows(finer, (near, f64::INFINITY), 1.0, run.marks);
         if there.len() == run.marks.rows.len() {
             found_so_far.meet(&there, near, true);
             let beyond = found_so_far.off(&there, near);
@@ -428,15 +431,17 @@ pub(in crate::app) fn compare(
             .find(|set| !set.2 && set.0.len() == run.marks.rows.len());
         is_exact(&run) && here.is_some_and(|(rows, rtol, _)| sets.open(rows, *rtol).contains(&true))
     };
+    // Errors that come from few steps, at the end of a stick or out of an unstable equilibrium, are with ten times the tolerance what they are with one.
+    let is_quick = is_exact(&run) && LAST * run.iterations as f64 * unknowns(&own) <= AFFORDED;
     let tries = match () {
         () if is_blind => TRIES,
         () if has_open(&found_so_far) => OPEN,
-        () => usize::from(kinds.iter().any(|kind| kind.is_far)),
+        () => usize::from(is_quick || kinds.iter().any(|kind| kind.is_far)),
     };
     left.set(afforded(LAST, &own));
     let smaller = std::iter::successors(Some(run.options.rtol / TEN), |rtol| Some(rtol / TEN));
     for rtol in smaller.take(tries).take_while(|&rtol| rtol >= LEAST) {
-        let here = rows(&mut own, rtol, 1.0, run.marks);
+        let here = rows(&mut own, (rtol, SHORTER * run.longest), 1.0, run.marks);
         if here.len() < run.marks.rows.len() {
             break;
         }
@@ -521,11 +526,13 @@ pub(in crate::app) fn each(parts: Vec<Off>) -> Vec<Off> {
 
 /// The tolerances to compare with, the largest first. Where outputs hardly differ, the first one suffices; else errors of meshes and
 /// steps are told apart by smaller ones.
-fn tolerances(rtol: f64, is_exact: bool, has_meshes: bool) -> Vec<f64> {
-    let mut all = if is_exact && rtol > RTOL / TEN {
+fn tolerances(run: &Ended<'_>, has_meshes: bool) -> Vec<f64> {
+    let (rtol, is_exact) = (run.options.rtol, is_exact(run));
+    let loosest = if is_exact { RTOL.min(run.method.loosest()) } else { RTOL };
+    let mut all = if is_exact && rtol > loosest / TEN {
         vec![rtol / TEN]
     } else if is_exact && has_meshes {
-        vec![RTOL, TEN * rtol]
+        vec![loosest, TEN * rtol]
     } else if is_exact {
         // Without meshes errors of steps are all there is: what a much larger tolerance finds says little of them.
         vec![TEN * rtol]

@@ -152,6 +152,7 @@ fn look_again(
         options: result.settings.options,
         steps: result.statistics.steps,
         iterations: result.statistics.newton_iterations,
+        longest: result.statistics.largest_step,
         is_shortened: is_shortened(&result.statistics),
         marks: &result.marks,
         is_compared: false,
