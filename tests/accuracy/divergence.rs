@@ -32,6 +32,19 @@ rncf::model! {
 }
 
 rncf::model! {
+    /// A column that flies on a thrust along its end, with its weight against that.
+    pub model Rocket {
+        param thrust = 50 N;
+        section s { EA = 1e6 N; EI = 1 N*m^2; mass = 1 kg/m; }
+        frame f = free(plane = xy);
+        body b in f { planar xy; line from [0, 0, 0] m to [1, 0, 0] m; mesh 8 * cable(s); chord; }
+        load push = follower(b.start, [thrust, 0 N]);
+        load weight = gravity([-thrust / 1 kg, 0, 0]);
+        output x = total.center_of_mass.x;
+    }
+}
+
+rncf::model! {
     /// A rod on a hinge of a vertical shaft: it hangs upright up to the speed at which it goes out.
     pub model Governor {
         param w = 3 rad/s;
@@ -78,6 +91,24 @@ fn forces_without_energy_are_not_left_out_of_critical_values() {
     let flutter = 20.05 * bending / 1e3;
     let first = found.keys[unstable.expect("flutter")];
     assert!((0.0..0.25).contains(&(first - flutter)), "{first} for {flutter}");
+}
+
+/// A rocket that leans is driven aside, and held by nothing: that value of the stiffness is zero at every thrust, and its round-off made 8 to 19 critical
+/// values that moved with the steps. It flutters at 11.12 pi^2 EI/L^2 (Beal 1965, a free column under a thrust at its end).
+#[test]
+fn what_is_driven_along_a_free_motion_has_no_critical_values() {
+    for (from, to, steps) in [(0.0, 130.0, 13), (1.0, 130.0, 13), (100.0, 120.0, 10)] {
+        let settings = EquilibriumSettings {
+            range: Some(Range { param: 0, from, to }),
+            ..over(0, to, steps)
+        };
+        let found = campbell(&Rocket::default(), &settings).unwrap();
+        assert!(found.critical.is_empty(), "{from}: {:?}", found.critical);
+        let [onset] = &found.onsets[..] else {
+            panic!("{from}: {:?}", found.onsets)
+        };
+        assert!((onset.key / 109.75 - 1.0).abs() < 2e-3, "{from}: {onset:?}");
+    }
 }
 
 /// A step of the way that lies on a critical value hid it: at rest a mode that is still there was taken for one without any stiffness.

@@ -11,6 +11,9 @@ use crate::system::{State, Tangent};
 
 /// Part of what stands beside the mass that is round-off in a value of the stiffness: of motions that change nothing.
 const NEUTRAL: f64 = 1e-10;
+/// Part of the next larger value of the stiffness below which one is next to zero, and part of the larger one that then stands beside.
+const NEXT: f64 = 1e-6;
+const BESIDE: f64 = 1e-3;
 /// Imaginary part of a real value that is round-off.
 const REAL: f64 = 1e-6;
 
@@ -58,21 +61,37 @@ pub fn stiffness_values(
                 apart_from(scene, state, &tangent, still.clone())
             };
             let bare = pencil(scene, 0.0);
-            let found = values(scene, at, &bare, count, 0.0)?;
-            let least = found.iter().map(|value| value.abs()).filter(|&size| size > 0.0);
-            match least.reduce(f64::min).map(|least| 0.5 * least) {
-                // What is next to zero has its sign beside the mass, where no value is.
-                Some(beside) if found.contains(&0.0) => {
+            let mut found = values(scene, at, &bare, count, 0.0)?;
+            if found.iter().all(|&value| value <= 0.0) {
+                // Next to what is singular the others may be round-off.
+                let beside = bare.guess().powi(2);
+                let shifted = pencil(scene, beside);
+                found = values(scene, at, &shifted, count, beside)?;
+            }
+            // What is next to zero has its sign beside the mass, where no value is. What is driven along a motion without stiffness, as a rocket that
+            // leans, has none there, but round-off.
+            match next_to_zero(&found).map(|next| BESIDE * next) {
+                Some(beside) => {
                     let shifted = pencil(scene, beside);
                     values(scene, at, &shifted, count, beside)?
                 }
-                _ => found,
+                None => found,
             }
         }
     };
     let mut all = [zeros, beside_still].concat();
     all.sort_by(f64::total_cmp);
     Ok(all)
+}
+
+/// The least of the values, in size, beside which smaller ones are next to zero; `None` where there are none.
+fn next_to_zero(values: &[f64]) -> Option<f64> {
+    let mut sizes: Vec<f64> = values.iter().map(|value| value.abs()).collect();
+    sizes.sort_by(f64::total_cmp);
+    let pair = sizes
+        .windows(2)
+        .rfind(|pair| pair[0] <= NEXT * pair[1] && pair[1] > 0.0)?;
+    Some(pair[1])
 }
 
 /// The tangent with so much of the mass, 1/s^2, beside the stiffness.
@@ -103,12 +122,11 @@ fn values(
         let pairs = found.map_err(|failure| error(scene, at, &failure))?;
         // Of a value below the range there are two eigenvalues +-s.
         let one = pairs.iter().map(|pair| pair.s).filter(|s| s.im > 0.0 || s.re >= 0.0);
-        let mut values: Vec<f64> = one.map(|s| value(s, beside)).collect();
-        for value in &mut values {
-            if value.abs() <= NEUTRAL * beside {
-                *value = 0.0;
-            }
-        }
+        let signed = |s: c64| match value(s, beside) {
+            value if value.abs() <= NEUTRAL * beside => 0.0,
+            value => value,
+        };
+        let mut values: Vec<f64> = one.map(signed).collect();
         values.sort_by(f64::total_cmp);
         let positive = values.iter().filter(|&&value| value > 0.0).count();
         if positive >= count || asked >= free {
