@@ -3,7 +3,7 @@
 
 use rncf::AnyModel;
 use rncf::app::{Judging, RunSettings, run};
-use rncf::{Method, Options};
+use rncf::{Method, Options, StepSize};
 
 mod belt {
     rncf::model! {
@@ -125,4 +125,49 @@ fn what_grows_from_below_the_tolerance_is_told() {
         let (error, told) = error_and_told(&upside_down::Standing::default(), &PENDULUM, method, rtol);
         assert!(told > 0.3 * error, "{method:?} {rtol:e}: {error:e}, told {told:e}");
     }
+}
+
+mod ringing {
+    rncf::model! {
+        /// A mass that rings on a spring, 200 rad/s.
+        pub model Ringing {
+            rigid m { plane xy; mass = 1 kg; origin = [1.01, 0, 0] m; }
+            spring s = linear(m, inertial.at([0, 0, 0] m), stiffness = 40 [kN/m], length = 1 m);
+            output x = m.x;
+            run { t_end = 3 s; every = 0.013 s; }
+        }
+    }
+}
+
+fn fixed(model: &dyn AnyModel, h: f64) -> rncf::app::RunResult {
+    let settings = RunSettings {
+        options: Options {
+            step: StepSize::Fixed(h),
+            ..Options::default()
+        },
+        judged: Judging::Affordable,
+        ..RunSettings::default()
+    };
+    run(model, &settings).unwrap()
+}
+
+/// Short fixed steps know the pendulum better than Radau does with the tolerance that they are compared with: half of the step tells, and they are not
+/// blamed. Long ones lose the vibration of a mass, and so does half of them; there Radau tells.
+#[test]
+fn fixed_steps_are_blamed_for_what_they_miss_alone() {
+    let found = fixed(&upside_down::Standing::default(), 0.02);
+    let off = PENDULUM
+        .iter()
+        .enumerate()
+        .map(|(at, exact)| (found.history.values[10 * (at + 1)] - exact).abs());
+    let off = off.fold(0.0, f64::max);
+    let told = found.off_by.iter().map(|told| told.1).fold(0.0, f64::max);
+    assert!(off < 1e-5 && told > 0.0 && told < 1e-5, "{off:e} {told:e}");
+    assert!(found.warnings.is_empty(), "{:?}", found.warnings);
+    let told = fixed(&ringing::Ringing {}, 0.05).warnings;
+    assert!(
+        told.iter()
+            .any(|told| told.contains("Steps of 5e-2 s are chosen by no tolerance: Radau")),
+        "{told:?}"
+    );
 }

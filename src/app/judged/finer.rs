@@ -12,6 +12,7 @@ use super::accumulated::Ended;
 use super::compared::{Off, TOLD, count};
 use super::marks::{Again, Marks, again, is_of_motion, largest, sorted, told};
 use super::meshes::on_meshes;
+use super::on_steps::{self, By, is_exact};
 use super::rest::not_compared;
 use crate::{Method, Options, Output, Scene, State, StepSize};
 
@@ -33,6 +34,8 @@ const STEPS: f64 = 0.3;
 const FAR: f64 = 2.0 * TOLD;
 /// Longest step of that, as a part of the longest of the run: what moves by less than the tolerance, and grows, has steps that no tolerance chooses.
 const SHORTER: f64 = 0.5;
+/// Part of what Radau with a larger tolerance finds another method to be off by, below which a smaller tolerance comes nearer to it.
+const NEARER: f64 = 0.5;
 /// Part of the iterations of the run, times unknowns, that this may take.
 const LAST: f64 = 2.5;
 /// The work of Radau grows with the inverse of the tolerance to this power, at most.
@@ -107,9 +110,9 @@ struct Kind<'r> {
     until: f64,
     /// Until when with steps that suffice, s.
     stepped: f64,
-    /// Parts of outputs that are off for the mesh, until then, and, with the tolerance of Radau that tells it, for steps.
+    /// Parts of outputs that are off for the mesh, until then, and, with what tells it, for steps.
     mesh: Vec<Off>,
-    steps: (f64, Vec<Off>),
+    steps: (By, Vec<Off>),
     /// What all outputs of this kind are off by, for the mesh and for steps, and the tolerance with which that was found.
     seen: [Vec<Off>; 2],
     seen_with: f64,
@@ -128,7 +131,7 @@ impl<'r> Kind<'r> {
             until: 0.0,
             stepped: if run.is_compared { f64::INFINITY } else { 0.0 },
             mesh: Vec::new(),
-            steps: (0.0, Vec::new()),
+            steps: (By::Radau(0.0), Vec::new()),
             seen: [Vec::new(), Vec::new()],
             seen_with: 0.0,
             is_far: false,
@@ -199,7 +202,7 @@ impl<'r> Kind<'r> {
             self.is_far |= is_looser && largest(&steps) > far;
             steps.iter_mut().for_each(|off| off.part /= less);
             if largest(&steps) > TOLD {
-                self.steps = (rtol, steps.clone());
+                self.steps = (By::Radau(rtol), steps.clone());
             }
         }
         self.is_settled = is_last || is_clear && !self.has(open);
@@ -238,11 +241,11 @@ impl<'r> Kind<'r> {
         self.mesh.retain(|mesh| mesh.part > TOLD);
     }
 
-    /// What a tenth of the tolerance makes of all of the run.
-    fn meet_smaller(&mut self, rtol: f64, steps: &[Off]) {
+    /// What a smaller tolerance or a shorter step makes of all of the run.
+    fn meet_shorter(&mut self, by: By, steps: &[Off]) {
         let steps = self.of(steps);
         self.seen[1].clone_from(&steps);
-        self.steps = (rtol, if largest(&steps) > TOLD { steps } else { Vec::new() });
+        self.steps = (by, if largest(&steps) > TOLD { steps } else { Vec::new() });
     }
 }
 
@@ -323,16 +326,19 @@ pub(in crate::app) fn compare(
     };
     let (left, last) = (Cell::new(afforded(SHARE, &own)), Cell::new(0.0));
     let failed = RefCell::new(None);
-    let mut rows = |of: &mut Begun<'_>, (rtol, longest): (f64, f64), share: f64, marks: &Marks| {
+    let mut rows = |of: &mut Begun<'_>, (by, longest): (By, f64), share: f64, marks: &Marks| {
+        let (method, rtol, step) = match by {
+            By::Step(h) => (run.method, run.options.rtol, StepSize::Fixed(h)),
+            By::Same(rtol) => (run.method, rtol, StepSize::Adaptive),
+            By::Radau(rtol) if run.method.is_radau() => (run.method, rtol, StepSize::Adaptive),
+            By::Radau(rtol) => (Method::Radau, rtol, StepSize::Adaptive),
+        };
         let how = Again {
             t_end: run.t_end,
-            method: match run.method.is_radau() {
-                true => run.method,
-                false => Method::Radau,
-            },
+            method,
             options: Options {
                 rtol,
-                step: StepSize::Adaptive,
+                step,
                 max_step: run.options.max_step.min(longest),
                 ..run.options
             },
@@ -359,7 +365,7 @@ pub(in crate::app) fn compare(
         let mut seen = run.marks.clone();
         let asks_meshes = kinds.iter().any(|kind| !kind.is_settled && !kind.is_near);
         let finer = finer.as_mut().filter(|_| asks_meshes);
-        let there = finer.map(|finer| rows(finer, (rtol, f64::INFINITY), FIRST, run.marks));
+        let there = finer.map(|finer| rows(finer, (By::Radau(rtol), f64::INFINITY), FIRST, run.marks));
         if place == 0 {
             spent = last.get();
         }
@@ -384,7 +390,7 @@ pub(in crate::app) fn compare(
         // The run itself serves where its steps are those of the second one.
         let (mut steps, mut open) = (Vec::new(), Vec::new());
         if !is_exact(&run) || run.options.rtol != rtol {
-            let here = rows(&mut own, (rtol, f64::INFINITY), 1.0, &seen);
+            let here = rows(&mut own, (By::Radau(rtol), f64::INFINITY), 1.0, &seen);
             let all = run.iterations as f64 * unknowns(&own);
             is_alike |=
                 here.len() == run.marks.rows.len() && last.get() >= ALIKE * all && differ(rtol, run.options.rtol);
@@ -414,11 +420,37 @@ pub(in crate::app) fn compare(
         let is_settled = kinds.iter().all(|kind| kind.is_settled && !kind.is_far);
         is_exact(&run) && near < RTOL && !is_known && is_settled && expected <= left.get()
     }) {
-        let there = rows(finer, (near, f64::INFINITY), 1.0, run.marks);
+        let there = rows(finer, (By::Radau(near), f64::INFINITY), 1.0, run.marks);
         if there.len() == run.marks.rows.len() {
             found_so_far.meet(&there, near, true);
             let beyond = found_so_far.off(&there, near);
             kinds.iter_mut().for_each(|kind| kind.meet_near(near, &beyond));
+        }
+    }
+    if !is_exact(&run) && kinds.iter().any(|kind| !kind.steps.1.is_empty()) {
+        left.set(afforded(LAST, &own));
+        let rtol = tolerances[tolerances.len() - 1] / TEN;
+        let there = rows(&mut own, (By::Radau(rtol), f64::INFINITY), 1.0, run.marks);
+        if there.len() == run.marks.rows.len() {
+            let off = found_so_far.off(&there, rtol);
+            // Where a smaller tolerance comes nearer to the run, Radau is what is off, and the method itself tells.
+            let is_sure = |kind: &&mut Kind<'_>| largest(&kind.of(&off)) > NEARER * largest(&kind.steps.1);
+            let told = kinds.iter_mut().filter(|kind| !kind.steps.1.is_empty());
+            let (sure, unsure): (Vec<_>, Vec<_>) = told.partition(is_sure);
+            sure.into_iter()
+                .for_each(|kind| kind.meet_shorter(By::Radau(rtol), &off));
+            if !unsure.is_empty() {
+                left.set(afforded(LAST, &own));
+                let own_way = match run.options.step {
+                    StepSize::Fixed(h) => By::Step(0.5 * h),
+                    StepSize::Adaptive => By::Same(run.options.rtol / TEN),
+                };
+                let here = rows(&mut own, (own_way, f64::INFINITY), 1.0, run.marks);
+                if here.len() == run.marks.rows.len() {
+                    let off = found_so_far.off(&here, rtol);
+                    unsure.into_iter().for_each(|kind| kind.meet_shorter(own_way, &off));
+                }
+            }
         }
     }
     // Where motions and loads shorten steps, or something else does, they are alike at ten times the tolerance, which then tells too little.
@@ -441,13 +473,15 @@ pub(in crate::app) fn compare(
     left.set(afforded(LAST, &own));
     let smaller = std::iter::successors(Some(run.options.rtol / TEN), |rtol| Some(rtol / TEN));
     for rtol in smaller.take(tries).take_while(|&rtol| rtol >= LEAST) {
-        let here = rows(&mut own, (rtol, SHORTER * run.longest), 1.0, run.marks);
+        let here = rows(&mut own, (By::Radau(rtol), SHORTER * run.longest), 1.0, run.marks);
         if here.len() < run.marks.rows.len() {
             break;
         }
         found_so_far.meet(&here, rtol, false);
         let steps = found_so_far.off(&here, rtol);
-        kinds.iter_mut().for_each(|kind| kind.meet_smaller(rtol, &steps));
+        kinds
+            .iter_mut()
+            .for_each(|kind| kind.meet_shorter(By::Radau(rtol), &steps));
         // Until steps are others, and what they find is there.
         if last.get() >= OTHER * run.iterations as f64 * unknowns(&own) && !has_open(&found_so_far) {
             break;
@@ -497,7 +531,7 @@ fn found(
     let looser = Some(seen_with).filter(|&with| with > near && differ(with, near));
     let [motion, others] = kinds.map(|kind| kind.steps);
     // What is off in places is off in forces too.
-    let rtol = if motion.1.is_empty() { others.0 } else { motion.0 };
+    let by = if motion.1.is_empty() { others.0 } else { motion.0 };
     let steps = sorted([motion.1, others.1].concat());
     Found {
         until,
@@ -507,7 +541,7 @@ fn found(
             .then(|| not_compared([until, whole], !meshes.is_empty(), judging == Judging::Whole, failed))
             .flatten(),
         mesh: told(outputs, &meshes).map(|names| on_meshes(&scene.bodies(), ("this motion", seen), &names)),
-        steps: sentence_on_steps(run, rtol, outputs, &steps),
+        steps: on_steps::sentence(run, by, outputs, &steps, scene.unknowns() > scene.constraints()),
         off,
         looser,
     }
@@ -544,41 +578,4 @@ fn tolerances(run: &Ended<'_>, has_meshes: bool) -> Vec<f64> {
     }
     all.dedup_by(|next, before| *next >= 0.99 * *before);
     all
-}
-
-/// What parts of outputs say of the steps of a run, from what Radau finds with a tolerance.
-fn sentence_on_steps(run: &Ended<'_>, rtol: f64, outputs: &[Output], parts: &[Off]) -> Option<String> {
-    let names = told(outputs, parts)?;
-    let is_exact = is_exact(run);
-    let moves = parts
-        .iter()
-        .any(|off| off.part > TOLD && is_of_motion(&outputs[off.output]));
-    let is_fixed = matches!(run.options.step, StepSize::Fixed(_));
-    if !is_exact && !moves {
-        let shorter = if is_fixed { "`--step`" } else { "`--rtol`" };
-        return Some(format!(
-            "Radau with a tolerance of {rtol:.0e} finds the same motion with other forces, accelerations or energies, which differ by parts of their largest change or value, {names}. They follow vibrations that are too quick for the steps, which one method damps and the other keeps. Take a smaller {shorter}, or give the model the damping that such vibrations have."
-        ));
-    }
-    let found = if is_exact && rtol > run.options.rtol {
-        format!("with a tolerance of {rtol:.0e} outputs are so far away that those of this run may be off")
-    } else {
-        format!("Radau with a tolerance of {rtol:.0e} finds another motion, from which outputs differ")
-    };
-    if let StepSize::Fixed(h) = run.options.step {
-        return Some(format!(
-            "Steps of {h:e} s are chosen by no tolerance: {found} by parts of their largest change or value, {names}. Take a smaller `--step`, or leave it out."
-        ));
-    }
-    Some(format!(
-        "The tolerance of {:e} holds for each step, and errors of {} steps add up: {found} by parts of their largest change or value, {names}. Take {}a smaller `--rtol`.",
-        run.options.rtol,
-        run.steps,
-        if is_exact { "" } else { "`--integrator radau`, or " }
-    ))
-}
-
-/// Whether the steps of a run are those of the second one, but for the tolerance.
-fn is_exact(run: &Ended<'_>) -> bool {
-    run.method.is_radau() && run.options.step == StepSize::Adaptive
 }

@@ -11,5 +11,6 @@ pub(super) mod finer_model;
 pub(super) mod finer_modes;
 pub(super) mod marks;
 pub(super) mod meshes;
+mod on_steps;
 mod rest;
 pub(super) mod unfollowed;
