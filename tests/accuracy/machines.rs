@@ -1,6 +1,6 @@
 //! Machines of the field against their closed forms: mechanisms, columns under following forces, ropes, a truss that snaps, impacts.
 
-use rncf::app::{EquilibriumSettings, RunError, RunSettings, modes, run, static_equilibria, steady};
+use rncf::app::{EquilibriumSettings, Range, RunError, RunSettings, campbell, modes, run, static_equilibria, steady};
 use rncf::prelude::*;
 use rncf_test_models::{Level, Struck};
 
@@ -170,6 +170,33 @@ fn a_column_under_a_following_force_flutters_and_damping_makes_it_worse() {
     assert!(growth(damped - 0.05, 0.01) < 0.0 && growth(damped + 0.05, 0.01) > 0.0);
 }
 
+/// Damping that is light makes it flutter there, too, however slowly it then grows: the diagram tells the load to what it says, at dampers of 1e-2 to 1e-6 of the
+/// critical ones.
+#[test]
+fn lightly_damped_flutter_begins_where_its_damping_says() {
+    let settings = EquilibriumSettings {
+        range: Some(Range {
+            param: 0,
+            from: 0.0,
+            to: 300.0,
+        }),
+        ..EquilibriumSettings::default()
+    };
+    for damper in [0.1, 1e-2, 1e-3, 1e-4, 2e-5] {
+        let found = campbell(&Ziegler { load: 0.0, damper }, &settings).unwrap();
+        let first = found
+            .onsets
+            .first()
+            .unwrap_or_else(|| panic!("{damper}: nothing grows"));
+        // In k/l, with masses 2 m and m: 41/28 + c^2 / (2 k m l^2).
+        let exact = 100.0 * 41.0 / 28.0 + 0.5 * damper * damper;
+        assert!(
+            (first.key / exact - 1.0).abs() < 1e-6 && first.within < 1e-5 * exact,
+            "{damper}: {first:?}"
+        );
+    }
+}
+
 /// Without loads it swings freely: no stiffness leads from rest to the equilibrium, whatever the mesh.
 #[test]
 fn a_rope_that_hangs_swings_as_bessel_says() {
@@ -285,4 +312,35 @@ fn a_bar_bounces_back_with_its_momentum() {
     }
     let (part, is_told) = part(1e12, 1e-6, Method::GeneralizedAlpha { rho_inf: 0.8 });
     assert!((part + 1.0).abs() < 0.05 || is_told, "{part}");
+}
+
+rncf::model! {
+    /// Two equal double pendulums: one with a joint between its rods, one with the same as a constraint.
+    pub model Twice {
+        rigid upper { plane xy; mass = 1 kg; inertia = 0.1 kg*m^2; origin = [0, 0, 0] m; center = [0.5, 0, 0] m; }
+        rigid lower { plane xy; mass = 1 kg; inertia = 0.1 kg*m^2; origin = [1, 0, 0] m; center = [0.5, 0, 0] m; }
+        rigid upper2 { plane xy; mass = 1 kg; inertia = 0.1 kg*m^2; origin = [0, 0, 0] m; center = [0.5, 0, 0] m; }
+        rigid lower2 { plane xy; mass = 1 kg; inertia = 0.1 kg*m^2; origin = [1, 0, 0] m; center = [0.5, 0, 0] m; }
+        joint foot = revolute(inertial, upper);
+        joint foot2 = revolute(inertial, upper2);
+        joint knee = revolute(upper.at([1, 0, 0] m), lower.at([0, 0, 0] m));
+        constraint knee2 = [upper2.at([1, 0, 0] m).x - lower2.x, upper2.at([1, 0, 0] m).y - lower2.y, 0 m];
+        load weight = gravity([0, -9.81, 0] m/s^2);
+        output first = lower.angle;
+        output second = lower2.angle;
+        output held = knee.force.x;
+        output tied = knee2.multiplier;
+        run { t_end = 0.5 s; every = 0.1 s; }
+    }
+}
+
+/// A component of a constraint that is written as zero asks for nothing.
+#[test]
+fn a_loop_in_a_plane_closes_as_a_vector_with_a_zero() {
+    let found = run(&Twice {}, &RunSettings::default()).unwrap().history;
+    assert_eq!(found.columns.len(), 5, "{:?}", found.columns);
+    for row in found.values.chunks(5) {
+        assert!((row[0] - row[1]).abs() < 1e-6, "{row:?}");
+        assert!((row[2].abs() - row[3].abs()).abs() < 1e-3, "{row:?}");
+    }
 }

@@ -198,3 +198,46 @@ fn where_a_whirl_begins_to_grow_is_told() {
     assert!(found.onsets.is_empty(), "{:?}", found.onsets);
     assert!((found.critical[0].value - 10.0).abs() < 1e-4, "{:?}", found.critical);
 }
+
+rncf::model! {
+    /// A disc on a shaft whose damping turns with it, and on bearings that damp as much.
+    pub model Internal {
+        param speed = 150 rad/s;
+        param damper = 1 N*s/m;
+        frame rotor = rotating(axis = z, angle = speed * t);
+        rigid disc in rotor { plane xy; mass = 2 kg; inertia = 0.1 kg*m^2; }
+        spring shaft = bushing(disc, rotor, stiffness = [20, 20, 0] kN/m, damping = [damper, damper, 0], rotational_stiffness = [0, 0, 1e7] N*m/rad);
+        spring outer = bushing(disc, inertial, damping = [damper, damper, 0]);
+        output x = disc.x;
+    }
+}
+
+/// It whirls from twice its frequency on, `w_0 (1 + c_e / c_i)`, at 100 rad/s in space, however light the damping is.
+#[test]
+fn light_damping_that_turns_destabilises_where_it_does() {
+    for damper in [1.0, 1e-2, 1e-3, 1e-4] {
+        let settings = EquilibriumSettings {
+            range: Some(Range {
+                param: 0,
+                from: 0.0,
+                to: 400.0,
+            }),
+            ..EquilibriumSettings::default()
+        };
+        let found = campbell(
+            &Internal {
+                damper,
+                ..Internal::default()
+            },
+            &settings,
+        )
+        .unwrap();
+        let [onset] = &found.onsets[..] else {
+            panic!("{damper}: {:?}", found.onsets)
+        };
+        assert!(
+            (onset.key - 200.0).abs() < 1e-4 && (onset.im - 100.0).abs() < 1e-4,
+            "{damper}: {onset:?}"
+        );
+    }
+}

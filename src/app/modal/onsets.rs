@@ -1,6 +1,7 @@
 //! Where on the way modes begin to grow, or cease to: flutter, hunting, the whirl of a damped shaft.
 
 use super::tracker::{Looked, there};
+use crate::State;
 use crate::app::equilibria::continuation::Line;
 use crate::app::results::campbell::{Campbell, Onset};
 use crate::app::results::modes::{SeenMode, fastest};
@@ -13,6 +14,10 @@ const TWICE: f64 = 2.0;
 const BENT: f64 = 4.0;
 /// Part of the way on a line that it may be off by.
 const LINEAR: f64 = 0.01;
+/// Rate of decay, of the frequency of a mode, that round-off makes of a single one.
+const SINGLE: f64 = 1e-9;
+/// Part of a rate of growth or decay that is nothing beside it.
+const SMALL: f64 = 1e-3;
 /// Part of a value within which a critical one beside it says the same.
 const ALIKE: f64 = 1e-4;
 
@@ -26,22 +31,21 @@ pub(super) fn onset(line: &mut Line<'_>, diagram: &Campbell) -> Option<Onset> {
     }
     let (first, last) = line.last_two();
     let (first, last) = (first?.clone(), last.clone());
-    let (mut low, mut high, mut guess) = (first.share, last.share, first.state);
+    let (mut low, mut high, mut guess) = (first.share, last.share, first.state.clone());
     let grown = if before.is_some() { first.share } else { last.share };
     let mut growing = vec![(grown, before.or(after)?)];
+    let [from, to] = [0.0, 1.0].map(|share| line.key(share));
+    let share_of = |key: f64| (key - from) / (to - from);
+    let mut seen: Vec<(f64, Vec<SeenMode>)> = (0..=row + 1)
+        .map(|row| (share_of(diagram.keys[row]), diagram.row(row).collect()))
+        .collect();
     for _ in 0..LOOKS {
         let share = low + 0.5 * (high - low);
-        let Some((mut scene, at, state, back)) = line.between(share, &guess) else {
+        let Some((modes, back)) = look(line, diagram, share, &guess) else {
             break;
         };
-        let Ok(looked) = Looked::at(scene.as_mut(), &at, &state, diagram.settings.count) else {
-            break;
-        };
-        let seen = looked.modes.iter().map(|mode| {
-            let mode = there(scene.as_mut(), &at, mode);
-            SeenMode::of(scene.as_mut(), &at, &state, &mode)
-        });
-        let found = fastest(&seen.collect::<Vec<_>>());
+        let found = fastest(&modes);
+        seen.push((share, modes));
         growing.extend(found.map(|mode| (share, mode)));
         if found.is_some() == before.is_some() {
             (low, guess) = (share, back);
@@ -49,8 +53,12 @@ pub(super) fn onset(line: &mut Line<'_>, diagram: &Campbell) -> Option<Onset> {
             high = share;
         }
     }
-    let zero = zero_of(&growing, [low, high]);
-    let away = LINEAR * (zero - low).abs() + 0.5 * (high - low).abs();
+    let last = *growing.last()?;
+    let mut at = |share: f64| look(line, diagram, share, &first.state).map(|(modes, _)| modes);
+    let (zero, away, im) = sign_changes(seen, last, before.is_none(), &mut at).unwrap_or_else(|| {
+        let zero = zero_of(&growing, [low, high]);
+        (zero, LINEAR * (zero - low).abs() + 0.5 * (high - low).abs(), last.1.im)
+    });
     let key = line.key(zero);
     let within = (line.key(zero + away) - key).abs();
     let is_critical = |value: f64| (value - key).abs() <= within.max(ALIKE * key.abs());
@@ -58,9 +66,80 @@ pub(super) fn onset(line: &mut Line<'_>, diagram: &Campbell) -> Option<Onset> {
     (!is_known).then_some(Onset {
         key,
         within,
-        im: growing.last()?.1.im,
+        im,
         begins: after.is_some(),
     })
+}
+
+/// The modes at a part of the way, and the equilibrium there.
+fn look(line: &mut Line<'_>, diagram: &Campbell, share: f64, guess: &State) -> Option<(Vec<SeenMode>, State)> {
+    let (mut scene, at, state, back) = line.between(share, guess)?;
+    let looked = Looked::at(scene.as_mut(), &at, &state, diagram.settings.count).ok()?;
+    let seen = looked.modes.iter().map(|mode| {
+        let mode = there(scene.as_mut(), &at, mode);
+        SeenMode::of(scene.as_mut(), &at, &state, &mode)
+    });
+    Some((seen.collect(), back))
+}
+
+/// Where the rate of growth of a mode changes its sign, how far away that may be, in parts of the way, and its frequency there, rad/s: damped lightly, it does so long before it grows by more
+/// than round-off makes of two equal frequencies. `None` where it decays nowhere by more than that of a single one. The mode grows at a part of the way,
+/// and is followed down or up through what was seen.
+fn sign_changes(
+    mut seen: Vec<(f64, Vec<SeenMode>)>,
+    (grown, mode): (f64, SeenMode),
+    is_below: bool,
+    at: &mut dyn FnMut(f64) -> Option<Vec<SeenMode>>,
+) -> Option<(f64, f64, f64)> {
+    seen.retain(|(share, _)| if is_below { *share < grown } else { *share > grown });
+    seen.sort_by(|a, b| (a.0 - grown).abs().total_cmp(&(b.0 - grown).abs()));
+    let mut above = (grown, mode);
+    let mut below = None;
+    for (share, modes) in seen {
+        let mode = nearest(&modes, &above.1)?;
+        if mode.re < -SINGLE * mode.re.hypot(mode.im) {
+            below = Some((share, mode));
+            break;
+        }
+        if mode.re > 0.0 {
+            above = (share, mode);
+        }
+    }
+    let mut below = below?;
+    let zero = |below: &(f64, SeenMode), above: &(f64, SeenMode)| {
+        below.0 - below.1.re * (above.0 - below.0) / (above.1.re - below.1.re)
+    };
+    let first = [below.1.re.abs(), above.1.re].into_iter().fold(f64::INFINITY, f64::min);
+    let mut found = zero(&below, &above);
+    let (mut away, mut im) = (0.5 * (above.0 - below.0).abs(), above.1.im);
+    for _ in 0..LOOKS {
+        let share = found;
+        let mode = nearest(
+            &at(share)?,
+            if below.1.re.abs() < above.1.re {
+                &below.1
+            } else {
+                &above.1
+            },
+        )?;
+        if mode.re < 0.0 {
+            below = (share, mode);
+        } else {
+            above = (share, mode);
+        }
+        found = zero(&below, &above);
+        (away, im) = ((found - share).abs(), mode.im);
+        if mode.re.abs() <= SMALL * first {
+            break;
+        }
+    }
+    Some((found, away, im))
+}
+
+/// Which of some modes has its value next to that of another.
+fn nearest(modes: &[SeenMode], to: &SeenMode) -> Option<SeenMode> {
+    let distance = |mode: &SeenMode| (mode.re - to.re).hypot(mode.im - to.im);
+    modes.iter().copied().min_by(|a, b| distance(a).total_cmp(&distance(b)))
 }
 
 /// Where the growth of the last of some modes is zero, each with its part of the way: growth that hardly differs from round-off counts as none, so that this is

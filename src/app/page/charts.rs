@@ -10,6 +10,7 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use serde_json::{Value, json};
 
+use super::lanes::{above, height, lanes};
 use crate::app::writing::numbers::digits;
 
 /// A chart of lines over a common axis; the default has none.
@@ -126,6 +127,8 @@ pub(in crate::app) const WIDTH: u32 = 3840;
 pub(in crate::app) const HEIGHT: u32 = 1280;
 pub(in crate::app) const TALL: u32 = 2200;
 pub(in crate::app) const TEXT: u32 = 64;
+/// Room for the vertical axis and its labels.
+pub(in crate::app) const LEFT: u32 = 320;
 const STROKE: u32 = 7;
 // More points than this are not told apart in the drawing.
 const BUCKETS: usize = 1500;
@@ -200,27 +203,36 @@ impl Chart {
         Y::CoordDescType: Ranged<ValueType = f64> + ValueFormatter<f64>,
     {
         let told = |error: &dyn Display| error.to_string();
+        let right = if self.lines.iter().any(|line| line.guide.is_some()) {
+            160
+        } else {
+            120
+        };
+        let width = f64::from(WIDTH - 24 - LEFT - right);
+        let place = |value: f64| width * (value - x.start) / (x.end - x.start);
+        let lanes = lanes(
+            self.marks.iter().map(|(value, name)| (place(*value), name.as_str())),
+            TEXT,
+        );
         let mut chart = ChartBuilder::on(area)
             .margin(24)
-            .margin_top(if self.marks.is_empty() { 24 } else { 100 })
-            .margin_right(if self.lines.iter().any(|line| line.guide.is_some()) {
-                160
-            } else {
-                120
-            })
+            .margin_top(height(&lanes, TEXT))
+            .margin_right(right)
             .x_label_area_size(168)
-            .y_label_area_size(320)
+            .y_label_area_size(LEFT)
             .build_cartesian_2d(x.clone(), scaled(y.clone()))
             .map_err(|error| told(&error))?;
         self.draw_mesh(&mut chart, ticks).map_err(|error| told(&error))?;
         let style = ("sans-serif", TEXT).into_font().color(&INK);
         let centred = style.pos(Pos::new(HPos::Center, VPos::Bottom));
-        for (place, label) in &self.marks {
+        for ((place, label), lane) in self.marks.iter().zip(lanes) {
             let ends = [(*place, y.start), (*place, y.end)];
             let line = DashedLineSeries::new(ends, 12, 20, INK.stroke_width(4));
             chart.draw_series(line).map_err(|error| told(&error))?;
-            let text = Text::new(label.clone(), (*place, y.end), centred.clone());
-            chart.draw_series([text]).map_err(|error| told(&error))?;
+            let text = Text::new(label.clone(), (0, -(above(lane, TEXT) as i32)), centred.clone());
+            chart
+                .draw_series([EmptyElement::at((*place, y.end)) + text])
+                .map_err(|error| told(&error))?;
         }
         for line in &self.lines {
             let points = line.seen(BUCKETS);

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use super::charts::{Chart, Line, figure};
 use super::critical::{EXACT, critical_lines, marks};
 use crate::app::pictures::view;
-use crate::app::results::campbell::Campbell;
+use crate::app::results::campbell::{Campbell, Onset};
 use crate::app::results::modes::{Inertial, Modes, SeenMode, growth, neutral};
 use crate::app::writing::csv::cell;
 use crate::app::writing::frequency::Frequency;
@@ -319,6 +319,9 @@ pub(in crate::app) fn campbell_lines(result: &Campbell, frequency: Frequency) ->
         _ if rows.iter().any(Vec::is_empty) => {
             "At some of the values there are no modes: nothing is said of the stability.".into()
         }
+        _ if rows.iter().any(|row| row.iter().any(|mode| mode.re > neutral(row))) => {
+            "No mode grows at any of the values by more than round-off makes of two equal frequencies.".into()
+        }
         _ => "No mode grows at any of the values.".into(),
     });
     lines
@@ -366,7 +369,7 @@ pub(in crate::app) fn campbell_part(result: &Campbell, frequency: Frequency) -> 
         x: result.key.head(),
         y: "largest re [1/s]".into(),
         lines: vec![Line::new(points, 3)],
-        marks: marks(&result.critical),
+        marks: marked(result),
         ..Chart::default()
     };
     figure(
@@ -414,9 +417,21 @@ fn diagram(result: &Campbell, frequency: Frequency, seen: impl Fn(SeenMode, f64)
         y: format!("{axis} [{}]", frequency.unit()),
         logarithmic: false,
         lines,
-        marks: marks(&result.critical),
+        marks: marked(result),
         is_tall: true,
     }
+}
+
+/// Vertical lines at critical values, and where modes begin or cease to grow.
+fn marked(result: &Campbell) -> Vec<(f64, String)> {
+    let onset = |onset: &Onset| {
+        let what = if onset.begins { "grows from" } else { "grows up to" };
+        (onset.key, format!("{what} {}", digits(onset.key, 5)))
+    };
+    marks(&result.critical)
+        .into_iter()
+        .chain(result.onsets.iter().map(onset))
+        .collect()
 }
 
 /// A track as lines of one sense each; a new one begins where the old one ends.

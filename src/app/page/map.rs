@@ -6,7 +6,8 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use serde_json::{Value, json};
 
-use super::charts::{INK, TALL, TEXT, WIDTH, hex, live};
+use super::charts::{INK, LEFT, TALL, TEXT, WIDTH, hex, live};
+use super::lanes::{above, height, lanes};
 use crate::app::writing::html::escape;
 use crate::app::writing::numbers::digits;
 
@@ -317,12 +318,19 @@ impl Map {
         let told = |error: &dyn std::fmt::Display| format!("cannot be drawn: {error}");
         let range = |edges: &[f64]| edges[0]..edges[edges.len() - 1];
         let size = |edges: &[f64]| edges[0].abs().max(edges[edges.len() - 1].abs());
+        let (first, last) = (across[0], across[across.len() - 1]);
+        let width = f64::from(WIDTH - 24 - LEFT - 160);
+        let place = |value: f64| width * (self.x.place(value) - first) / (last - first);
+        let lanes = lanes(
+            self.marks.iter().map(|(value, name)| (place(*value), name.as_str())),
+            TEXT,
+        );
         let mut chart = ChartBuilder::on(&area)
             .margin(24)
-            .margin_top(if self.marks.is_empty() { 24 } else { 100 })
+            .margin_top(height(&lanes, TEXT))
             .margin_right(160)
             .x_label_area_size(168)
-            .y_label_area_size(320)
+            .y_label_area_size(LEFT)
             .build_cartesian_2d(range(&across), range(&up))
             .map_err(|error| told(&error))?;
         let style = ("sans-serif", TEXT).into_font().color(&INK);
@@ -347,13 +355,15 @@ impl Map {
             .set_all_tick_mark_size(16)
             .draw()
             .map_err(|error| told(&error))?;
-        for (value, name) in &self.marks {
+        for ((value, name), lane) in self.marks.iter().zip(lanes) {
             let (place, end) = (self.x.place(*value), up[up.len() - 1]);
             let line = DashedLineSeries::new([(place, up[0]), (place, end)], 24, 24, INK.stroke_width(6));
             chart.draw_series(line).map_err(|error| told(&error))?;
             let centred = style.clone().pos(Pos::new(HPos::Center, VPos::Bottom));
-            let text = Text::new(name.clone(), (place, end), centred);
-            chart.draw_series([text]).map_err(|error| told(&error))?;
+            let text = Text::new(name.clone(), (0, -(above(lane, TEXT) as i32)), centred);
+            chart
+                .draw_series([EmptyElement::at((place, end)) + text])
+                .map_err(|error| told(&error))?;
         }
         // Under the cursor a browser shows the title of what lies there.
         let mut titles = String::new();

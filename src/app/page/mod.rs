@@ -7,6 +7,7 @@ pub(super) mod compare;
 pub(super) mod critical;
 pub(super) mod diagrams;
 pub(super) mod figure;
+mod lanes;
 pub(super) mod map;
 pub(super) mod mass_table;
 pub(super) mod report;

@@ -64,6 +64,19 @@
     return element("polygon", { points, ...attributes }, parent);
   };
 
+  // The rows of names, counted from the chart, that are centred at places and so wide.
+  const rows = (names) => {
+    const spans = names.map(([place, wide], index) => ({ from: place - wide / 2, to: place + wide / 2, index }));
+    const ends = [];
+    const found = [];
+    for (const { from, to, index } of spans.sort((a, b) => a.from - b.from)) {
+      const free = ends.findIndex((end) => end <= from);
+      found[index] = free < 0 ? ends.length : free;
+      ends[found[index]] = to;
+    }
+    return found;
+  };
+
   class Chart {
     constructor(figure, data) {
       this.data = data;
@@ -159,12 +172,14 @@
       const marks = log ? decades(low, high) : ticks(low, high, 6);
       const label = (place) => shown(log ? 10 ** place : place, 6);
       const left = 30 + 7.2 * Math.max(...marks.map((place) => label(place).length));
-      const area = { left, right: width - 22, top: this.data.marks.length ? 24 : 8, bottom: height - 42 };
+      const area = { left, right: width - 22, top: 8, bottom: height - 42 };
       const across = even(logx);
       let [from, to] = this.view.map(across);
       if (!(to > from)) [from, to] = [from - 0.5, from + 0.5];
       this.x = (value) => area.left + ((across(value) - from) / (to - from)) * (area.right - area.left);
       this.back = (place) => plain(logx)(from + ((place - area.left) / (area.right - area.left)) * (to - from));
+      const lanes = rows(this.data.marks.map(([place, text]) => [this.x(place), 7 * (text.length + 1)]));
+      if (lanes.length) area.top = 24 + 15 * Math.max(...lanes);
       this.y = (value) => area.bottom - ((up(value) - low) / (high - low)) * (area.bottom - area.top);
       this.area = area;
 
@@ -217,10 +232,10 @@
           if (end) element("text", { x: end[0] - 4, y: end[1] + 12, class: "end" }, svg, line.guide);
         }
       }
-      for (const [place, text] of this.data.marks) {
+      for (const [index, [place, text]] of this.data.marks.entries()) {
         const x = this.x(place);
         element("line", { x1: x, x2: x, y1: area.top, y2: area.bottom, class: "mark" }, inside);
-        if (x >= area.left && x <= area.right) element("text", { x, y: area.top - 6, class: "middle" }, svg, text);
+        if (x >= area.left && x <= area.right) element("text", { x, y: area.top - 6 - 15 * lanes[index], class: "middle" }, svg, text);
       }
       this.hand = element("g", {}, inside);
       this.again.hidden = this.view === this.whole;

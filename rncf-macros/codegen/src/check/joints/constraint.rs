@@ -3,7 +3,7 @@
 use crate::check::values::scope::Scope;
 use crate::check::values::vector::Quantity;
 use crate::check::values::words::AXES;
-use crate::check::{Check, say};
+use crate::check::{Check, fold, say};
 use crate::joints::{Rows, algebra};
 use crate::model::{ConstraintId, Expr as Value, FrameId, Marker, MarkerId};
 use crate::parse::tree::{Expr, Item, ItemKind, Keyword};
@@ -44,16 +44,14 @@ impl<'a> Check<'a> {
             Quantity::Scalar(typed) => (vec![(String::from("value"), typed.value)], typed.dimension, None, None),
             Quantity::Vector(vector) => {
                 let name = |axis: usize| AXES[axis].to_string();
-                let rows = vector
-                    .axes
-                    .iter()
-                    .map(|axis| (name(*axis), vector.values[*axis].clone()));
-                (
-                    rows.collect(),
-                    vector.dimension,
-                    Some(vector.axes.clone()),
-                    vector.frame,
-                )
+                // A component that is written as zero asks for nothing.
+                let is_asked = |axis: &&usize| fold::constant(&vector.values[**axis]) != Some(0.0);
+                let axes: Vec<usize> = match vector.axes.iter().filter(is_asked).copied().collect::<Vec<_>>() {
+                    none if none.is_empty() => vector.axes.clone(),
+                    some => some,
+                };
+                let rows = axes.iter().map(|axis| (name(*axis), vector.values[*axis].clone()));
+                (rows.collect(), vector.dimension, Some(axes), vector.frame)
             }
         };
         if !self.is_smooth(value.area, rows.iter().map(|(_, row)| row)) {
