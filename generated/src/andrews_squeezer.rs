@@ -298,6 +298,7 @@ impl ::rncf::Model for AndrewsSqueezer {
         let mut run = ::rncf::RunDefaults {
             t_end: 0.0,
             every: 0.0,
+            start: ::rncf::Start::Rest,
         };
         andrews_squeezer_equations::run_defaults(self, &mut run);
         run

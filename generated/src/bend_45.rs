@@ -291,6 +291,7 @@ impl ::rncf::Model for Bend45 {
         let mut run = ::rncf::RunDefaults {
             t_end: 0.0,
             every: 0.0,
+            start: ::rncf::Start::Rest,
         };
         bend45_equations::run_defaults(self, &mut run);
         run

@@ -169,6 +169,7 @@ impl ::rncf::Model for Bricard {
         let mut run = ::rncf::RunDefaults {
             t_end: 0.0,
             every: 0.0,
+            start: ::rncf::Start::Rest,
         };
         bricard_equations::run_defaults(self, &mut run);
         run

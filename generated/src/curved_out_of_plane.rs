@@ -354,6 +354,7 @@ impl ::rncf::Model for CurvedOutOfPlane {
         let mut run = ::rncf::RunDefaults {
             t_end: 0.0,
             every: 0.0,
+            start: ::rncf::Start::Rest,
         };
         curved_out_of_plane_equations::run_defaults(self, &mut run);
         run

@@ -330,6 +330,7 @@ impl ::rncf::Model for CurvedUpwind {
         let mut run = ::rncf::RunDefaults {
             t_end: 0.0,
             every: 0.0,
+            start: ::rncf::Start::Rest,
         };
         curved_upwind_equations::run_defaults(self, &mut run);
         run

@@ -291,6 +291,7 @@ impl ::rncf::Model for Elastica {
         let mut run = ::rncf::RunDefaults {
             t_end: 0.0,
             every: 0.0,
+            start: ::rncf::Start::Rest,
         };
         elastica_equations::run_defaults(self, &mut run);
         run

@@ -563,6 +563,7 @@ impl ::rncf::Model for Esail {
         let mut run = ::rncf::RunDefaults {
             t_end: 0.0,
             every: 0.0,
+            start: ::rncf::Start::Rest,
         };
         esail_equations::run_defaults(self, &mut run);
         run

@@ -553,6 +553,7 @@ impl ::rncf::Model for EsailSlack {
         let mut run = ::rncf::RunDefaults {
             t_end: 0.0,
             every: 0.0,
+            start: ::rncf::Start::Rest,
         };
         esail_slack_equations::run_defaults(self, &mut run);
         run

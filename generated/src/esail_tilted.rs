@@ -541,6 +541,7 @@ impl ::rncf::Model for EsailTilted {
         let mut run = ::rncf::RunDefaults {
             t_end: 0.0,
             every: 0.0,
+            start: ::rncf::Start::Rest,
         };
         esail_tilted_equations::run_defaults(self, &mut run);
         run

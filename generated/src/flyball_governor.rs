@@ -276,6 +276,7 @@ impl ::rncf::Model for FlyballGovernor {
         let mut run = ::rncf::RunDefaults {
             t_end: 0.0,
             every: 0.0,
+            start: ::rncf::Start::Rest,
         };
         flyball_governor_equations::run_defaults(self, &mut run);
         run

@@ -151,6 +151,7 @@ impl ::rncf::Model for FourBar {
         let mut run = ::rncf::RunDefaults {
             t_end: 0.0,
             every: 0.0,
+            start: ::rncf::Start::Rest,
         };
         four_bar_equations::run_defaults(self, &mut run);
         run

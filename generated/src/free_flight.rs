@@ -296,6 +296,7 @@ impl ::rncf::Model for FreeFlight {
         let mut run = ::rncf::RunDefaults {
             t_end: 0.0,
             every: 0.0,
+            start: ::rncf::Start::Rest,
         };
         free_flight_equations::run_defaults(self, &mut run);
         run

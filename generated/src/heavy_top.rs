@@ -127,6 +127,7 @@ impl ::rncf::Model for HeavyTop {
         let mut run = ::rncf::RunDefaults {
             t_end: 0.0,
             every: 0.0,
+            start: ::rncf::Start::Rest,
         };
         heavy_top_equations::run_defaults(self, &mut run);
         run

@@ -289,6 +289,7 @@ impl ::rncf::Model for Iea15mwBlade {
         let mut run = ::rncf::RunDefaults {
             t_end: 0.0,
             every: 0.0,
+            start: ::rncf::Start::Rest,
         };
         iea15mw_blade_equations::run_defaults(self, &mut run);
         run

@@ -310,6 +310,7 @@ impl ::rncf::Model for LateralBuckling {
         let mut run = ::rncf::RunDefaults {
             t_end: 0.0,
             every: 0.0,
+            start: ::rncf::Start::Rest,
         };
         lateral_buckling_equations::run_defaults(self, &mut run);
         run

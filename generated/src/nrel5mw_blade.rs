@@ -347,6 +347,7 @@ impl ::rncf::Model for Nrel5mwBlade {
         let mut run = ::rncf::RunDefaults {
             t_end: 0.0,
             every: 0.0,
+            start: ::rncf::Start::Rest,
         };
         nrel5mw_blade_equations::run_defaults(self, &mut run);
         run

@@ -261,6 +261,7 @@ impl ::rncf::Model for PinnedPipe {
         let mut run = ::rncf::RunDefaults {
             t_end: 0.0,
             every: 0.0,
+            start: ::rncf::Start::Rest,
         };
         pinned_pipe_equations::run_defaults(self, &mut run);
         run

@@ -318,6 +318,7 @@ impl ::rncf::Model for PrincetonBeam {
         let mut run = ::rncf::RunDefaults {
             t_end: 0.0,
             every: 0.0,
+            start: ::rncf::Start::Rest,
         };
         princeton_beam_equations::run_defaults(self, &mut run);
         run

@@ -353,6 +353,7 @@ impl ::rncf::Model for RightAngleFrame {
         let mut run = ::rncf::RunDefaults {
             t_end: 0.0,
             every: 0.0,
+            start: ::rncf::Start::Rest,
         };
         right_angle_frame_equations::run_defaults(self, &mut run);
         run

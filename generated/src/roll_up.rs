@@ -285,6 +285,7 @@ impl ::rncf::Model for RollUp {
         let mut run = ::rncf::RunDefaults {
             t_end: 0.0,
             every: 0.0,
+            start: ::rncf::Start::Rest,
         };
         roll_up_equations::run_defaults(self, &mut run);
         run

@@ -301,6 +301,7 @@ impl ::rncf::Model for RotatingCantilever {
         let mut run = ::rncf::RunDefaults {
             t_end: 0.0,
             every: 0.0,
+            start: ::rncf::Start::Rest,
         };
         rotating_cantilever_equations::run_defaults(self, &mut run);
         run

@@ -434,6 +434,7 @@ impl ::rncf::Model for SliderCrank {
         let mut run = ::rncf::RunDefaults {
             t_end: 0.0,
             every: 0.0,
+            start: ::rncf::Start::Rest,
         };
         slider_crank_equations::run_defaults(self, &mut run);
         run

@@ -284,6 +284,7 @@ impl ::rncf::Model for SpinUp {
         let mut run = ::rncf::RunDefaults {
             t_end: 0.0,
             every: 0.0,
+            start: ::rncf::Start::Rest,
         };
         spin_up_equations::run_defaults(self, &mut run);
         run

@@ -292,6 +292,7 @@ impl ::rncf::Model for SpinUpSpatial {
         let mut run = ::rncf::RunDefaults {
             t_end: 0.0,
             every: 0.0,
+            start: ::rncf::Start::Rest,
         };
         spin_up_spatial_equations::run_defaults(self, &mut run);
         run

@@ -144,9 +144,12 @@ impl fmt::Display for SolveError {
                         "let what the drive prescribes begin with the coordinate of the start, which is 0 in space"
                     }
                     (true, true) => {
-                        "what the drive prescribes begins with a speed: give the bodies that `velocity` or `speed`, or let it begin at rest, as a table with `interpolation = clamped` does"
+                        "what the drive prescribes begins with a speed: `start = moving` in `run` gives all bodies the velocities that joints and drives ask for; or let it begin at rest, as a table with `interpolation = clamped` does"
                     }
-                    (false, _) => "correct the initial positions or velocities",
+                    (false, false) => "correct the initial positions",
+                    (false, true) => {
+                        "correct the initial velocities, or let `start = moving` in `run` find the nearest that joints and drives allow"
+                    }
                 };
                 write!(
                     f,

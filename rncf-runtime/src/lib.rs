@@ -26,7 +26,7 @@ pub use emitted::TableFile;
 pub use equilibrium::{Equilibrium, steady};
 pub use error::{ModelError, SolveError};
 pub use import::hash;
-pub use integrate::{Integrator, Method, Options, Parameter, Statistics, StepSize, Stop};
+pub use integrate::{Integrator, Method, Options, Parameter, Statistics, StepSize, Stop, set_in_motion};
 pub use modal::build_as;
 pub use model::{
     Ancf, AnyModel, Caution, Formulated, Formulation, Joints, Model, Output, Param, ParamKind, Rncf, RunDefaults,

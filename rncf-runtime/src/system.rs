@@ -359,6 +359,11 @@ pub trait System {
     /// overwritten.
     fn tangent(&mut self, state: &State, out: &mut Tangent);
 
+    /// Stiffness of the elasticity of bodies alone on [`System::pattern`], symmetric; every entry is overwritten.
+    fn elastic_stiffness(&mut self, _state: &State, values: &mut [f64]) {
+        values.fill(0.0);
+    }
+
     /// `(factors[0] M + factors[1] C) T^-1 + factors[2] K` on [`System::pattern`], the matrix of Newton's iteration
     /// for right increments: M, C and K as in [`System::tangent`], with T(theta) in the columns of orientations
     /// (THEORY 7.2). Every entry is overwritten.

@@ -133,6 +133,7 @@ impl Model for Rotor {
         RunDefaults {
             t_end: 4.0,
             every: 0.05,
+            start: crate::Start::Rest,
         }
     }
 

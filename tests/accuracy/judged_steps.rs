@@ -255,7 +255,7 @@ fn steps_of_the_comparison_are_not_told_as_a_coarse_mesh() {
 #[test]
 fn what_stands_still_is_judged_by_its_value() {
     let settings = RunSettings {
-        start: Start::Steady,
+        start: Some(Start::Steady),
         ..judged(1e-6, Judging::Affordable)
     };
     let found = run(&EvenBlade {}, &settings).unwrap();

@@ -27,7 +27,7 @@ fn stops_in_space_are_those_in_a_plane() {
     let result = app::run(
         &Stops::default(),
         &app::RunSettings {
-            start: Start::Rest,
+            start: Some(Start::Rest),
             ..app::RunSettings::default()
         },
     )

@@ -36,7 +36,7 @@ fn angles_of_joints_count_how_a_parent_starts() {
         let of = |off: f64| {
             let settings = app::RunSettings {
                 formulation,
-                start: Start::Rest,
+                start: Some(Start::Rest),
                 ..app::RunSettings::default()
             };
             let model = Turned {

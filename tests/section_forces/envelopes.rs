@@ -14,7 +14,7 @@ fn a_run_that_breaks_its_material_warns_once() {
         ..Blades::default()
     };
     let settings = RunSettings {
-        start: rncf::Start::Steady,
+        start: Some(rncf::Start::Steady),
         t_end: Some(0.02),
         every: Some(0.005),
         ..RunSettings::default()

@@ -430,7 +430,7 @@ fn the_equilibrium_that_grows_out_of_rest_is_found_with_few_steps() {
         );
     }
     let settings = RunSettings {
-        start: Start::Steady,
+        start: Some(Start::Steady),
         ..RunSettings::default()
     };
     let started = run(&model, &settings).unwrap();

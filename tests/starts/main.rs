@@ -4,6 +4,7 @@ mod assembled;
 mod closed;
 mod coils;
 mod equilibria;
+mod moving;
 mod slack;
 
 use rncf::Model;

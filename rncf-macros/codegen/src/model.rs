@@ -170,6 +170,19 @@ pub struct Run {
     pub t_end: Expr,
     /// Time between rows, s.
     pub every: Expr,
+    /// How the bodies start.
+    pub start: Begin,
+}
+
+/// How the bodies start in a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Begin {
+    /// Undeformed and at rest in their frames.
+    Rest,
+    /// Undeformed, with the velocities that joints and drives ask for.
+    Moving,
+    /// In relative equilibrium with the spin.
+    Steady,
 }
 
 impl Default for Run {
@@ -177,6 +190,7 @@ impl Default for Run {
         Self {
             t_end: Expr::Number(1.0),
             every: Expr::Number(0.01),
+            start: Begin::Rest,
         }
     }
 }

@@ -11,6 +11,7 @@ mod matrix;
 mod negative;
 mod newton;
 mod spun_up;
+mod taken_along;
 mod untied;
 
 pub use crate::model::{Kind, Spin, Uniform};
@@ -23,6 +24,7 @@ pub use continuation::{
 pub use critical::{Critical, critical_factor};
 pub use distance::distance;
 pub use negative::Negative;
+pub use taken_along::taken_along;
 pub use untied::{untied, untied_directions};
 
 #[cfg(test)]

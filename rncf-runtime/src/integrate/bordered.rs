@@ -1,7 +1,7 @@
 //! Solutions with the mass matrix bordered by the constraints (THEORY 10): consistent
 //! accelerations, velocities without numerical bias and the constrained jerk.
 //!
-//! Instead of the mass, squares of the sizes of the unknowns may weigh a change: corrections of
+//! Instead of the mass, squares of the sizes of the unknowns may weigh a change, or any other matrix: corrections of
 //! positions that have nothing to do with inertia. Neither block needs to be regular by itself in
 //! theory, and nothing here asks for an inverse of it.
 //!
@@ -58,8 +58,8 @@ pub(super) struct Bordered {
 enum Weight {
     /// The mass matrix.
     Mass,
-    /// The diagonal matrix of `1 / size^2`.
-    Sizes,
+    /// A matrix that stays as it is.
+    Given,
 }
 
 /// Changes of the unknowns of least mass with unit rates of single constraints, by the kept factorization.
@@ -91,11 +91,19 @@ impl Bordered {
     /// The same with `1 / size^2` of the unknowns in place of the mass.
     pub(super) fn by_sizes(system: &dyn System) -> Self {
         let n = system.unknowns();
-        let mut bordered = Self::weighted(system, Weight::Sizes, Pattern::new(n, n, (0..n).map(|i| (i, i))), 0);
+        let mut bordered = Self::weighted(system, Weight::Given, Pattern::new(n, n, (0..n).map(|i| (i, i))), 0);
         for (weight, size) in bordered.mass.iter_mut().zip(system.sizes()) {
             *weight = 1.0 / (size * size);
         }
         bordered
+    }
+
+    /// The same with a symmetric matrix on the pattern of the system.
+    pub(super) fn weighted_by(system: &dyn System, weights: Vec<f64>) -> Self {
+        Self {
+            mass: weights,
+            ..Self::weighted(system, Weight::Given, system.pattern().clone(), system.border())
+        }
     }
 
     fn weighted(system: &dyn System, weight: Weight, pattern: Pattern, border: usize) -> Self {

@@ -40,9 +40,23 @@ pub(super) fn project(
     if system.constraints() == 0 {
         return Ok(());
     }
-    let mut projection = Projection::new(system, span);
-    statistics.position_correction = projection.run(system, state, ConstraintLevel::Position)?;
-    statistics.velocity_correction = projection.run(system, state, ConstraintLevel::Velocity)?;
+    let mut projection = Projection::new(system, Bordered::by_sizes(system), span);
+    statistics.position_correction = projection.run(system, state, ConstraintLevel::Position, NEAR)?;
+    statistics.velocity_correction = projection.run(system, state, ConstraintLevel::Velocity, NEAR)?;
+    Ok(())
+}
+
+/// Projects positions as [`project`] does, and changes velocities as little as constraints allow, in the norm of a matrix on the
+/// pattern of the system, which is symmetric and positive definite beside the constraints.
+pub(super) fn set_in_motion(system: &mut dyn System, state: &mut State, weights: Vec<f64>) -> Result<(), Inconsistent> {
+    let mut positions = Projection::new(system, Bordered::by_sizes(system), f64::INFINITY);
+    positions.run(system, state, ConstraintLevel::Position, NEAR)?;
+    // Rates are small beside the fastest one that is asked for.
+    let span = 1.0 / positions.violations.fastest(system, state);
+    if span.is_finite() {
+        let mut velocities = Projection::new(system, Bordered::weighted_by(system, weights), span);
+        velocities.run(system, state, ConstraintLevel::Velocity, f64::INFINITY)?;
+    }
     Ok(())
 }
 
@@ -54,6 +68,15 @@ pub(crate) fn far_off(system: &mut dyn System, state: &State) -> Option<(f64, us
     let mut violations = Violations::new(system, f64::INFINITY);
     let (violation, worst) = violations.largest(system, state, ConstraintLevel::Position);
     (violation > NEAR).then(|| (violations.value[worst].abs(), worst))
+}
+
+/// Whether velocities of a state violate constraints by more than is corrected, beside those in which all unknowns change by their sizes over a time, s.
+pub(crate) fn moves_off(system: &mut dyn System, state: &State, span: f64) -> bool {
+    system.constraints() > 0
+        && Violations::new(system, span)
+            .largest(system, state, ConstraintLevel::Velocity)
+            .0
+            > NEAR
 }
 
 /// Values of constraints, and what they are measured by.
@@ -72,23 +95,29 @@ struct Projection {
 }
 
 impl Projection {
-    fn new(system: &dyn System, span: f64) -> Self {
+    fn new(system: &dyn System, bordered: Bordered, span: f64) -> Self {
         Self {
             violations: Violations::new(system, span),
-            bordered: Bordered::by_sizes(system),
+            bordered,
             charts: Charts::new(system.turns(), system.pattern()),
             change: vec![0.0; system.unknowns()],
         }
     }
 
-    /// Corrects one level; returns the largest change relative to the sizes of the unknowns (velocities:
+    /// Corrects violations of one level up to `near`; returns the largest change relative to the sizes of the unknowns (velocities:
     /// over the span).
-    fn run(&mut self, system: &mut dyn System, state: &mut State, level: ConstraintLevel) -> Result<f64, Inconsistent> {
+    fn run(
+        &mut self,
+        system: &mut dyn System,
+        state: &mut State,
+        level: ConstraintLevel,
+        near: f64,
+    ) -> Result<f64, Inconsistent> {
         let (mut largest, mut before) = (0.0_f64, f64::INFINITY);
         for iteration in 0..=ITERATIONS {
             let (violation, worst) = self.violations.largest(system, state, level);
             let far = Inconsistent::Far(self.violations.value[worst].abs(), worst, level);
-            if iteration == 0 && violation > NEAR || !violation.is_finite() {
+            if iteration == 0 && violation > near || !violation.is_finite() {
                 return Err(far);
             }
             let stagnates = violation > 0.5 * before || iteration == ITERATIONS;
@@ -127,6 +156,21 @@ impl Violations {
             value: vec![0.0; system.constraints()],
             span,
         }
+    }
+
+    /// The largest rate of a constraint, relative to its change when every unknown changes by its size, 1/s.
+    fn fastest(&mut self, system: &mut dyn System, state: &State) -> f64 {
+        self.largest(system, state, ConstraintLevel::Velocity);
+        let (pattern, sizes) = (system.constraint_pattern(), system.sizes());
+        let rates = self.value.iter().enumerate().map(|(column, value)| {
+            let places = pattern.starts()[column]..pattern.starts()[column + 1];
+            let terms = places.map(|place| (self.jacobian[place] * sizes[pattern.indices()[place]]).abs());
+            match terms.sum::<f64>() {
+                scale if scale > 0.0 => value.abs() / scale,
+                _ => 0.0,
+            }
+        });
+        rates.fold(0.0, f64::max)
     }
 
     /// The largest violation of a constraint, relative to its scale, and its index; values on the way.

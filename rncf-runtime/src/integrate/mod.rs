@@ -20,6 +20,7 @@ mod history;
 mod lasting;
 mod levers;
 mod method;
+mod moving;
 mod newton;
 mod noise;
 mod norms;
@@ -40,9 +41,10 @@ mod watch;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use consistent::far_off;
+pub(crate) use consistent::{far_off, moves_off};
 pub use driver::Stop;
 pub use method::{Method, Parameter};
+pub use moving::set_in_motion;
 pub use options::{Options, StepSize};
 pub use statistics::Statistics;
 

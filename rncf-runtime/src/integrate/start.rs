@@ -180,16 +180,47 @@ pub(super) fn prepare(
     span: f64,
     statistics: &mut Statistics,
 ) -> Result<(), (SolveErrorKind, Option<String>)> {
-    state.rebase(system.turns());
-    if let Some(text) = system.undefined(state) {
-        return Err((SolveErrorKind::Undefined(text), None));
+    check_constraints(system, state)?;
+    consistent::project(system, state, span, statistics).map_err(|found| refused(system, found))?;
+    if statistics.position_correction > 0.0 {
+        // Redundancy may show on the constraints only.
+        check_independent(system, state)?;
     }
-    let check = |system: &mut dyn System, state: &State| match diagnose::redundancy(system, state) {
+    match diagnose::untied(system, state) {
+        Some(text) => Err((SolveErrorKind::Untied(text), None)),
+        None => Ok(()),
+    }
+}
+
+/// Gives the initial state velocities that constraints allow, see [`consistent::set_in_motion`], or says what is wrong with it or with them.
+pub(super) fn set_in_motion(
+    system: &mut dyn System,
+    state: &mut State,
+    weights: Vec<f64>,
+) -> Result<(), (SolveErrorKind, Option<String>)> {
+    check_constraints(system, state)?;
+    consistent::set_in_motion(system, state, weights).map_err(|found| refused(system, found))
+}
+
+/// Checks that constraints have values, and do not depend on each other.
+fn check_constraints(system: &mut dyn System, state: &mut State) -> Result<(), (SolveErrorKind, Option<String>)> {
+    state.rebase(system.turns());
+    match system.undefined(state) {
+        Some(text) => Err((SolveErrorKind::Undefined(text), None)),
+        None => check_independent(system, state),
+    }
+}
+
+fn check_independent(system: &mut dyn System, state: &State) -> Result<(), (SolveErrorKind, Option<String>)> {
+    match diagnose::redundancy(system, state) {
         Some(text) => Err((SolveErrorKind::Redundant(text), None)),
         None => Ok(()),
-    };
-    check(system, state)?;
-    consistent::project(system, state, span, statistics).map_err(|inconsistent| match inconsistent {
+    }
+}
+
+/// Why a state is refused, and the worst constraint.
+fn refused(system: &dyn System, inconsistent: Inconsistent) -> (SolveErrorKind, Option<String>) {
+    match inconsistent {
         Inconsistent::Far(size, index, level) => {
             let mut worst = system.describe_constraint(index);
             if level == ConstraintLevel::Velocity {
@@ -201,13 +232,5 @@ pub(super) fn prepare(
             let row = row_of(singular, system.unknowns());
             (SolveErrorKind::Singular, row.map(|row| describe(system, row)))
         }
-    })?;
-    if statistics.position_correction > 0.0 {
-        // Redundancy may show on the constraints only.
-        check(system, state)?;
-    }
-    match diagnose::untied(system, state) {
-        Some(text) => Err((SolveErrorKind::Untied(text), None)),
-        None => Ok(()),
     }
 }

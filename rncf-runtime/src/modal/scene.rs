@@ -409,6 +409,22 @@ impl System for ModalScene {
         self.reduce_tangent(state.t, 1.0, state, out);
     }
 
+    fn elastic_stiffness(&mut self, state: &State, out: &mut [f64]) {
+        self.expand(state);
+        let mut nodal = vec![0.0; self.scene.pattern().entries()];
+        self.scene.elastic_stiffness(&self.full, &mut nodal);
+        let (from, to) = (self.scene.pattern(), &self.pattern);
+        self.reduction.reduce_square(from, &nodal, to, out);
+        self.each_body(Vector::zeros(), |block, _, modes, elements, _| {
+            let own = block.coordinate..block.coordinate + block.count;
+            let square = block.count * block.count;
+            let (mut k, mut c) = (vec![0.0; square], vec![0.0; square]);
+            let at = [&state.x[own.clone()], &state.v[own]];
+            modes.tangent(elements, &FrameAction::default(), at, &mut k, &mut c);
+            self.add_modal(block, &k, out);
+        });
+    }
+
     fn constraint(&mut self, level: ConstraintLevel, state: &State, out: &mut [f64]) {
         self.expand(state);
         self.scene.constraint(level, &self.full, out);

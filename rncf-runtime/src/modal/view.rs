@@ -235,6 +235,10 @@ impl Scene for ModalScene {
         self.scene.spin(t)
     }
 
+    fn starting_otherwise(&self, at: &Uniform) -> Vec<String> {
+        self.scene.starting_otherwise(at)
+    }
+
     fn timed(&mut self, at: &Uniform, state: &State) -> Vec<String> {
         self.expand(state);
         self.scene.timed(at, &self.full)

@@ -80,8 +80,24 @@ pub enum Start {
     /// Undeformed and at rest in their frames.
     #[default]
     Rest,
+    /// Undeformed, with the velocities that joints and drives ask for.
+    Moving,
     /// In relative equilibrium with the spin at the initial time.
     Steady,
+}
+
+impl Start {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Rest, Self::Moving, Self::Steady];
+
+    /// As it stands in models, on the command line and in summaries.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Rest => "rest",
+            Self::Moving => "moving",
+            Self::Steady => "steady",
+        }
+    }
 }
 
 /// Kind of a run-time parameter.
@@ -143,6 +159,8 @@ pub struct RunDefaults {
     pub t_end: f64,
     /// Time between two rows of the history, s.
     pub every: f64,
+    /// How the bodies start.
+    pub start: Start,
 }
 
 /// What a reader of the results must know.

@@ -217,6 +217,11 @@ pub trait Scene: System + Send {
         at.speed() * at.spin.map_or_else(|| self.spin(at.t), |spin| spin.velocity.norm())
     }
 
+    /// Names of what moves freely and is not declared to start in the rotation of a uniform motion.
+    fn starting_otherwise(&self, _at: &Uniform) -> Vec<String> {
+        Vec::new()
+    }
+
     /// What changes with time at the state of a uniform motion, in the user's words: loads, forces, joints that drive.
     fn timed(&mut self, _at: &Uniform, _state: &State) -> Vec<String> {
         Vec::new()

@@ -62,6 +62,12 @@ impl System for MeshScene {
         self.add_constraint_stiffness(state.t, &state.lambda, out);
     }
 
+    fn elastic_stiffness(&mut self, state: &State, values: &mut [f64]) {
+        self.load_state(state);
+        values.fill(0.0);
+        self.add_elastic_stiffness(values);
+    }
+
     fn iteration_matrix(&mut self, state: &State, factors: [f64; 3], values: &mut [f64]) {
         self.load_state(state);
         let combination = Combination::of_increments(factors, &self.frames.turns, state);

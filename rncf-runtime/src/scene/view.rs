@@ -203,6 +203,10 @@ impl Scene for MeshScene {
             .fold(0.0, f64::max)
     }
 
+    fn starting_otherwise(&self, at: &Uniform) -> Vec<String> {
+        self.not_starting_in_rotation(at)
+    }
+
     fn timed(&mut self, at: &Uniform, state: &State) -> Vec<String> {
         MeshScene::timed(self, at, state)
     }

@@ -19,6 +19,7 @@ use crate::app::results::error::RunError;
 use crate::app::results::history::History;
 use crate::app::results::incomplete::Incomplete;
 use crate::app::results::modes::{SeenMode, growth};
+use crate::app::results::uniform;
 use crate::app::writing::numbers::{digits, short};
 use crate::app::writing::sentences::listed;
 use crate::equilibrium::{self, Kind};
@@ -111,13 +112,10 @@ fn grows(station: &mut Station, settings: &EquilibriumSettings) -> Option<String
     if !finer_modes::is_asked(settings.judged, scene.unknowns()) {
         return None;
     }
-    let wanted = modes::Wanted { count: settings.count };
-    let found = modes::modes(scene, at, state, wanted).ok()?;
-    let seen: Vec<SeenMode> = found.iter().map(|mode| SeenMode::of(scene, at, state, mode)).collect();
-    growth(&seen).map(|growth| {
+    uniform::time_of_growth(scene, at, state, settings.count).map(|time| {
         format!(
             "The last equilibrium is unstable: a disturbance grows by the factor e in {} s (`modes` shows how)",
-            digits(1.0 / growth, 4)
+            digits(time, 4)
         )
     })
 }
@@ -208,6 +206,8 @@ pub fn equilibria(
     if kind == Kind::Static {
         warnings.extend(rests(station.scene, station.at.t));
     }
+    warnings.extend(way::stopped(station.scene, &station.at));
+    warnings.extend(uniform::taken_along(station.scene, &station.at));
     warnings.extend(way::as_it_is(station.scene, &station.at, station.state));
     warnings.extend(cautions::texts(station.scene.warnings(station.state)));
     warnings.extend(equilibrium::untied(station.scene, &station.at, station.state));
@@ -411,7 +411,7 @@ mod tests {
     fn a_start_in_equilibrium_stays_there_in_both_formulations() {
         for formulation in [Formulation::Rncf, Formulation::Ancf] {
             let settings = RunSettings {
-                start: Start::Steady,
+                start: Some(Start::Steady),
                 formulation,
                 options: Options {
                     rtol: 1e-9,

@@ -353,10 +353,7 @@ fn settings(matches: &ArgMatches) -> Result<RunSettings, String> {
             Joints::Eliminated
         },
         fidelity: fidelity(matches)?,
-        start: match text(matches, "start") {
-            Some("steady") => Start::Steady,
-            _ => Start::Rest,
-        },
+        start: text(matches, "start").and_then(|named| Start::ALL.into_iter().find(|start| start.name() == named)),
         method: method(matches)?,
         options: Options {
             rtol,

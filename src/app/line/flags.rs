@@ -10,7 +10,7 @@ use super::program::Program;
 use super::words::value;
 use super::{chart, plan};
 use crate::app::writing::frequency::Frequency;
-use crate::{AnyModel, Method};
+use crate::{AnyModel, Method, Start};
 
 /// Names of the methods of integration.
 static METHODS: [&str; Method::ALL.len()] = {
@@ -18,6 +18,17 @@ static METHODS: [&str; Method::ALL.len()] = {
     let mut at = 0;
     while at < names.len() {
         names[at] = Method::ALL[at].name();
+        at += 1;
+    }
+    names
+};
+
+/// Names of the starts of a run.
+static STARTS: [&str; Start::ALL.len()] = {
+    let mut names = [""; Start::ALL.len()];
+    let mut at = 0;
+    while at < names.len() {
+        names[at] = Start::ALL[at].name();
         at += 1;
     }
     names
@@ -108,8 +119,8 @@ pub(in crate::app) fn command_line(model: &dyn AnyModel, program: &Program<'_>) 
         .arg(choice(
             "start",
             "STATE",
-            &["rest", "steady"],
-            "rest (undeformed, default) or steady (in relative equilibrium with the spin at t = 0)",
+            &STARTS,
+            "rest (undeformed), moving (with the velocities that joints and drives ask for) or steady (in relative equilibrium with the spin at t = 0); default: the model's",
         ))
         .arg(value("t-end", "TIME", "End time (default: the model's)"))
         .arg(value(

@@ -20,6 +20,7 @@ use crate::app::results::equilibria::{EquilibriumSettings, Range};
 use crate::app::results::error::RunError;
 use crate::app::results::history::History;
 use crate::app::results::incomplete::Incomplete;
+use crate::app::results::uniform;
 use crate::equilibrium::{self, Kind};
 use crate::modes::Critical;
 use crate::{AnyModel, Scene};
@@ -142,6 +143,11 @@ pub fn campbell_watched(
     diagram.unknowns = station.scene.unknowns();
     diagram.constraints = station.scene.constraints();
     diagram.warnings = cautions::cautioned(model, station.scene.warnings(station.state));
+    let told = [
+        way::stopped(station.scene, &station.at),
+        uniform::taken_along(station.scene, &station.at),
+    ];
+    diagram.warnings.extend(told.into_iter().flatten());
     diagram
         .warnings
         .extend(way::as_it_is(station.scene, &station.at, station.state));

@@ -11,6 +11,7 @@ use crate::app::pictures::Shapes;
 use crate::app::results::equilibria::EquilibriumSettings;
 use crate::app::results::error::RunError;
 use crate::app::results::modes::{Modes, SeenMode, grows, is_round};
+use crate::app::results::uniform;
 use crate::equilibrium::{Uniform, assembled, follow, glance};
 use crate::model::DescribedBody;
 use crate::modes::{self, Mode, Wanted};
@@ -48,6 +49,7 @@ pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Mod
         .collect();
     let mut warnings = cautions::cautioned(model.as_ref(), scene.warnings(&state));
     warnings.extend(way::stopped(scene, &at));
+    warnings.extend(uniform::taken_along(scene, &at));
     warnings.extend(way::as_it_is(scene, &at, &state));
     warnings.extend(crate::equilibrium::untied(scene, &at, &state));
     warnings.extend(crate::equilibrium::closed(scene));

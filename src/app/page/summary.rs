@@ -390,11 +390,7 @@ pub(in crate::app) fn outcome(summary: &mut Summary, reason: Option<String>) {
 pub(in crate::app) fn settings(summary: &mut Summary, settings: &RunSettings) {
     put(summary, "formulation", json!(settings.formulation.name()));
     put(summary, "joints", json!(joints(settings.joints)));
-    let start = match settings.start {
-        Start::Rest => "rest",
-        Start::Steady => "steady",
-    };
-    put(summary, "start", json!(start));
+    put(summary, "start", json!(settings.start.map(Start::name)));
     if !settings.fidelity.is_empty() {
         put(summary, "fidelity", json!(described(&settings.fidelity)));
     }

@@ -10,3 +10,4 @@ pub(super) mod incomplete;
 pub(super) mod modes;
 pub(super) mod run;
 pub(super) mod sketch;
+pub(super) mod uniform;

@@ -19,8 +19,8 @@ pub struct RunSettings {
     pub joints: Joints,
     /// Bodies that are described otherwise than they are declared, by their names.
     pub fidelity: Vec<(String, Fidelity)>,
-    /// How the bodies start.
-    pub start: Start,
+    /// How the bodies start; `None`: as the model says.
+    pub start: Option<Start>,
     /// Integration method.
     pub method: Method,
     /// Tolerance and step size.
@@ -37,13 +37,13 @@ pub struct RunSettings {
 }
 
 impl Default for RunSettings {
-    /// RNCF, eliminated joints, from rest, Radau with rtol 1e-6, the model's times, not judged.
+    /// RNCF, eliminated joints, Radau with rtol 1e-6, the model's start and times, not judged.
     fn default() -> Self {
         Self {
             formulation: Formulation::Rncf,
             joints: Joints::Eliminated,
             fidelity: Vec::new(),
-            start: Start::Rest,
+            start: None,
             method: Method::Radau,
             options: Options::default(),
             t_end: None,

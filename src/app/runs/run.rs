@@ -2,8 +2,8 @@
 
 use std::ops::ControlFlow;
 
+use super::begin::{begin, begin_finer};
 use super::course::Course;
-use super::frame_state::{finer_frame_state, frame_state};
 use super::recorder::{InMemory, Recorder};
 use crate::app::judged::accumulated::{Ended, accumulated};
 use crate::app::judged::compared::Off;
@@ -18,7 +18,7 @@ use crate::app::results::error::RunError;
 use crate::app::results::history::{Column, History};
 use crate::app::results::incomplete::Incomplete;
 use crate::app::results::run::{Progress, RunResult, RunSettings, times};
-use crate::{AnyModel, Integrator, Method, Scene, Start, State, Statistics, StepSize};
+use crate::{AnyModel, Integrator, Method, Scene, State, Statistics, StepSize};
 
 /// A run has a kink for so many steps at least where kinks say how long they are.
 const FEW: u64 = 4;
@@ -83,13 +83,12 @@ pub(in crate::app) fn run_recorded(
     let mut scene = model
         .build_as(settings.formulation, settings.joints, &settings.fidelity)
         .map_err(RunError::Model)?;
-    let start = match settings.start {
-        Start::Rest => scene.rest(0.0),
-        Start::Steady => {
-            let frame = frame_state(model, 0.0)?;
-            scene.state_of_frame(&frame)
-        }
-    };
+    let (start, begun) = begin(
+        model,
+        settings.start.unwrap_or_default(),
+        scene.as_ref(),
+        settings.judged,
+    )?;
     let (t_end, _) = times(&settings);
     let mut result = RunResult {
         settings,
@@ -121,7 +120,10 @@ pub(in crate::app) fn run_recorded(
         result.warnings.extend(result.coarse.take());
     }
     let told = cautions::sentences(model, &result.cautions);
-    let told = told.into_iter().chain(doubts(model, result.settings.options.rtol));
+    let told = told
+        .into_iter()
+        .chain(begun)
+        .chain(doubts(model, result.settings.options.rtol));
     result.warnings.splice(0..0, told);
     match result.incomplete {
         None => Ok(result),
@@ -211,10 +213,7 @@ fn compared(
             .build_as(settings.formulation, settings.joints, &settings.fidelity)
             .ok()?;
         let scene = scene.with_finer_meshes(FINER)?.ok()?;
-        let start = match settings.start {
-            Start::Rest => scene.rest(0.0),
-            Start::Steady => scene.state_of_frame(&finer_frame_state(model, FINER, 0.0)?),
-        };
+        let start = begin_finer(model, settings.start.unwrap_or_default(), scene.as_ref(), FINER)?;
         Some((scene, start))
     };
     let mut finer = finer();
@@ -272,6 +271,7 @@ fn complete_for(settings: &RunSettings, defaults: crate::RunDefaults, most_rows:
     Ok(RunSettings {
         t_end: Some(t_end),
         every: Some(every),
+        start: Some(settings.start.unwrap_or(defaults.start)),
         ..settings.clone()
     })
 }

@@ -180,7 +180,8 @@ fn implementation(model: &Model, notes: &[String], equations: &Equations, hash: 
     );
     let _ = writeln!(
         text,
-        "fn run(&self) -> ::rncf::RunDefaults {{\nlet mut run = ::rncf::RunDefaults {{ t_end: 0.0, every: 0.0 }};\n{module}::run_defaults(self, &mut run);\nrun\n}}"
+        "fn run(&self) -> ::rncf::RunDefaults {{\nlet mut run = ::rncf::RunDefaults {{ t_end: 0.0, every: 0.0, start: ::rncf::Start::{:?} }};\n{module}::run_defaults(self, &mut run);\nrun\n}}",
+        model.run.start
     );
     let _ = writeln!(
         text,

@@ -59,7 +59,7 @@
 //! load        = "load" NAME "=" call ";"        // gravity(vector), follower(BODY.end, expr | [expr, expr])
 //!                   // force|moment(BODY.end|BODY.at(expr), vector [, in = FRAME])
 //! output      = "output" NAME "=" right ";"
-//! run         = "run" fields                    // t_end every
+//! run         = "run" fields                    // t_end every start
 //! fields      = "{" { NAME "=" right ";" } "}"
 //!
 //! right       = [ "-" ] NUMBER unit | expr      // a whole right side may be literal plus any unit

@@ -89,6 +89,16 @@ impl MeshScene {
         }
     }
 
+    /// Adds the stiffness of the elements alone at the loaded state, on the pattern.
+    pub(crate) fn add_elastic_stiffness(&mut self, out: &mut [f64]) {
+        self.each_element_tangent(
+            |_| Blocks::default(),
+            |body, element, [by_place, _], lane, _| {
+                body.scatter.add_by(element, by_place, |lanes| lanes[lane], out);
+            },
+        );
+    }
+
     /// Calls for every element with its elastic derivatives, see [`Group::each_tangent`](crate::scene::pieces::batches::Group::each_tangent).
     pub(crate) fn each_element_tangent(
         &mut self,

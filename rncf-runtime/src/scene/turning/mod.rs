@@ -5,6 +5,7 @@ mod narrow;
 pub(crate) mod neutral;
 mod sections;
 pub(crate) mod settle;
+pub(crate) mod starts;
 pub(crate) mod steady;
 pub(crate) mod symmetry;
 pub(crate) mod uniform;

@@ -18,6 +18,9 @@ const NEGLIGIBLE: f64 = 1e-9;
 /// Time after which a uniform motion must still be the same, s.
 const A_WHILE: f64 = 1e-3;
 
+/// Times after which a load must still be the same, s: no period is a part of both.
+const WHILES: [f64; 2] = [A_WHILE, 0.618_033_988_749_895 * A_WHILE];
+
 /// Frames that turn about one axis.
 pub(super) struct Turning {
     pub spin: Spin,
@@ -29,12 +32,12 @@ pub(super) struct Turning {
 
 /// Whether two spins (rad/s) or accelerations (m/s^2) differ by more than round-off; a motion that
 /// sets out smoothly from rest counts as uniform there.
-fn differs(a: Vector, b: Vector) -> bool {
+pub(super) fn differs(a: Vector, b: Vector) -> bool {
     (a - b).norm() > NEGLIGIBLE * a.norm().max(b.norm()).max(1.0)
 }
 
 /// Angular velocity of a frame, inertial axes.
-fn turning(frame: &FrameMotion) -> Vector {
+pub(super) fn turning(frame: &FrameMotion) -> Vector {
     frame.direction_to_inertial(frame.spin)
 }
 
@@ -173,9 +176,13 @@ impl MeshScene {
             .or_else(|| variant.map(|told| self.undefined_now(at.t).unwrap_or(told)))
     }
 
-    /// A load that is another one at other times.
+    /// A load that is another one a while later. One that has long been over, or has yet to come, is none of them.
     fn varying(&self, t: f64) -> Option<String> {
-        let load = (0..self.dead_loads.specs.len()).find(|&index| self.parts.load_varies(index));
+        let at = |index, t| self.parts.load(index, t);
+        let varies = |&index: &usize| {
+            self.parts.load_varies(index) && WHILES.iter().any(|later| at(index, t) != at(index, t + later))
+        };
+        let load = (0..self.dead_loads.specs.len()).find(varies);
         if let Some(index) = load {
             return Some(format!(
                 "load `{}` varies with time: give it a constant value",
@@ -347,7 +354,8 @@ impl MeshScene {
         let prescribed = (0..frames.len()).filter(|&index| self.frames.free_of[index].is_none() && used(index));
         for index in prescribed {
             let (frame, next) = (&frames[index], &later[index]);
-            if coupled && frame.spin == Vector::zeros() && frame.velocity != Vector::zeros() {
+            let shifts = frame.velocity != Vector::zeros() || frame.acceleration != Vector::zeros();
+            if coupled && frame.spin == Vector::zeros() && shifts {
                 let name = self.parts.frame_name(index);
                 return Some(format!(
                     "frame `{name}` shifts without turning: let it stand still or turn about the axis of the rotation"

@@ -124,7 +124,7 @@ fn a_chart_goes_on_where_it_was_interrupted_killed_or_is_complete() {
     assert_eq!((table.lines().count(), field(&table, 0, "cpu_s")), (5, ""));
     // Killed within the last line: that point alone is missing. A mark in another one shows that it is kept.
     let kept = table.lines().nth(1).unwrap();
-    let marked = kept.replacen(field(&table, 0, "steps"), "777777", 1);
+    let marked = kept.replacen(&format!(",{},", field(&table, 0, "steps")), ",777777,", 1);
     let killed = table.replace(kept, &marked);
     fs::write(out.join("chart.csv"), &killed[..killed.len() - 9]).unwrap();
     done(&out, &words);

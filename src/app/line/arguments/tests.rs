@@ -79,7 +79,7 @@ fn all_flags_are_read() {
         formulation: Formulation::Ancf,
         joints: Joints::Multipliers,
         fidelity: vec![("rod".into(), Fidelity::Rigid), ("beam".into(), Fidelity::Modal(3))],
-        start: Start::Steady,
+        start: Some(Start::Steady),
         method: Method::Hht { alpha: -0.3 },
         options: Options {
             rtol: 1e-7,

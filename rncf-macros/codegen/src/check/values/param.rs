@@ -3,11 +3,17 @@
 use super::quantity::{Nature, Typed, Wanted};
 use super::scope::Scope;
 use crate::check::{Check, fold, say};
-use crate::model::{Binary, Expr as Value, Param, ParamId};
+use crate::model::{Begin, Binary, Expr as Value, Param, ParamId};
 use crate::parse::tree::{Expr, ExprKind, Item, ItemKind, UnitText};
 use crate::suggest;
 
-const RUN_FIELDS: &[&str] = &["t_end", "every"];
+const RUN_FIELDS: &[&str] = &["t_end", "every", "start"];
+/// Words for the start of a run.
+const STARTS: [(&str, Begin); 3] = [
+    ("rest", Begin::Rest),
+    ("moving", Begin::Moving),
+    ("steady", Begin::Steady),
+];
 
 impl<'a> Check<'a> {
     /// Parameters in order, then constants.
@@ -145,7 +151,7 @@ impl<'a> Check<'a> {
         value.contains(&|value| matches!(value, Value::Param(id) if self.model.params[id.0].is_count))
     }
 
-    /// `run { t_end = ..; every = ..; }`
+    /// `run { t_end = ..; every = ..; start = ..; }`
     pub(in crate::check) fn run(&mut self) {
         for (at, run) in self.tree.runs.iter().enumerate() {
             if at > 0 {
@@ -165,6 +171,10 @@ impl<'a> Check<'a> {
                     self.errors.at(field.name.span, say::twice(name));
                 }
                 seen.push(name);
+                if name == "start" {
+                    self.start_of_run(&field.value);
+                    continue;
+                }
                 let is_end = name == "t_end";
                 let what = if is_end { "`t_end`" } else { "`every`" };
                 let wanted = Wanted {
@@ -192,6 +202,21 @@ impl<'a> Check<'a> {
             {
                 self.errors.at(given.value.area, say::EVERY_BEYOND);
             }
+        }
+    }
+}
+
+impl Check<'_> {
+    fn start_of_run(&mut self, value: &Expr) {
+        let word = match &value.kind {
+            ExprKind::Name(name) => name.text.as_str(),
+            _ => "",
+        };
+        match STARTS.iter().find(|(known, _)| *known == word) {
+            Some(&(_, start)) => self.model.run.start = start,
+            None => self
+                .errors
+                .at(value.area, say::choices("start", "`rest`, `moving` or `steady`")),
         }
     }
 }
