@@ -161,14 +161,9 @@ impl Violations {
     /// The largest rate of a constraint, relative to its change when every unknown changes by its size, 1/s.
     fn fastest(&mut self, system: &mut dyn System, state: &State) -> f64 {
         self.largest(system, state, ConstraintLevel::Velocity);
-        let (pattern, sizes) = (system.constraint_pattern(), system.sizes());
         let rates = self.value.iter().enumerate().map(|(column, value)| {
-            let places = pattern.starts()[column]..pattern.starts()[column + 1];
-            let terms = places.map(|place| (self.jacobian[place] * sizes[pattern.indices()[place]]).abs());
-            match terms.sum::<f64>() {
-                scale if scale > 0.0 => value.abs() / scale,
-                _ => 0.0,
-            }
+            let scale = scale(system, &self.jacobian, column);
+            if scale > 0.0 { value.abs() / scale } else { 0.0 }
         });
         rates.fold(0.0, f64::max)
     }
@@ -177,21 +172,17 @@ impl Violations {
     fn largest(&mut self, system: &mut dyn System, state: &State, level: ConstraintLevel) -> (f64, usize) {
         system.constraint_jacobian(state, &mut self.jacobian);
         system.constraint(level, state, &mut self.value);
-        let (pattern, sizes) = (system.constraint_pattern(), system.sizes());
+        let pattern = system.constraint_pattern();
         let mut worst = (0.0, 0);
         for (column, value) in self.value.iter_mut().enumerate() {
-            let mut scale = 0.0;
-            let mut rate = value.abs();
-            for place in pattern.starts()[column]..pattern.starts()[column + 1] {
-                let row = pattern.indices()[place];
-                scale += (self.jacobian[place] * sizes[row]).abs();
-                if level == ConstraintLevel::Velocity {
-                    let term = self.jacobian[place] * state.v[row];
+            let mut scale = scale(system, &self.jacobian, column);
+            if level == ConstraintLevel::Velocity {
+                let mut rate = value.abs();
+                for place in pattern.starts()[column]..pattern.starts()[column + 1] {
+                    let term = self.jacobian[place] * state.v[pattern.indices()[place]];
                     rate += term.abs();
                     *value += term;
                 }
-            }
-            if level == ConstraintLevel::Velocity {
                 scale = rate + scale / self.span;
             }
             let violation = if *value == 0.0 { 0.0 } else { value.abs() / scale };
@@ -204,4 +195,13 @@ impl Violations {
         }
         worst
     }
+}
+
+/// The change of a constraint when every unknown changes by its size.
+fn scale(system: &dyn System, jacobian: &[f64], column: usize) -> f64 {
+    let (pattern, sizes) = (system.constraint_pattern(), system.sizes());
+    let places = pattern.starts()[column]..pattern.starts()[column + 1];
+    places.fold(0.0, |sum, place| {
+        sum + (jacobian[place] * sizes[pattern.indices()[place]]).abs()
+    })
 }

@@ -84,7 +84,7 @@ pub fn stiffness_values(
     Ok(all)
 }
 
-/// The least of the values, in size, beside which smaller ones are next to zero; `None` where there are none.
+/// The largest of the values, in size, beside which the one below it is next to zero; `None` where none is.
 fn next_to_zero(values: &[f64]) -> Option<f64> {
     let mut sizes: Vec<f64> = values.iter().map(|value| value.abs()).collect();
     sizes.sort_by(f64::total_cmp);

@@ -18,7 +18,6 @@ use crate::app::results::equilibria::{Equilibria, EquilibriumSettings};
 use crate::app::results::error::RunError;
 use crate::app::results::history::History;
 use crate::app::results::incomplete::Incomplete;
-use crate::app::results::modes::{SeenMode, growth};
 use crate::app::results::uniform;
 use crate::app::writing::numbers::{digits, short};
 use crate::app::writing::sentences::listed;
@@ -93,14 +92,12 @@ fn flutter(station: &mut Station, count: usize) -> Option<String> {
     if !modes::is_circulatory(scene, at, state) {
         return None;
     }
-    let Ok(found) = modes::modes(scene, at, state, modes::Wanted { count }) else {
+    let Ok(time) = uniform::time_of_growth(scene, at, state, count) else {
         return Some(
             "Whether the last equilibrium is stable is not known: forces that come from no energy act, and its modes were not found".into(),
         );
     };
-    let seen: Vec<SeenMode> = found.iter().map(|mode| SeenMode::of(scene, at, state, mode)).collect();
-    let growth = growth(&seen)?;
-    let time = digits(1.0 / growth, 4);
+    let time = digits(time?, 4);
     Some(format!(
         "The last equilibrium is unstable: under forces that come from no energy a disturbance grows by the factor e in {time} s (`modes` shows how)"
     ))
@@ -112,12 +109,11 @@ fn grows(station: &mut Station, settings: &EquilibriumSettings) -> Option<String
     if !finer_modes::is_asked(settings.judged, scene.unknowns()) {
         return None;
     }
-    uniform::time_of_growth(scene, at, state, settings.count).map(|time| {
-        format!(
-            "The last equilibrium is unstable: a disturbance grows by the factor e in {} s (`modes` shows how)",
-            digits(time, 4)
-        )
-    })
+    let time = uniform::time_of_growth(scene, at, state, settings.count).ok()??;
+    Some(format!(
+        "The last equilibrium is unstable: a disturbance grows by the factor e in {} s (`modes` shows how)",
+        digits(time, 4)
+    ))
 }
 
 /// As [`steady`] or [`static_equilibria`]; `watch` is called after every step, and ends the way by

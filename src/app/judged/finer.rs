@@ -427,31 +427,13 @@ pub(in crate::app) fn compare(
             kinds.iter_mut().for_each(|kind| kind.meet_near(near, &beyond));
         }
     }
-    if !is_exact(&run) && kinds.iter().any(|kind| !kind.steps.1.is_empty()) {
-        left.set(afforded(LAST, &own));
-        let rtol = tolerances[tolerances.len() - 1] / TEN;
-        let there = rows(&mut own, (By::Radau(rtol), f64::INFINITY), 1.0, run.marks);
-        if there.len() == run.marks.rows.len() {
-            let off = found_so_far.off(&there, rtol);
-            // Where a smaller tolerance comes nearer to the run, Radau is what is off, and the method itself tells.
-            let is_sure = |kind: &&mut Kind<'_>| largest(&kind.of(&off)) > NEARER * largest(&kind.steps.1);
-            let told = kinds.iter_mut().filter(|kind| !kind.steps.1.is_empty());
-            let (sure, unsure): (Vec<_>, Vec<_>) = told.partition(is_sure);
-            sure.into_iter()
-                .for_each(|kind| kind.meet_shorter(By::Radau(rtol), &off));
-            if !unsure.is_empty() {
-                left.set(afforded(LAST, &own));
-                let own_way = match run.options.step {
-                    StepSize::Fixed(h) => By::Step(0.5 * h),
-                    StepSize::Adaptive => By::Same(run.options.rtol / TEN),
-                };
-                let here = rows(&mut own, (own_way, f64::INFINITY), 1.0, run.marks);
-                if here.len() == run.marks.rows.len() {
-                    let off = found_so_far.off(&here, rtol);
-                    unsure.into_iter().for_each(|kind| kind.meet_shorter(own_way, &off));
-                }
-            }
-        }
+    if !is_exact(&run) {
+        let mut again = |by| {
+            left.set(afforded(LAST, &own));
+            rows(&mut own, (by, f64::INFINITY), 1.0, run.marks)
+        };
+        let smaller = tolerances[tolerances.len() - 1] / TEN;
+        look_closer(&mut kinds, smaller, &found_so_far, &mut again);
     }
     // Where motions and loads shorten steps, or something else does, they are alike at ten times the tolerance, which then tells too little.
     let is_blind = is_exact(&run) && (run.is_shortened || is_alike);
@@ -494,6 +476,40 @@ pub(in crate::app) fn compare(
         (judging, finer.is_some(), failed.take()),
         kinds,
     )
+}
+
+/// What a smaller tolerance of Radau makes of what a larger one told of another method. Where it comes nearer to the run, Radau is what is off, and the method
+/// itself tells: half of a fixed step, or a tenth of its tolerance.
+fn look_closer(
+    kinds: &mut [Kind<'_>],
+    smaller: f64,
+    found_so_far: &Sets<'_>,
+    rows: &mut dyn FnMut(By) -> Vec<Vec<f64>>,
+) {
+    let mut told: Vec<&mut Kind<'_>> = kinds.iter_mut().filter(|kind| !kind.steps.1.is_empty()).collect();
+    let run = found_so_far.run;
+    let own_way = match run.options.step {
+        StepSize::Fixed(h) => By::Step(0.5 * h),
+        StepSize::Adaptive => By::Same(run.options.rtol / TEN),
+    };
+    for by in [By::Radau(smaller), own_way] {
+        if told.is_empty() {
+            return;
+        }
+        let there = rows(by);
+        if there.len() < run.marks.rows.len() {
+            return;
+        }
+        let off = found_so_far.off(&there, smaller);
+        let is_last = by == own_way;
+        told.retain_mut(|kind| {
+            let is_nearer = largest(&kind.of(&off)) <= NEARER * largest(&kind.steps.1);
+            if is_last || !is_nearer {
+                kind.meet_shorter(by, &off);
+            }
+            is_nearer
+        });
+    }
 }
 
 /// The sentences.

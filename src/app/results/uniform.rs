@@ -4,7 +4,7 @@ use super::modes::{SeenMode, growth};
 use crate::app::writing::numbers::digits;
 use crate::app::writing::sentences::listed;
 use crate::equilibrium::{self, Uniform};
-use crate::{Scene, State, modes};
+use crate::{Scene, SolveError, State, modes};
 
 /// Most names in a sentence.
 const MOST: usize = 3;
@@ -24,9 +24,17 @@ pub(in crate::app) fn taken_along(scene: &mut dyn Scene, at: &Uniform) -> Option
     ))
 }
 
-/// The time, s, in which a disturbance of an equilibrium grows by the factor e; `None` where none does, or where its modes are not found.
-pub(in crate::app) fn time_of_growth(scene: &mut dyn Scene, at: &Uniform, state: &State, count: usize) -> Option<f64> {
-    let found = modes::modes(scene, at, state, modes::Wanted { count }).ok()?;
+/// The time, s, in which a disturbance of an equilibrium grows by the factor e; `None` where none does.
+///
+/// # Errors
+/// Its modes are not found.
+pub(in crate::app) fn time_of_growth(
+    scene: &mut dyn Scene,
+    at: &Uniform,
+    state: &State,
+    count: usize,
+) -> Result<Option<f64>, SolveError> {
+    let found = modes::modes(scene, at, state, modes::Wanted { count })?;
     let seen: Vec<SeenMode> = found.iter().map(|mode| SeenMode::of(scene, at, state, mode)).collect();
-    growth(&seen).map(|growth| 1.0 / growth)
+    Ok(growth(&seen).map(|growth| 1.0 / growth))
 }

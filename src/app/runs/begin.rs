@@ -72,6 +72,8 @@ fn doubts(scene: &mut dyn Scene, state: &State, judged: Judging) -> Vec<String> 
     let at = Uniform::steady(0.0);
     let unstable = if finer_modes::is_asked(judged, scene.unknowns()) {
         uniform::time_of_growth(scene, &at, state, EquilibriumSettings::default().count)
+            .ok()
+            .flatten()
     } else {
         None
     };

@@ -45,11 +45,11 @@ impl<'a> Check<'a> {
             Quantity::Vector(vector) => {
                 let name = |axis: usize| AXES[axis].to_string();
                 // A component that is written as zero asks for nothing.
-                let is_asked = |axis: &&usize| fold::constant(&vector.values[**axis]) != Some(0.0);
-                let axes: Vec<usize> = match vector.axes.iter().filter(is_asked).copied().collect::<Vec<_>>() {
-                    none if none.is_empty() => vector.axes.clone(),
-                    some => some,
-                };
+                let mut axes = vector.axes.clone();
+                axes.retain(|&axis| fold::constant(&vector.values[axis]) != Some(0.0));
+                if axes.is_empty() {
+                    axes.clone_from(&vector.axes);
+                }
                 let rows = axes.iter().map(|axis| (name(*axis), vector.values[*axis].clone()));
                 (rows.collect(), vector.dimension, Some(axes), vector.frame)
             }

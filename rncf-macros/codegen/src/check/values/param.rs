@@ -204,9 +204,7 @@ impl<'a> Check<'a> {
             }
         }
     }
-}
 
-impl Check<'_> {
     fn start_of_run(&mut self, value: &Expr) {
         let word = match &value.kind {
             ExprKind::Name(name) => name.text.as_str(),
