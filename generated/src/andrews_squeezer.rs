@@ -134,7 +134,7 @@ impl ::rncf::Model for AndrewsSqueezer {
 
     run { t_end = 0.03 s; every = 0.1 ms; }
 }"#;
-    const EQUATIONS_HASH: u64 = 0xa6e65be8f7c1f452;
+    const EQUATIONS_HASH: u64 = 0xce7fc38ab890b968;
     const NOTES: &'static [&'static str] = &[
         "Rigid body `k1` is free in three motions: two positions and an angle.",
         "Rigid body `k2` is free in three motions: two positions and an angle.",
@@ -776,6 +776,7 @@ pub mod andrews_squeezer_equations {
                 velocity: ::rncf::emitted::Vector::zeros(),
                 spin: ::rncf::emitted::Vector::zeros(),
                 rigid: ::rncf::emitted::RigidSpec::default(),
+                size: 1.0,
             };
             let mut specs = ::std::vec::Vec::from([
                 ::rncf::emitted::FreeSpec {

@@ -48,7 +48,7 @@ impl ::rncf::Model for Bricard {
 
     run { t_end = 10 s; every = 0.01 s; }
 }"#;
-    const EQUATIONS_HASH: u64 = 0x1e2955c4e8a5b2b6;
+    const EQUATIONS_HASH: u64 = 0x7a030465b2e241ee;
     const NOTES: &'static [&'static str] = &[
         "Rigid body `p01` is free in six motions: three positions and a rotation vector that begins anew every step.",
         "Rigid body `p12` is free in six motions: three positions and a rotation vector that begins anew every step.",
@@ -741,6 +741,7 @@ pub mod bricard_equations {
                 velocity: ::rncf::emitted::Vector::zeros(),
                 spin: ::rncf::emitted::Vector::zeros(),
                 rigid: ::rncf::emitted::RigidSpec::default(),
+                size: 1.0,
             };
             let mut specs = ::std::vec::Vec::from([
                 ::rncf::emitted::FreeSpec {

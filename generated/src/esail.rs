@@ -120,7 +120,7 @@ impl ::rncf::Model for Esail {
 
     run { t_end = 200 s; every = 1 s; }
 }"#;
-    const EQUATIONS_HASH: u64 = 0xee7309a0b4e29e62;
+    const EQUATIONS_HASH: u64 = 0xb884fca6084cb08c;
     const NOTES: &'static [&'static str] = &[
         "Body `main` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).",
         "Body `main` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.",
@@ -3264,6 +3264,7 @@ pub mod esail_equations {
                 velocity: ::rncf::emitted::Vector::zeros(),
                 spin: ::rncf::emitted::Vector::zeros(),
                 rigid: ::rncf::emitted::RigidSpec::default(),
+                size: 1.0,
             };
             let mut specs = ::std::vec::Vec::from([
                 ::rncf::emitted::FreeSpec {

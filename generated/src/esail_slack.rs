@@ -120,7 +120,7 @@ impl ::rncf::Model for EsailSlack {
 
     run { t_end = 200 s; every = 1 s; }
 }"#;
-    const EQUATIONS_HASH: u64 = 0x578162f73fcb6dd0;
+    const EQUATIONS_HASH: u64 = 0x5dc3f902b2c37a66;
     const NOTES: &'static [&'static str] = &[
         "Body `main` uses `cable_spatial_slack`. Form: points unrolled (the cheapest; operations of force and tangent: points unrolled: 632 and 2395; loop over points: 677 and 2601; a loop counts 1.3 times).",
         "Body `main` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.",
@@ -3928,6 +3928,7 @@ pub mod esail_slack_equations {
                 velocity: ::rncf::emitted::Vector::zeros(),
                 spin: ::rncf::emitted::Vector::zeros(),
                 rigid: ::rncf::emitted::RigidSpec::default(),
+                size: 1.0,
             };
             let mut specs = ::std::vec::Vec::from([
                 ::rncf::emitted::FreeSpec {

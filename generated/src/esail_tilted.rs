@@ -127,7 +127,7 @@ impl ::rncf::Model for EsailTilted {
 
     run { t_end = 1 day; every = 10 min; }
 }"#;
-    const EQUATIONS_HASH: u64 = 0x4ccab9889d04e38e;
+    const EQUATIONS_HASH: u64 = 0x852aff74ae314136;
     const NOTES: &'static [&'static str] = &[
         "Body `main` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).",
         "Body `main` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.",
@@ -4202,6 +4202,7 @@ pub mod esail_tilted_equations {
                 velocity: ::rncf::emitted::Vector::zeros(),
                 spin: ::rncf::emitted::Vector::zeros(),
                 rigid: ::rncf::emitted::RigidSpec::default(),
+                size: 1.0,
             };
             let mut specs = ::std::vec::Vec::from([
                 ::rncf::emitted::FreeSpec {

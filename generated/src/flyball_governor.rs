@@ -87,7 +87,7 @@ impl ::rncf::Model for FlyballGovernor {
 
     run { t_end = 10 s; every = 0.01 s; }
 }"#;
-    const EQUATIONS_HASH: u64 = 0x01f2f2d0cc651b86;
+    const EQUATIONS_HASH: u64 = 0xe7e10986cb92a22e;
     const NOTES: &'static [&'static str] = &[
         "Rigid body `shaft` is free in six motions: three positions and a rotation vector that begins anew every step.",
         "Rigid body `slider` is free in six motions: three positions and a rotation vector that begins anew every step.",
@@ -1285,6 +1285,7 @@ pub mod flyball_governor_equations {
                 velocity: ::rncf::emitted::Vector::zeros(),
                 spin: ::rncf::emitted::Vector::zeros(),
                 rigid: ::rncf::emitted::RigidSpec::default(),
+                size: 1.0,
             };
             let mut specs = ::std::vec::Vec::from([
                 ::rncf::emitted::FreeSpec {

@@ -58,7 +58,7 @@ impl ::rncf::Model for FourBar {
 
     run { t_end = 10 s; every = 0.01 s; }
 }"#;
-    const EQUATIONS_HASH: u64 = 0xecaa49a40e7d3770;
+    const EQUATIONS_HASH: u64 = 0xb6e3c4767c3676d8;
     const NOTES: &'static [&'static str] = &[
         "Rigid body `link_0` is free in three motions: two positions and an angle.",
         "Rigid body `link_1` is free in three motions: two positions and an angle.",
@@ -434,6 +434,7 @@ pub mod four_bar_equations {
                 velocity: ::rncf::emitted::Vector::zeros(),
                 spin: ::rncf::emitted::Vector::zeros(),
                 rigid: ::rncf::emitted::RigidSpec::default(),
+                size: 1.0,
             };
             let mut specs = ::std::vec::Vec::from([
                 ::rncf::emitted::FreeSpec {

@@ -61,7 +61,7 @@ impl ::rncf::Model for FreeFlight {
 
     run { t_end = 2 s; every = 0.01 s; }
 }"#;
-    const EQUATIONS_HASH: u64 = 0xee7caf311bcb2a42;
+    const EQUATIONS_HASH: u64 = 0xd51e7bd782ea4fca;
     const NOTES: &'static [&'static str] = &[
         "Body `cable` uses `cable_spatial`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 217 and 781; points unrolled: 607 and 2331; loop over points: 652 and 2541; a loop counts 1.3 times).",
         "Body `cable` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.",
@@ -2034,6 +2034,7 @@ pub mod free_flight_equations {
                 velocity: ::rncf::emitted::Vector::zeros(),
                 spin: ::rncf::emitted::Vector::zeros(),
                 rigid: ::rncf::emitted::RigidSpec::default(),
+                size: 1.0,
             };
             let mut specs = ::std::vec::Vec::from([
                 ::rncf::emitted::FreeSpec {

@@ -36,7 +36,7 @@ impl ::rncf::Model for HeavyTop {
 
     run { t_end = 1 s; every = 0.005 s; }
 }"#;
-    const EQUATIONS_HASH: u64 = 0x5a96c1405040a6e0;
+    const EQUATIONS_HASH: u64 = 0x4155f27de401926c;
     const NOTES: &'static [&'static str] = &[
         "Rigid body `top` is free in six motions: three positions and a rotation vector that begins anew every step.",
         "Constraint `pivot` (spherical): 3 multipliers; linear in its vectors, no second derivatives.",
@@ -381,6 +381,7 @@ pub mod heavy_top_equations {
                 velocity: ::rncf::emitted::Vector::zeros(),
                 spin: ::rncf::emitted::Vector::zeros(),
                 rigid: ::rncf::emitted::RigidSpec::default(),
+                size: 1.0,
             };
             let mut specs = ::std::vec::Vec::from([
                 ::rncf::emitted::FreeSpec {

@@ -61,7 +61,7 @@ impl ::rncf::Model for PinnedPipe {
 
     run { t_end = 0.5 s; every = 2.5 ms; }
 }"#;
-    const EQUATIONS_HASH: u64 = 0xedfcd1599ee6430f;
+    const EQUATIONS_HASH: u64 = 0x151d863dfad377c5;
     const NOTES: &'static [&'static str] = &[
         "Body `pipe` uses `cable_planar`. Form: constant tensor (the cheapest; operations of force and tangent: constant tensor: 185 and 554; points unrolled: 343 and 1077; loop over points: 375 and 1181; a loop counts 1.3 times).",
         "Body `pipe` is planar: two components a vector, no motion along the normal.",
@@ -1195,6 +1195,7 @@ pub mod pinned_pipe_equations {
                 velocity: ::rncf::emitted::Vector::zeros(),
                 spin: ::rncf::emitted::Vector::zeros(),
                 rigid: ::rncf::emitted::RigidSpec::default(),
+                size: 1.0,
             };
             let mut specs = ::std::vec::Vec::from([
                 ::rncf::emitted::FreeSpec {

@@ -76,7 +76,7 @@ impl ::rncf::Model for SliderCrank {
 
     run { t_end = 2.5 s; every = 0.01 s; }
 }"#;
-    const EQUATIONS_HASH: u64 = 0x49c85f44065291c7;
+    const EQUATIONS_HASH: u64 = 0xebdc6f013549c1f9;
     const NOTES: &'static [&'static str] = &[
         "Body `beam` uses `cable_spatial_exact_damped`. Form: loop over points (the cheapest; operations of force and tangent: points unrolled: 795 and 4638; loop over points: 843 and 5093; a loop counts 1.3 times).",
         "Body `beam` is a centre line: no axes of the section, hence no shear, no torsion and no rotary inertia.",
@@ -2733,6 +2733,7 @@ pub mod slider_crank_equations {
                 velocity: ::rncf::emitted::Vector::zeros(),
                 spin: ::rncf::emitted::Vector::zeros(),
                 rigid: ::rncf::emitted::RigidSpec::default(),
+                size: 1.0,
             };
             let mut specs = ::std::vec::Vec::from([
                 ::rncf::emitted::FreeSpec {

@@ -329,6 +329,12 @@ pub trait System {
         &[]
     }
 
+    /// Unknowns of first order, ascending: states without inertia. Their equations are `z' = g`, with `z'` alone in its place of
+    /// the damping, and no constraint touches them.
+    fn states(&self) -> &[usize] {
+        &[]
+    }
+
     /// Number of unknowns at the end (poses of free frames and rigid bodies) whose rows and columns
     /// may be full: linear algebra borders them. What is in front of them has a regular mass matrix.
     fn border(&self) -> usize {

@@ -52,6 +52,7 @@ mod skipping_rope;
 mod slider_crank;
 mod small_motions;
 mod spin_up;
+mod states;
 mod steady;
 mod step_control;
 mod stopped;

@@ -23,7 +23,7 @@ pub use ids::{
 };
 pub use joint::{Held, Joint, JointKind};
 pub use load::{Load, LoadKind};
-pub use moving::{Constraint, Fixture, Force, Free, Marker, Motions, RigidPart};
+pub use moving::{Constraint, Fixture, Force, ForceKind, Free, Marker, Motions, RigidPart};
 pub use repeated::{Caution, Density, Distributed, ParticleVector, Repeat, Share, Start};
 
 /// A whole model.
@@ -55,7 +55,7 @@ pub struct Model {
     pub markers: Vec<Marker>,
     /// Constraints with multipliers: joints between moving parts, and declared ones.
     pub constraints: Vec<Constraint>,
-    /// Forces on markers: springs, user-written laws, loads on what moves freely.
+    /// Forces on markers: springs, user-written laws, loads on what moves freely, rates of states.
     pub forces: Vec<Force>,
     /// Ends of bodies that are one node.
     pub shares: Vec<Share>,

@@ -30,6 +30,9 @@ pub enum Motions {
         /// Axis normal to the plane.
         normal: usize,
     },
+    /// None: the unknown is a state, a number z that moves nothing and has no inertia. A force `g - z'` on its
+    /// [`MarkerSpec::Angle`](super::MarkerSpec::Angle) is its equation `z' = g`.
+    State,
 }
 
 /// What a frame carries of its own: ten numbers of a rigid body about the frame's origin.
@@ -59,7 +62,7 @@ pub struct FreeSpec {
     pub position: Vector,
     /// Unit vector of the rotation from the parent, parent axes.
     pub axis: Vector,
-    /// Its angle, rad. Planar and hinged frames turn about their own axis and count from it.
+    /// Its angle, rad. Planar and hinged frames turn about their own axis and count from it. Of a state its value.
     pub angle: f64,
     /// Velocity of the origin relative to the parent, m/s, parent axes.
     pub velocity: Vector,
@@ -67,4 +70,6 @@ pub struct FreeSpec {
     pub spin: Vector,
     /// Rigid parts, zero without.
     pub rigid: RigidSpec,
+    /// What counts as much of a state, in its unit.
+    pub size: f64,
 }

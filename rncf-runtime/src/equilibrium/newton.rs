@@ -54,6 +54,8 @@ pub(super) enum Failure {
     NotFinite(Option<String>),
     Slow(usize),
     Unbalanced(usize),
+    /// A state goes on for ever.
+    Running(usize),
     /// What was found does not continue the equilibria before.
     Leapt(usize),
 }
@@ -86,6 +88,12 @@ impl Failure {
             &Failure::Unbalanced(row) => (
                 format!(
                     "a force or moment along a motion that nothing ties is not balanced {where_}: tie that motion, or leave the force away"
+                ),
+                Some(row),
+            ),
+            &Failure::Running(row) => (
+                format!(
+                    "what a state is the integral of is not zero {where_}, so that it does not come to rest there: leave that state out, or look at a run"
                 ),
                 Some(row),
             ),
@@ -461,7 +469,10 @@ impl Newton {
             let resolved = if place < known { RESOLVED } else { RESOLVED_UNTIED };
             let stiff = resolved * self.stiffest(|row| phase[row] != 0.0);
             if energy(worst) > UNBALANCED * self.acting + rounded + stiff + twice + spun {
-                return Err(Failure::Unbalanced(worst));
+                return Err(match scene.states().contains(&worst) {
+                    true => Failure::Running(worst),
+                    false => Failure::Unbalanced(worst),
+                });
             }
         }
         Ok(())

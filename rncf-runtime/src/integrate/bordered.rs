@@ -40,6 +40,8 @@ pub(super) struct Bordered {
     constraint_pattern: Pattern,
     sizes: Vec<f64>,
     mass: Vec<f64>,
+    /// States, and the places of their unit in the mass: what has no inertia has no acceleration that would matter.
+    states: Vec<(usize, usize)>,
     /// Whether the mass is that of the present state, not only the border.
     mass_is_present: bool,
     jacobian: Vec<f64>,
@@ -115,6 +117,7 @@ impl Bordered {
             sizes: system.sizes().to_vec(),
             jacobian: vec![0.0; constraint_pattern.entries()],
             mass: vec![0.0; pattern.entries()],
+            states: diagonal(&pattern, system.states()).collect(),
             mass_is_present: false,
             responses: Responses {
                 are_known: false,
@@ -152,6 +155,7 @@ impl Bordered {
     fn fetch_mass(&mut self, system: &mut dyn System, state: &State) {
         if self.weight == Weight::Mass && !self.mass_is_present {
             system.mass(state, &mut self.mass);
+            self.states.iter().for_each(|&(_, place)| self.mass[place] = 1.0);
         }
         self.mass_is_present = true;
     }
@@ -182,7 +186,7 @@ impl Bordered {
         result
     }
 
-    /// Accelerations and multipliers that satisfy the equations of motion and the second time
+    /// Rates of states, and accelerations and multipliers that satisfy the equations of motion and the second time
     /// derivative of the constraints at the state's time, position and velocity; the matrix must be there.
     pub(super) fn accelerations(
         &mut self,
@@ -196,6 +200,13 @@ impl Bordered {
         state.a.fill(0.0);
         system.residual(state, &mut self.given.0);
         statistics.residual_evaluations += 1;
+        if !self.states.is_empty() {
+            for &(unknown, _) in &self.states {
+                state.v[unknown] -= self.given.0[unknown];
+            }
+            system.residual(state, &mut self.given.0);
+            statistics.residual_evaluations += 1;
+        }
         system.constraint(ConstraintLevel::Acceleration, state, &mut self.given.1);
         negate(&mut self.given.0);
         negate(&mut self.given.1);
@@ -421,6 +432,14 @@ impl Bordered {
             .sum::<f64>()
             .sqrt()
     }
+}
+
+/// Unknowns with their places on the diagonal.
+pub(super) fn diagonal(pattern: &Pattern, unknowns: &[usize]) -> impl Iterator<Item = (usize, usize)> {
+    let places = unknowns
+        .iter()
+        .map(|&unknown| Some((unknown, pattern.find(unknown, unknown)?)));
+    places.flatten()
 }
 
 fn negate(y: &mut [f64]) {

@@ -118,6 +118,7 @@ impl Driver {
         };
         let m = system.constraints();
         start::check_dissipation(m, method, &options).map_err(|kind| fail(kind, None))?;
+        start::check_states(system, method).map_err(|kind| fail(kind, None))?;
         let mut switches = Switches::default();
         let mut kinks = system.kinks();
         if switches.is_at(t0, |t, out| system.gaps(t, out)) {

@@ -61,6 +61,18 @@ pub(super) fn check_settings(t: f64, t_end: f64, method: Method, options: &Optio
     check(t_end.is_finite() && t_end > t, "t_end (s)", t_end, &range)
 }
 
+/// Checks that a method solves equations of first order where the system has some.
+pub(super) fn check_states(system: &dyn System, method: Method) -> Result<(), SolveErrorKind> {
+    match system.states().first() {
+        Some(&state) if !method.is_radau() => Err(SolveErrorKind::Setting(format!(
+            "{} integrates equations of second order, and {} has one of first order: take `radau`",
+            method.name(),
+            system.describe_unknown(state)
+        ))),
+        _ => Ok(()),
+    }
+}
+
 /// Checks that a method on constraints of index 3 has dissipation: without any, errors of the multipliers grow from
 /// step to step, however short the steps are (THEORY 10, T1).
 pub(super) fn check_dissipation(constraints: usize, method: Method, options: &Options) -> Result<(), SolveErrorKind> {

@@ -121,6 +121,7 @@ impl Parts for Arm {
             Motions::Spatial
         };
         let free = FreeSpec {
+            size: 1.0,
             frame: 1,
             parent: 0,
             is_body: false,

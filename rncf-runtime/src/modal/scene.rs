@@ -71,6 +71,7 @@ pub struct ModalScene {
     pub(super) pattern: Pattern,
     pub(super) constraint_pattern: Pattern,
     pub(super) turns: Vec<usize>,
+    pub(super) states: Vec<usize>,
     pub(super) sizes: Vec<f64>,
     /// Mass matrix of the nodal vectors with all elements, for the energy.
     whole_mass: Vec<f64>,
@@ -123,6 +124,11 @@ impl ModalScene {
         let pattern = reduction.square(scene.pattern());
         let constraint_pattern = reduction.rows(scene.constraint_pattern());
         let turns = scene.turns().iter().filter_map(|&turn| reduction.same(turn)).collect();
+        let states = scene
+            .states()
+            .iter()
+            .filter_map(|&state| reduction.same(state))
+            .collect();
         let mut sizes = vec![0.0; reduction.unknowns()];
         for (unknown, &size) in scene.sizes().iter().enumerate() {
             if let Some(place) = reduction.same(unknown) {
@@ -151,6 +157,7 @@ impl ModalScene {
             pattern,
             constraint_pattern,
             turns,
+            states,
             sizes,
         })
     }
@@ -364,6 +371,10 @@ impl System for ModalScene {
 
     fn turns(&self) -> &[usize] {
         &self.turns
+    }
+
+    fn states(&self) -> &[usize] {
+        &self.states
     }
 
     fn border(&self) -> usize {

@@ -37,6 +37,8 @@ pub struct Pencil {
     border: Vec<[usize; 2]>,
     /// Orthonormal motions that are known to have no stiffness.
     still: Vec<Vec<f64>>,
+    /// Whether an unknown has damping alone, as a state has.
+    is_inert: Vec<bool>,
     /// What cancels in each row of the stiffness where the system turns: the centrifugal forces of all that moves with it.
     centrifugal: Vec<f64>,
 }
@@ -95,7 +97,10 @@ impl Pencil {
         let both = border.iter().flat_map(|&(row, j)| [(row, n + j), (n + j, row)]);
         let whole = Pattern::new(n + m, n + m, places.iter().copied().chain(both));
         let place = |row, column| whole.find(row, column).expect("the whole pattern holds its parts");
+        let own = |values: &[f64], index: usize| pattern.find(index, index).map_or(0.0, |entry| values[entry]);
+        let is_inert = |index| own(&tangent.mass, index) == 0.0 && own(&tangent.damping, index) != 0.0;
         Self {
+            is_inert: (0..n).map(is_inert).collect(),
             mass: scaled(&tangent.mass),
             damping: scaled(&tangent.damping),
             stiffness: scaled(&tangent.stiffness),
@@ -182,13 +187,23 @@ impl Pencil {
         values
     }
 
-    /// The same without C.
+    /// The same without C, but for what has nothing else.
     pub(super) fn without_damping(&self, s: c64) -> Vec<c64> {
         let mut values = self.at(s);
-        for (&damping, &place) in self.damping.iter().zip(&self.block) {
-            values[place] -= s * damping;
+        for ((row, _), (&damping, &place)) in self.pattern.places().zip(self.damping.iter().zip(&self.block)) {
+            if !self.is_inert[row] {
+                values[place] -= s * damping;
+            }
         }
         values
+    }
+
+    /// `M x`, and `C x` of what has nothing else.
+    pub(super) fn inertia(&self, x: &[c64]) -> Vec<c64> {
+        let Products { mass, damping, .. } = self.products(x, &[]);
+        let both = self.is_inert.iter().zip(mass.into_iter().zip(damping));
+        both.map(|(&is_inert, (mass, damping))| if is_inert { damping } else { mass })
+            .collect()
     }
 
     /// What `right` has beside the product of the whole matrix of these `values` and `x`, each row summed with twice the digits.

@@ -96,9 +96,7 @@ impl<'a> Refinement<'a> {
         {
             return Vec::new();
         }
-        let vectors = self.eigenspace(count, |pencil, x, image| {
-            image.copy_from_slice(&pencil.products(x, &[]).mass)
-        });
+        let vectors = self.eigenspace(count, |pencil, x, image| image.copy_from_slice(&pencil.inertia(x)));
         let lowest = CLOSE * self.shift;
         let is_still = |x: &Vec<c64>| self.pencil.is_still(x, lowest);
         let beside = vectors

@@ -43,6 +43,7 @@ pub fn stiffness_values(
 ) -> Result<Vec<f64>, SolveError> {
     let mut tangent = tangent(scene, at, state);
     tangent.damping.fill(0.0);
+    weigh_states(scene, &mut tangent.mass);
     // What moves without stiffness has a value of zero at every parameter. Where forces follow what bends, another one that
     // becomes zero is not apart from it: to bend is to drift, too.
     let still = still(scene, at, state);
@@ -82,6 +83,21 @@ pub fn stiffness_values(
     let mut all = [zeros, beside_still].concat();
     all.sort_by(f64::total_cmp);
     Ok(all)
+}
+
+/// Gives states as much inertia, relative to their sizes, as the heaviest unknown has: what passes zero does so with any.
+fn weigh_states(scene: &dyn Scene, mass: &mut [f64]) {
+    let (pattern, sizes) = (scene.pattern(), scene.sizes());
+    let own = (0..sizes.len()).filter_map(|unknown| Some((unknown, pattern.find(unknown, unknown)?)));
+    let heaviest = own.map(|(unknown, place)| mass[place] * sizes[unknown].powi(2));
+    let heaviest = heaviest.fold(0.0, f64::max);
+    for (&state, place) in scene
+        .states()
+        .iter()
+        .filter_map(|state| Some((state, pattern.find(*state, *state)?)))
+    {
+        mass[place] = heaviest / sizes[state].powi(2);
+    }
 }
 
 /// The largest of the values, in size, beside which the one below it is next to zero; `None` where none is.

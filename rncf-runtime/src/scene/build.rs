@@ -153,6 +153,8 @@ impl MeshScene {
         let first_turn = layout.unknowns() - border;
         let turns = free.iter().filter(|frame| frame.turn.is_some());
         let turns = turns.map(|frame| first_turn + frame.first + frame.shifts()).collect();
+        let states = free.iter().filter(|frame| frame.is_state());
+        let states = states.map(|frame| first_turn + frame.first).collect();
         let markers = markers(&*parts, &specs, &free_of)?;
         let constraints = linked(&*parts, &specs, absolute, &fixed);
         let frames = SceneFrames {
@@ -160,6 +162,7 @@ impl MeshScene {
             free_of,
             fixed,
             turns,
+            states,
             ..SceneFrames::default()
         };
         let links = Links {

@@ -52,7 +52,8 @@ impl MeshScene {
                 self.size_of(frame, scene, round_off),
                 frame.shifts(),
             ));
-            sizes.extend(std::iter::repeat_n(1.0, turns));
+            let of_turns = if frame.is_state() { frame.spec.size } else { 1.0 };
+            sizes.extend(std::iter::repeat_n(of_turns, turns));
         }
         (sizes, distance)
     }

@@ -34,6 +34,10 @@ impl System for MeshScene {
         &self.frames.turns
     }
 
+    fn states(&self) -> &[usize] {
+        &self.frames.states
+    }
+
     fn border(&self) -> usize {
         self.layout.border()
     }

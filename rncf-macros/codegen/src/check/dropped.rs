@@ -61,6 +61,7 @@ impl<'a> Check<'a> {
             | Keyword::Start
             | Keyword::Constraint
             | Keyword::Spring
+            | Keyword::State
             | Keyword::Load
             | Keyword::Fixture => made.contains(name),
             _ => true,

@@ -54,6 +54,9 @@ pub const CONDITION_OF_ELEMENT: &str = "`t` and params decide the cases of an el
 pub const WHOLE_STRAIN: &str =
     "`E` is the strain: take a component of it, `E.xx`, `E.yy`, `E.zz`, `E.xy`, `E.xz` or `E.yz`";
 pub const GAUSS_POINTS: &str = "`gauss` takes a literal number of points, from 1 to 20: `gauss(3)`";
+pub const STATE_OUTSIDE: &str = "a state is known while a model runs: forces and moments at places, laws of springs, rates of states and outputs read it";
+pub const STATE_SIZE: &str =
+    "the size of a state is positive: what counts as much of it, against which its errors are measured";
 pub const POISSON: &str = "poisson must lie between -1 and 0.5";
 pub const JOINT_INSIDE: &str =
     "this joint holds an end of a body: use `start` or `end`, and in between `weld` or `spherical`";
@@ -269,6 +272,7 @@ messages! {
     missing_of_section(name, list, element, them) = "section `{name}` lacks {list}, which `{element}` needs: add {them}, or let a shape give everything, e.g. `section {name} = circle(radius = 5 mm);` (or `tube`, `rectangle`)";
     sets_both(name, other) = "`{name}` gives `{other}`, too: leave out one of them";
     unequal_moments(name, element) = "in space `{element}` bends alike in all directions, but section `{name}` has two different second moments: use `beam`, a round or square section, or a planar body";
+    rate_of_state(state, wanted, rate) = "`start` is {state}, and the rate of that is {wanted}, but this is {rate}: the unit of `start` is that of the rate times s";
     beside_energy(word) = "`energy` stands instead of `young` and `poisson`: leave out `{word}` or `energy`";
     energy_not_finite(name) = "the energy of `{name}` or its first two derivatives are not finite where there is no strain: make it smooth there";
     energy_at_rest(name, value) = "the energy of `{name}` is {value} J/m^3 where there is no strain: it must vanish there, subtract this constant";

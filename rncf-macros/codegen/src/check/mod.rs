@@ -26,7 +26,7 @@ use proc_macro2::Span;
 
 use crate::elements::Library;
 use crate::errors::{Area, Errors};
-use crate::model::{BodyId, Frame, FrameId, Model, MotionId, TableId, fold};
+use crate::model::{BodyId, Frame, FrameId, MarkerId, Model, MotionId, TableId, fold};
 use crate::parse::tree::{Argument, Call, Expr, Item, ItemKind, Keyword, Name, Tree, UnitText};
 use crate::suggest;
 use messages as say;
@@ -68,6 +68,7 @@ pub fn check_with_elements(tree: &Tree, library: &Library, errors: &mut Errors) 
     check.quantities();
     check.motions();
     check.frames();
+    check.states();
     check.materials();
     check.sections();
     check.elements();
@@ -77,6 +78,7 @@ pub fn check_with_elements(tree: &Tree, library: &Library, errors: &mut Errors) 
     check.joints();
     check.constraints();
     check.springs();
+    check.rates_of_states();
     check.floating();
     check.loads();
     check.starts();
@@ -113,6 +115,8 @@ struct Check<'a> {
     values: HashMap<&'a str, Option<values::quantity::Typed>>,
     motions: HashMap<&'a str, Option<(MotionId, values::quantity::Typed)>>,
     frames: HashMap<&'a str, Option<FrameId>>,
+    /// What states are, with the markers that they are read of; `None`: reported.
+    states: HashMap<&'a str, Option<(MarkerId, values::quantity::Typed)>>,
     /// Tables; `None`: reported.
     tables: HashMap<&'a str, Option<TableId>>,
     /// Columns that are read by their names.
@@ -186,6 +190,7 @@ impl<'a> Check<'a> {
             values: HashMap::new(),
             motions: HashMap::new(),
             frames: HashMap::new(),
+            states: HashMap::new(),
             tables: HashMap::new(),
             read_columns: HashSet::new(),
             spare_columns: Vec::new(),

@@ -9,7 +9,7 @@ use crate::parse::ascii::is_identifier;
 use crate::vocabulary::members::{GIVEN, Thing};
 
 /// Words in front of names, in models and components.
-const ITEMS: [&str; 20] = [
+const ITEMS: [&str; 21] = [
     "param",
     "const",
     "let",
@@ -25,6 +25,7 @@ const ITEMS: [&str; 20] = [
     "joint",
     "constraint",
     "spring",
+    "state",
     "load",
     "output",
     "caution",

@@ -13,7 +13,7 @@ use crate::lower::camel_case;
 use crate::lower::constraints::ConstraintKernels;
 use crate::lower::joints::LEVELS;
 use crate::model::fold;
-use crate::model::{Expr, Marker, Model, Motions};
+use crate::model::{Expr, ForceKind, Marker, Model, Motions};
 
 const VECTORS: &str = "&[::rncf::emitted::Vector]";
 
@@ -65,6 +65,9 @@ impl Parts<'_> {
         checks += &self.section_checks();
         for frame in &self.model.frames {
             let Some(free) = &frame.free else { continue };
+            if let Some(size) = &free.size {
+                checks += &self.number_check("positive", &format!("state `{}`", frame.name), "size", size, "");
+            }
             for (place, part) in free.parts.iter().enumerate() {
                 let owner = if free.is_body && place == 0 {
                     "rigid body"
@@ -115,7 +118,7 @@ impl Parts<'_> {
         if self.equations.free.is_empty() {
             return self.list("free", "FreeSpec", &[]);
         }
-        let mut text = "fn free(&self) -> ::std::vec::Vec<::rncf::emitted::FreeSpec> {\nlet still = ::rncf::emitted::FreeSpec { frame: 0, parent: 0, is_body: false, motions: ::rncf::emitted::Motions::Spatial, position: ::rncf::emitted::Vector::zeros(), axis: ::rncf::emitted::Vector::zeros(), angle: 0.0, velocity: ::rncf::emitted::Vector::zeros(), spin: ::rncf::emitted::Vector::zeros(), rigid: ::rncf::emitted::RigidSpec::default() };\nlet mut specs = ::std::vec::Vec::from([\n".to_string();
+        let mut text = "fn free(&self) -> ::std::vec::Vec<::rncf::emitted::FreeSpec> {\nlet still = ::rncf::emitted::FreeSpec { frame: 0, parent: 0, is_body: false, motions: ::rncf::emitted::Motions::Spatial, position: ::rncf::emitted::Vector::zeros(), axis: ::rncf::emitted::Vector::zeros(), angle: 0.0, velocity: ::rncf::emitted::Vector::zeros(), spin: ::rncf::emitted::Vector::zeros(), rigid: ::rncf::emitted::RigidSpec::default(), size: 1.0 };\nlet mut specs = ::std::vec::Vec::from([\n".to_string();
         for &(index, _) in &self.equations.free {
             let frame = &self.model.frames[index];
             if let Some(free) = &frame.free {
@@ -320,7 +323,12 @@ impl Parts<'_> {
             (None, entry)
         });
         let mut text = self.list("forces", "ForceSpec", &entries.collect::<Vec<_>>());
-        let loads = self.model.forces.iter().enumerate().filter(|(_, force)| force.is_load);
+        let loads = self
+            .model
+            .forces
+            .iter()
+            .enumerate()
+            .filter(|(_, force)| force.kind == ForceKind::Load);
         let loads: Vec<String> = loads.map(|(index, _)| index.to_string()).collect();
         let is_load = match loads.is_empty() {
             true => "false".to_string(),
@@ -393,5 +401,6 @@ fn motions(motions: &Motions) -> String {
         }
         Motions::Shifting => "Shifting".to_string(),
         Motions::ShiftingPlanar { normal } => format!("ShiftingPlanar {{ normal: {normal} }}"),
+        Motions::State => "State".to_string(),
     }
 }

@@ -254,5 +254,6 @@ fn unknowns(motions: &Motions) -> &'static str {
         Motions::Hinged { .. } => "one motion: an angle",
         Motions::Shifting => "three motions: a point mass does not turn",
         Motions::ShiftingPlanar { .. } => "two motions: a point mass does not turn",
+        Motions::State => "no motion: a number with an equation of its own",
     }
 }

@@ -43,6 +43,9 @@ pub fn free_kernel(model: &Model, frame: &Frame, free: &Free) -> Kernel {
         outputs.push((format!("spec.axis[{i}]"), time.graph.number(component)));
     }
     outputs.extend(rigid(&mut time, &free.parts));
+    if let Some(size) = &free.size {
+        outputs.push(("spec.size".to_string(), time.expression(size)));
+    }
     // What stands here is meant at t = 0.
     let zero = time.graph.zero();
     let start = std::collections::HashMap::from([(time.t, zero)]);
@@ -51,10 +54,13 @@ pub fn free_kernel(model: &Model, frame: &Frame, free: &Free) -> Kernel {
     }
     outputs.retain(|&(_, id)| !time.graph.is_zero(id));
     let what = if free.is_body { "Rigid body" } else { "Free frame" };
-    let title = format!(
-        "{what} `{}`: its start relative to its parent, and its rigid parts.",
-        frame.name
-    );
+    let title = match free.motions {
+        Motions::State => format!("State `{}`: its start, and what counts as much.", frame.name),
+        _ => format!(
+            "{what} `{}`: its start relative to its parent, and its rigid parts.",
+            frame.name
+        ),
+    };
     let mut kernel = time.kernel(
         format!("free_{}", crate::model::identifier(&frame.name)),
         title,

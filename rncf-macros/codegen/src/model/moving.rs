@@ -17,6 +17,8 @@ pub struct Free {
     pub parts: Vec<RigidPart>,
     /// Whether it was declared as a rigid body.
     pub is_body: bool,
+    /// What counts as much, of a state; in its unit.
+    pub size: Option<Expr>,
 }
 
 /// Which motions of a free frame are unknown. See `rncf::emitted::Motions`.
@@ -43,6 +45,8 @@ pub enum Motions {
         /// 0, 1, 2: inertial axis normal to the plane.
         normal: usize,
     },
+    /// None: its unknown is a state, a number that stands where others have their angle.
+    State,
 }
 
 /// A rigid part in a free frame: ten numbers.
@@ -129,7 +133,7 @@ pub enum Marker {
         /// Frame.
         frame: FrameId,
     },
-    /// The angle of a planar or hinged frame and two zeros, rad.
+    /// The angle of a planar or hinged frame (rad), or a state, and two zeros.
     Angle {
         /// Frame.
         frame: FrameId,
@@ -186,14 +190,30 @@ pub struct Force {
     pub components: Vec<[Expr; 3]>,
     /// Potential, J, where it has one and nothing damps.
     pub energy: Option<Expr>,
-    /// Whether it was declared as a load, which equilibria apply in parts.
-    pub is_load: bool,
+    /// What it was declared as.
+    pub kind: ForceKind,
+}
+
+/// What a force on markers was declared as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ForceKind {
+    /// A spring.
+    Spring,
+    /// A load, which equilibria apply in parts.
+    Load,
+    /// The rate of a state, less its derivative.
+    State,
 }
 
 impl Force {
     /// What messages call it.
     pub fn in_words(&self) -> String {
-        format!("{} `{}`", if self.is_load { "load" } else { "spring" }, self.name)
+        let kind = match self.kind {
+            ForceKind::Spring => "spring",
+            ForceKind::Load => "load",
+            ForceKind::State => "state",
+        };
+        format!("{kind} `{}`", self.name)
     }
 }
 

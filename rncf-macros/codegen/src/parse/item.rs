@@ -111,10 +111,10 @@ fn item_name(cursor: &mut Cursor, keyword: Keyword) -> Parsed<Name> {
 
 /// Whether the item is a name, `=` and what it is.
 fn is_assigned(keyword: Keyword) -> bool {
-    use Keyword::{Const, Constraint, Frame, Joint, Let, Load, Output, Param, Part, Section, Spring, Start};
+    use Keyword::{Const, Constraint, Frame, Joint, Let, Load, Output, Param, Part, Section, Spring, Start, State};
     matches!(
         keyword,
-        Const | Constraint | Frame | Joint | Let | Load | Output | Param | Part | Section | Spring | Start
+        Const | Constraint | Frame | Joint | Let | Load | Output | Param | Part | Section | Spring | Start | State
     )
 }
 
@@ -238,6 +238,10 @@ fn content(cursor: &mut Cursor, keyword: Keyword, errors: &mut Errors) -> Parsed
         Keyword::Constraint => ItemKind::Constraint(assignment(cursor)?),
         Keyword::Spring => ItemKind::Spring(assigned_call(cursor, "a spring such as `linear(..)`")?),
         Keyword::Load => ItemKind::Load(assigned_call(cursor, "`gravity(..)`, `force(..)` or `moment(..)`")?),
+        Keyword::State => ItemKind::State(assigned_call(
+            cursor,
+            "what it is the integral of, `integral(rate, start = ..)`",
+        )?),
         Keyword::Start => ItemKind::Start(assigned_call(cursor, "`spinning(..)`")?),
         Keyword::Part => ItemKind::Part(assigned_call(cursor, "a component, `part left = Blade(..);`")?),
         Keyword::Caution => ItemKind::Caution(Box::new(caution(cursor)?)),

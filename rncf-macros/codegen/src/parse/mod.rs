@@ -4,7 +4,7 @@
 //! ```text
 //! declaration = { "library" NAME "{" { item } "}" } { doc } [ visibility ] "model" NAME "{" { item } "}"
 //! item        = { doc } ( param | const | material | section | element | motion | frame | rigid | body
-//!                       | fixture | joint | constraint | spring | load | output | run | for
+//!                       | fixture | joint | constraint | spring | state | load | output | run | for
 //!                       | component | part )
 //! for         = "for" INDEX "in" range "{" { item } "}"   // each NAME is NAME { "[" INDEX "]" }
 //! component   = "component" NAME "(" [ told { "," told } ] ")" "{" { item } "}"
@@ -56,6 +56,7 @@
 //!                   // law(PLACE, PLACE, force = expr), torsional(JOINT|FRAME, stiffness = .. [, damping = .., angle = ..])
 //!                   // torsional_law(JOINT|FRAME, moment = expr), coordinate(expr, stiffness = .. [, damping = .., value = ..])
 //!                   // coordinate_law(expr, force|moment = expr)
+//! state       = "state" NAME "=" call ";"       // integral(expr, start = expr [, size = expr])
 //! load        = "load" NAME "=" call ";"        // gravity(vector), follower(BODY.end, expr | [expr, expr])
 //!                   // force|moment(BODY.end|BODY.at(expr), vector [, in = FRAME])
 //! output      = "output" NAME "=" right ";"

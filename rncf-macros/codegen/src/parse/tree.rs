@@ -109,6 +109,7 @@ pub enum Keyword {
     Joint,
     Constraint,
     Spring,
+    State,
     Load,
     Start,
     Part,
@@ -118,7 +119,7 @@ pub enum Keyword {
 
 impl Keyword {
     /// All of them, in the order a user needs them.
-    pub const ALL: [Keyword; 20] = [
+    pub const ALL: [Keyword; 21] = [
         Keyword::Param,
         Keyword::Const,
         Keyword::Let,
@@ -134,6 +135,7 @@ impl Keyword {
         Keyword::Joint,
         Keyword::Constraint,
         Keyword::Spring,
+        Keyword::State,
         Keyword::Load,
         Keyword::Start,
         Keyword::Part,
@@ -159,6 +161,7 @@ impl Keyword {
             Keyword::Joint => "joint",
             Keyword::Constraint => "constraint",
             Keyword::Spring => "spring",
+            Keyword::State => "state",
             Keyword::Load => "load",
             Keyword::Start => "start",
             Keyword::Part => "part",
@@ -348,6 +351,8 @@ pub enum ItemKind {
     Constraint(Expr),
     /// `spring name = call;`
     Spring(Call),
+    /// `state name = call;`
+    State(Call),
     /// `load name = call;`
     Load(Call),
     /// `output name [: unit] = value;`

@@ -192,6 +192,7 @@ impl<'t> Unfold<'t, '_> {
             ItemKind::Corner(call) => ItemKind::Corner(self.call(at, call)),
             ItemKind::Constraint(value) => ItemKind::Constraint(self.expr(at, value)),
             ItemKind::Spring(call) => ItemKind::Spring(self.spring(at, call)),
+            ItemKind::State(call) => ItemKind::State(self.call(at, call)),
             ItemKind::Load(call) => ItemKind::Load(self.call(at, call)),
             ItemKind::Start(call) => ItemKind::Start(self.call(at, call)),
             ItemKind::Part(_) | ItemKind::Broken => ItemKind::Broken,

@@ -27,6 +27,8 @@ pub struct SceneFrames {
     pub followed_shape: Vec<f64>,
     /// First unknowns of orientations.
     pub turns: Vec<usize>,
-    /// Their columns on the pattern.
+    /// Unknowns that are states.
+    pub states: Vec<usize>,
+    /// Columns of orientations on the pattern.
     pub turned: Arc<[TurnedColumns]>,
 }

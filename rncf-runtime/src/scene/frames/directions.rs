@@ -35,6 +35,7 @@ pub(crate) fn directions(motions: Motions) -> Vec<Direction> {
         Motions::Hinged { axis } => vec![about(axis)],
         Motions::Shifting => (0..3).map(shift).collect(),
         Motions::ShiftingPlanar { normal } => plane(normal).map(shift).to_vec(),
+        Motions::State => vec![Direction::default()],
     }
 }
 

@@ -54,6 +54,9 @@ impl FreeFrame {
             rotation = turned(&carrier, spec.angle * axis);
             spin = matrix(&exp(spec.angle * axis)).tr_mul(&parent.spin) + spec.spin;
         }
+        if spec.motions == Motions::State {
+            rotation = carrier;
+        }
         let start = Pose {
             position: parent.point_to_inertial(spec.position),
             rotation,
@@ -87,7 +90,7 @@ impl FreeFrame {
     pub fn shifts(&self) -> usize {
         self.directions
             .iter()
-            .filter(|direction| direction.turn == Vector::zeros())
+            .filter(|direction| direction.shift != Vector::zeros())
             .count()
     }
 
@@ -96,9 +99,21 @@ impl FreeFrame {
         matches!(self.spec.motions, Motions::Turning | Motions::Hinged { .. })
     }
 
-    /// Place of the angle among the frame's unknowns, where there is one.
+    /// Whether it can turn.
+    pub fn turns(&self) -> bool {
+        let mut directions = self.directions.iter();
+        directions.any(|direction| direction.turn != Vector::zeros())
+    }
+
+    /// Whether it is a state: a number, which moves nothing.
+    pub fn is_state(&self) -> bool {
+        self.spec.motions == Motions::State
+    }
+
+    /// Place of the angle, or of the state, among the frame's unknowns, where there is one.
     pub fn angle(&self) -> Option<usize> {
-        angle_axis(self.spec.motions).map(|_| self.count() - 1)
+        let is_number = self.is_state() || angle_axis(self.spec.motions).is_some();
+        is_number.then(|| self.count() - 1)
     }
 
     /// Lets positions count from a point that moves on with the velocity of the start where that is far
@@ -217,6 +232,9 @@ impl FreeFrame {
     /// The unknown in the user's words.
     pub fn describe(&self, name: &str, place: usize) -> String {
         const AXES: [&str; 3] = ["x", "y", "z"];
+        if self.is_state() {
+            return format!("state `{name}`");
+        }
         let owner = if self.spec.is_body { "rigid body" } else { "frame" };
         let direction = &self.directions[place];
         let axis = |vector: Vector| (0..3).find(|&axis| vector == unit(axis));
@@ -298,7 +316,8 @@ impl Frames {
             }
             frames.motions[spec.frame] = frame.started();
             let is_left_out = |references: &References| follows || references.leaves_out(spec, bodies, &specs);
-            if references.as_ref().is_some_and(is_left_out) && !frame.has_rigid_parts() {
+            let may_be_left_out = !frame.has_rigid_parts() && !frame.is_state();
+            if references.as_ref().is_some_and(is_left_out) && may_be_left_out {
                 frames.fixed.push(frame);
                 continue;
             }
@@ -345,7 +364,7 @@ fn check_plane_of(body: &BodySpec, name: &str, motions: Motions) -> Result<(), M
     let keeps = match motions {
         Motions::Planar { normal: other } | Motions::ShiftingPlanar { normal: other } => other == normal,
         Motions::Hinged { axis } => axis.cross(&unit(normal)).norm() <= ROUND_OFF,
-        Motions::Shifting => true,
+        Motions::Shifting | Motions::State => true,
         Motions::Spatial | Motions::Turning => false,
     };
     if keeps {
@@ -386,6 +405,9 @@ fn check_numbers(spec: &FreeSpec, name: &str) -> Result<(), ModelError> {
     let all = start.iter().flatten().chain(&inertia).chain([&spec.angle, &mass]);
     if !all.into_iter().all(|value| value.is_finite()) {
         return refuse("a number of its start or of its rigid parts is not finite");
+    }
+    if spec.motions == Motions::State {
+        return Ok(());
     }
     if mass < 0.0 || (0..3).any(|axis| inertia[(axis, axis)] < 0.0) {
         return refuse("its mass or moment of inertia is negative");

@@ -137,6 +137,7 @@ impl Parts for Net {
     }
     fn free(&self) -> Vec<FreeSpec> {
         vec![FreeSpec {
+            size: 1.0,
             rigid: stone(),
             spin: Vector::new(0.1, 0.2, 0.9),
             ..free(1, 0, Motions::Spatial)

@@ -82,6 +82,7 @@ pub fn joint(name: &'static str, kind: JointKind, body: usize, at_end: bool, fra
 /// A free frame at its parent, at rest, without inertia.
 pub fn free(frame: usize, parent: usize, motions: Motions) -> FreeSpec {
     FreeSpec {
+        size: 1.0,
         frame,
         parent,
         is_body: false,

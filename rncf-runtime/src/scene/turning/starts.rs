@@ -18,7 +18,9 @@ impl MeshScene {
         let is_otherwise = |&place: &usize| {
             let free = &self.frames.free[place];
             let motion = &frames[free.spec.frame];
-            if free.count() > free.shifts() {
+            if free.is_state() {
+                false
+            } else if free.turns() {
                 differs(turning(motion), spin.velocity)
             } else {
                 differs(motion.velocity, spin.velocity.cross(&(motion.position - spin.point)))

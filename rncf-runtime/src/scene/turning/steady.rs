@@ -373,7 +373,7 @@ impl MeshScene {
 
     /// A free frame that cannot turn with the system.
     fn unable(&self, spin: &Spin, frames: &[FrameMotion]) -> Option<String> {
-        for frame in &self.frames.free {
+        for frame in self.frames.free.iter().filter(|frame| !frame.is_state()) {
             let (motion, name) = (&frames[frame.spec.frame], self.parts.frame_name(frame.spec.frame));
             let needed = spin.velocity.cross(&(motion.position - spin.point));
             if differs(needed, motion.velocity) {
@@ -383,8 +383,7 @@ impl MeshScene {
             }
             let carries = self.bodies.iter().any(|body| body.spec.frame == frame.spec.frame)
                 || frame.spec.rigid.moment != Vector::zeros();
-            let turns = frame.count() > frame.shifts();
-            if (turns || carries) && differs(turning(motion), spin.velocity) {
+            if (frame.turns() || carries) && differs(turning(motion), spin.velocity) {
                 return Some(format!(
                     "frame `{name}` cannot turn about the axis of the rotation: free it to turn about that axis"
                 ));

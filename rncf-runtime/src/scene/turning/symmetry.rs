@@ -4,6 +4,7 @@
 
 use crate::linalg::{norm, normalise, reduce};
 use crate::scene::MeshScene;
+use crate::scene::frames::free_frames::FreeFrame;
 use crate::scene::pieces::displacement::Displacement;
 use crate::scene::pieces::marker::{Linked, Marker};
 use crate::space::{Matrix, Vector, exp, matrix};
@@ -73,7 +74,7 @@ impl MeshScene {
                 }
                 let carries = self.bodies.iter().any(|body| body.spec.frame == frame.spec.frame)
                     || frame.spec.rigid.moment != Vector::zeros();
-                let turns = frame.count() > frame.shifts() || carries;
+                let turns = frame.turns() || carries;
                 let size = (motion.position - displacement.point).norm() + step.norm() + f64::MIN_POSITIVE;
                 left.norm() <= ROUND_OFF * size && (!turns || untold.norm() <= ROUND_OFF * turn.norm())
             })
@@ -223,7 +224,7 @@ impl MeshScene {
             self.buffers.q[angle] += axis.dot(&by.turn);
         }
         let free = self.frames.free_of[index].map(|free| &self.frames.free[free]);
-        let turns = free.is_none_or(|frame| frame.count() > frame.shifts());
+        let turns = free.is_none_or(FreeFrame::turns);
         let frame = &mut self.buffers.frames[index];
         *frame = by.displaced(frame, turns);
     }

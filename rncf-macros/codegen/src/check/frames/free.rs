@@ -143,7 +143,7 @@ impl<'a> Check<'a> {
             }
             Motions::Hinged { axis } => self.turning_about(given, axis),
             Motions::Spatial | Motions::Turning => self.turning_in_space(given),
-            Motions::Shifting | Motions::ShiftingPlanar { .. } => Some((None, zeros())),
+            Motions::Shifting | Motions::ShiftingPlanar { .. } | Motions::State => Some((None, zeros())),
         };
         let (origin, velocity, (rotation, spin)) = (origin?, velocity?, turning?);
         Some(Moves {
@@ -156,6 +156,7 @@ impl<'a> Check<'a> {
                 spin,
                 parts: Vec::new(),
                 is_body: false,
+                size: None,
             },
         })
     }
@@ -297,7 +298,7 @@ impl<'a> Check<'a> {
                     return None;
                 }
             }
-            Motions::Spatial | Motions::Shifting => {}
+            Motions::Spatial | Motions::Shifting | Motions::State => {}
         }
         Some(parent)
     }

@@ -138,6 +138,7 @@ fn free_keeps(motions: &Motions, name: &str, normal: usize) -> Result<bool, Stri
         Motions::Hinged { axis } if axis[normal].abs() >= PARALLEL => Ok(false),
         Motions::Hinged { .. } => Err(say::hinge_leaves_plane(name, plane(normal), AXES[normal])),
         Motions::Spatial | Motions::Turning | Motions::Shifting => Err(say::spatial_frame(name, plane(normal))),
+        Motions::State => Ok(true),
     }
 }
 

@@ -35,6 +35,7 @@ impl<'a> Check<'a> {
             | ExprKind::Applied { .. }
             | ExprKind::Remainder(..) => false,
             ExprKind::Reduced(reduced) => self.observes(&reduced.value),
+            ExprKind::Name(name) => self.states.contains_key(name.text.as_str()),
             _ => expr.parts().into_iter().any(|part| self.observes(part)),
         }
     }

@@ -1,4 +1,4 @@
-//! Loads and springs.
+//! Loads, springs and states.
 
 pub mod bushing;
 pub mod coordinate;
@@ -7,4 +7,5 @@ pub mod distributed;
 pub mod load;
 pub mod marker_forces;
 pub mod spring;
+pub mod state;
 pub mod weight;

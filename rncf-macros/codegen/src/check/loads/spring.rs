@@ -8,7 +8,7 @@ use crate::check::values::vector::Quantity;
 use crate::check::{Check, Shape, fold, say};
 use crate::joints::algebra::{self, Vector, add, both, divide, dot, multiply, norm, number, observed, subtract};
 use crate::joints::{Angle, Builder};
-use crate::model::{Expr as Value, Force, MarkerId};
+use crate::model::{Expr as Value, Force, ForceKind, MarkerId};
 use crate::parse::tree::{Call, Expr, ExprKind, Item, ItemKind, Keyword};
 use crate::suggest;
 use crate::units::Dimension;
@@ -124,7 +124,11 @@ impl<'a> Check<'a> {
             markers,
             components,
             energy,
-            is_load: item.keyword == Keyword::Load,
+            kind: match item.keyword {
+                Keyword::Load => ForceKind::Load,
+                Keyword::State => ForceKind::State,
+                _ => ForceKind::Spring,
+            },
         });
     }
 

@@ -110,7 +110,7 @@ impl Check<'_> {
     pub(in crate::check) fn frame_normal(&mut self, frame: FrameId) -> Option<usize> {
         match self.model.frames[frame.0].free.as_ref().map(|free| &free.motions) {
             Some(Motions::Planar { normal } | Motions::ShiftingPlanar { normal }) => Some(*normal),
-            Some(Motions::Spatial | Motions::Turning | Motions::Shifting) => None,
+            Some(Motions::Spatial | Motions::Turning | Motions::Shifting | Motions::State) => None,
             Some(Motions::Hinged { .. }) | None => self.scene_normal().filter(|normal| self.stays_in(frame, *normal)),
         }
     }

@@ -219,7 +219,7 @@ impl<'a> Check<'a> {
                     Some(Space::Planar { normal: *normal })
                 }
                 Motions::Spatial | Motions::Turning | Motions::Shifting => Some(Space::Spatial),
-                Motions::Hinged { .. } => None,
+                Motions::Hinged { .. } | Motions::State => None,
             },
         });
         match spaces {

@@ -67,7 +67,8 @@ pub enum Untied {
 
 /// Whether a free frame is determined.
 pub fn check(model: &Model, library: &Library, frame: FrameId) -> Result<(), Untied> {
-    let Some(free) = &model.frames[frame.0].free else {
+    let free = model.frames[frame.0].free.as_ref();
+    let Some(free) = free.filter(|free| free.motions != Motions::State) else {
         return Ok(());
     };
     let frame = Frame::new(model, library, frame, free);
@@ -518,6 +519,7 @@ fn modes(motions: &Motions) -> Vec<Mode> {
         Motions::Hinged { axis } => vec![turn(axis)],
         Motions::Shifting => (0..3).map(shift).collect(),
         Motions::ShiftingPlanar { normal } => shifts(normal).collect(),
+        Motions::State => Vec::new(),
     }
 }
 

@@ -205,6 +205,7 @@ impl<'a> Check<'a> {
                 None
             }
             Keyword::Param => self.values.get(text).cloned().flatten(),
+            Keyword::State => self.state_value(name, scope),
             Keyword::Motion => {
                 self.errors.at(name.span, or_unit(say::motion_without_time(text), text));
                 None

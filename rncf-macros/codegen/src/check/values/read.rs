@@ -20,6 +20,7 @@ pub fn mentioned<'a>(tree: &'a Tree, item: &'a Item) -> Vec<&'a str> {
         | ItemKind::Joint(call)
         | ItemKind::Corner(call)
         | ItemKind::Spring(call)
+        | ItemKind::State(call)
         | ItemKind::Load(call)
         | ItemKind::Start(call) => of_arguments(&call.arguments, found),
         ItemKind::Frame { parent, call } => {

@@ -8,7 +8,7 @@ use crate::lower::courses::courses;
 use crate::lower::free::free_kernel;
 use crate::lower::lower;
 use crate::lower::motions::switches;
-use crate::model::{Binary, Comparison, Expr, Force, Function, MarkerId, Model, MotionId};
+use crate::model::{Binary, Comparison, Expr, Force, ForceKind, Function, MarkerId, Model, MotionId};
 
 fn text(model: &Model) -> String {
     expand::format(&expand::written_out(model, &Library::standard()))
@@ -119,7 +119,7 @@ fn conditions_that_are_not_linear_in_time_are_written_as_gaps() {
             number(0.0),
         ]],
         energy: None,
-        is_load: true,
+        kind: ForceKind::Load,
     });
     let (kernel, count) = switches(&model, &Library::standard()).gaps;
     assert_eq!(count, 1);
@@ -143,7 +143,7 @@ fn pulses_of_time_are_written_as_operations() {
         markers: vec![MarkerId(0)],
         components: Vec::new(),
         energy: None,
-        is_load: true,
+        kind: ForceKind::Load,
     });
     let mut found = |component: Expr| {
         model.forces.last_mut().unwrap().components = vec![[number(0.0), component, number(0.0)]];
@@ -189,7 +189,7 @@ fn energy_is_conserved_where_nothing_drives_or_damps() {
             number(0.0),
         ]],
         energy: None,
-        is_load: true,
+        kind: ForceKind::Load,
     });
     assert!(!conservative(&model));
 }

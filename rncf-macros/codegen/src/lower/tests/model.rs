@@ -84,6 +84,7 @@ fn free(motions: Motions, is_body: bool) -> Free {
         spin: numbers([0.0, 0.0, 2.0]),
         parts: Vec::new(),
         is_body,
+        size: None,
     }
 }
 
@@ -204,7 +205,7 @@ pub fn moving() -> Model {
         markers: markers.iter().copied().map(MarkerId).collect(),
         components,
         energy,
-        is_load: false,
+        kind: ForceKind::Spring,
     };
     let turn = marker(6, 0, 0);
     let back = Expr::Negate(Box::new(times(number(5.0), turn.clone())));
