@@ -33,6 +33,13 @@ const AHEAD: f64 = 2.0;
 /// A step within this part of the ceiling is at the ceiling.
 const AT_CEILING: f64 = 0.99;
 
+/// Part of the longest of the last steps that the first one behind a kink is at least: those before it became as short as the way to it. In steps that are
+/// shorter by many orders round-off of constraints makes velocities that no error test takes.
+const BEHIND: f64 = 1e-2;
+/// Part of it at which steps have become so short that round-off grows in them.
+const ROUND_OFF: f64 = 1e-6;
+/// The longest step is remembered over some dozens.
+const FORGETTING: f64 = 0.95;
 /// Rejections by the error of steps from one state, after which it is the state that is looked at.
 const STUBBORN: u32 = 4;
 /// Steps after which it is looked whether something moves faster than light.
@@ -75,6 +82,9 @@ pub(super) struct Driver {
     pub(super) met: Vec<(usize, bool)>,
     pub(super) awaited: Vec<(usize, bool)>,
     pub(super) previous_time: f64,
+    /// The longest of the last steps, s; and whether it was tried to come back to such ones from steps that only became shorter.
+    pub(super) longest: f64,
+    pub(super) has_left: bool,
     pub(super) statistics: Statistics,
     pub(super) watch: Watch,
     /// Memory for constraint values.
@@ -145,6 +155,8 @@ impl Driver {
             met: Vec::new(),
             awaited: Vec::new(),
             previous_time: state.t,
+            longest: 0.0,
+            has_left: false,
             statistics,
             watch: Watch::default(),
             violations: vec![0.0; m],
@@ -204,6 +216,8 @@ impl Driver {
                         }
                         self.forget_passed(&course);
                     }
+                    self.longest = h.max(FORGETTING * self.longest);
+                    self.has_left &= h < BEHIND * BEHIND * self.longest;
                     // A step cut short by a kink or the end says little about the next one.
                     self.wanted = if next >= h && !is_cut { next.max(limited) } else { next };
                     self.statistics.shortened_steps += u64::from(is_cut);
@@ -226,6 +240,11 @@ impl Driver {
                     }
                     self.wanted = next;
                     failed += u32::from(cause == Cause::Error);
+                    if cause == Cause::Error && self.leaves_round_off(h) {
+                        self.begin_on_constraints(system)?;
+                        self.wanted = BEHIND * self.longest;
+                        continue;
+                    }
                     if failed == STUBBORN && !self.violations.is_empty() {
                         self.begin_on_constraints(system)?;
                     }
@@ -236,6 +255,12 @@ impl Driver {
 
     fn state(&self) -> &State {
         self.scheme.state()
+    }
+
+    /// Whether a rejected step is so much shorter than the last ones that round-off of constraints may be what its error test sees, for the first time.
+    fn leaves_round_off(&mut self, h: f64) -> bool {
+        let is_round_off = !self.violations.is_empty() && h < ROUND_OFF * self.longest;
+        is_round_off && !std::mem::replace(&mut self.has_left, true)
     }
 
     /// Begins at positions and velocities: consistent accelerations, a first step, the method.
@@ -336,6 +361,9 @@ impl Driver {
         }
         let is_met = self.segments.ends_at_met();
         self.segments.pass_kink();
+        if is_met {
+            self.wanted = self.wanted.max(BEHIND * self.longest);
+        }
         if let Err(error) = self.begin(system, state) {
             self.segments.return_to_kink();
             return Err(error);

@@ -43,6 +43,8 @@ impl Driver {
             met: Vec::new(),
             awaited: Vec::new(),
             previous_time: 0.0,
+            longest: 0.0,
+            has_left: false,
             statistics: Statistics::default(),
             watch: Watch::default(),
         };
@@ -96,6 +98,8 @@ impl Driver {
             met,
             awaited,
             previous_time,
+            longest,
+            has_left,
             statistics,
             watch,
             violations: _,
@@ -108,6 +112,8 @@ impl Driver {
         met.keep(archive);
         awaited.keep(archive);
         previous_time.keep(archive);
+        longest.keep(archive);
+        has_left.keep(archive);
         statistics.keep(archive);
         watch.keep(archive);
         if archive.is_reading() {
