@@ -137,8 +137,8 @@ struct Check<'a> {
     corners: Vec<[BodyId; 2]>,
     /// Names of a law, such as `length` and `rate`.
     locals: HashMap<&'a str, values::quantity::Typed>,
-    /// What springs show, by their names.
-    shown: HashMap<String, observed::shown::Shown>,
+    /// What springs show, by their names; `None`: reported.
+    shown: HashMap<String, Option<observed::shown::Shown>>,
     /// Fields of the element that is being checked.
     element_fields: Vec<element::formula::FieldOfElement>,
     /// Those of it that could not be read.

@@ -75,7 +75,8 @@ impl<'a> Check<'a> {
         for item in self.items(Keyword::Spring) {
             let before = self.errors.len();
             if let ItemKind::Spring(call) = &item.kind {
-                self.spring(item, call);
+                let shown = self.spring(item, call);
+                self.shown.insert(item.name.text.clone(), shown);
             }
             if self.errors.len() > before || Self::is_broken(item) {
                 self.tied = None;
@@ -83,7 +84,7 @@ impl<'a> Check<'a> {
         }
     }
 
-    fn spring(&mut self, item: &Item, call: &'a Call) -> Option<()> {
+    fn spring(&mut self, item: &Item, call: &'a Call) -> Option<Shown> {
         let acting = match call.name.text.as_str() {
             "linear" => self.linear(call)?,
             "law" => self.law(call)?,
@@ -106,9 +107,8 @@ impl<'a> Check<'a> {
                 return None;
             }
         };
-        self.shown.insert(item.name.text.clone(), acting.shown);
         self.push_force(item, acting.forces, acting.energy);
-        Some(())
+        Some(acting.shown)
     }
 
     /// Adds a force; the bodies that it acts on are held by it.

@@ -27,6 +27,7 @@ impl<'a> Check<'a> {
             }
             return None;
         };
+        let shown = shown.as_ref()?;
         match shown.iter().find(|(known, _)| *known == field.text) {
             Some((_, quantity)) => Some(Thing::Value(quantity.clone())),
             None => {

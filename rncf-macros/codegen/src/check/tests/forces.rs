@@ -92,3 +92,13 @@ fn loads_of_flexible_bodies() {
     let m = times(first_body(t).a, [0.0, 1.0, 0.0]);
     near(force(3), scale(1.0 / dot(d, d), cross(m, d)));
 }
+
+/// The name `m` makes a unit of the spring's stiffness doubtful, which is told; what the spring shows is no second mistake.
+#[test]
+fn what_a_doubtful_spring_shows_is_no_mistake() {
+    let text = "model Hung { param m = 1 kg; param k = 1 kN/m; rigid ball { mass = m; }
+        spring cord = linear(ball, inertial.at([0, 0, 1] m), stiffness = k, length = 1 m); output pull = cord.force; }";
+    let (_, mistakes) = super::run(text);
+    let messages: Vec<&str> = mistakes.iter().map(|mistake| mistake.message.as_str()).collect();
+    assert_eq!(messages.len(), 1, "{messages:?}");
+}
