@@ -15,6 +15,7 @@ mod forks;
 mod free_flight;
 mod free_frames;
 mod gravity;
+mod growing;
 mod hanging;
 mod heavy_top;
 mod jolts;

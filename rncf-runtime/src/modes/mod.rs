@@ -10,6 +10,7 @@ mod carried;
 mod circles;
 mod critical;
 mod dense;
+mod growth;
 mod matrices;
 mod mode;
 mod pair;
@@ -35,7 +36,7 @@ use crate::system::State;
 use carried::carried;
 use circles::turn_to_circles;
 use matrices::{apart_from, error, pencil, still, tangent};
-use pair::Pair;
+use pair::{Failure, Pair};
 
 /// Which modes are wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,6 +53,34 @@ pub struct Wanted {
 /// [`SolveErrorKind::NoModes`](crate::error::SolveErrorKind::NoModes): the matrices are singular (naming the unknown or constraint), a value is
 /// not finite, a mode was not found to the accuracy of the matrices, or none was found though motions are free.
 pub fn modes(scene: &mut dyn Scene, at: &Uniform, state: &State, wanted: Wanted) -> Result<Vec<Mode>, SolveError> {
+    let lowest = |pencil: &Pencil, count| Ok((spectrum::lowest(pencil, count)?, false));
+    found(scene, at, state, wanted, lowest).map(|(modes, _)| modes)
+}
+
+/// The same modes, and those beyond them that grow; whether all modes were looked at for that. Of up to 60 unknowns they are, and up to `most` where forces
+/// or damping may feed a motion: full matrices take time with the cube of the unknowns.
+///
+/// # Errors
+/// As [`modes`].
+pub fn modes_and_growing(
+    scene: &mut dyn Scene,
+    at: &Uniform,
+    state: &State,
+    wanted: Wanted,
+    most: usize,
+) -> Result<(Vec<Mode>, bool), SolveError> {
+    let search = |pencil: &Pencil, count| spectrum::lowest_and_growing(pencil, count, most);
+    found(scene, at, state, wanted, search)
+}
+
+/// Modes that a search finds of the pencil, and what it says of them.
+fn found(
+    scene: &mut dyn Scene,
+    at: &Uniform,
+    state: &State,
+    wanted: Wanted,
+    search: impl Fn(&Pencil, usize) -> Result<(Vec<Pair>, bool), Failure>,
+) -> Result<(Vec<Mode>, bool), SolveError> {
     // What the scene knows to have no stiffness, or to be carried by nothing, needs not be told from round-off.
     let still = still(scene, at, state);
     let tangent = tangent(scene, at, state);
@@ -62,7 +91,8 @@ pub fn modes(scene: &mut dyn Scene, at: &Uniform, state: &State, wanted: Wanted)
         .without_stiffness_along(still)
         .turning(speed);
     let sizes = scene.sizes().to_vec();
-    let mut pairs = spectrum::lowest(&pencil, wanted.count).map_err(|failure| error(scene, at, &failure))?;
+    let (mut pairs, is_all) = search(&pencil, wanted.count).map_err(|failure| error(scene, at, &failure))?;
+    let found = pairs.len().max(wanted.count);
     for carried in carried {
         let relative = carried.shape().into_iter().zip(pencil.scales());
         let x: Vec<_> = relative.map(|(value, scale)| value / *scale).collect();
@@ -71,11 +101,11 @@ pub fn modes(scene: &mut dyn Scene, at: &Uniform, state: &State, wanted: Wanted)
         pairs.extend([x.clone(), x].map(|x| Pair { s, x }));
     }
     pairs.sort_by(|a, b| pair::order(a.s, b.s));
-    pairs.truncate(wanted.count);
+    pairs.truncate(found);
     number(&mut pairs, |pair| [pair.s.re, pair.s.im]);
     let mut modes: Vec<Mode> = pairs.into_iter().map(|pair| mode(&pencil, &sizes, pair)).collect();
     turn_to_circles(scene, at, state, (&mut modes, &sizes));
-    Ok(modes)
+    Ok((modes, is_all))
 }
 
 /// Number of directions in which the co-rotating stiffness (its symmetric part: what dissipates in axes

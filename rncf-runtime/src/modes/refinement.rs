@@ -159,13 +159,20 @@ impl<'a> Refinement<'a> {
             .map(|_| ())
     }
 
-    /// The refined pair, if it satisfies its equation.
+    /// The refined pair, if it satisfies its equation. Where others are nearer than the shift, as those of motions that damping alone resists are to each
+    /// other, a shift that is nearer tells them apart.
     fn refined(&mut self, pair: Pair) -> Option<Pair> {
+        let near = || pair.clone();
+        self.refined_beside(near(), BESIDE)
+            .or_else(|| self.refined_beside(near(), TOUCHING))
+    }
+
+    fn refined_beside(&mut self, pair: Pair, beside: f64) -> Option<Pair> {
         let (n, is_real) = (self.pencil.unknowns(), pair.s.im == 0.0);
         let (mut s, mut x) = (pair.s, pair.x);
         let mut lambda = vec![c64::default(); self.pencil.constraints()];
         normalise(&mut x, &mut lambda);
-        self.factor(s, BESIDE)?;
+        self.factor(s, beside)?;
         let mut last = f64::INFINITY;
         for _ in 0..REFINEMENTS {
             let (mut change, root) = self.pencil.residual(s, &x, &lambda);

@@ -2,6 +2,7 @@
 
 use super::arnoldi;
 use super::dense;
+use super::growth::may_feed;
 use super::mode::number;
 use super::pair::{CLOSE, Failure, Pair, SLOW, order};
 use super::pencil::Pencil;
@@ -13,17 +14,57 @@ const SMALL: usize = 60;
 const STILL_SMALL: usize = 600;
 /// Part of the unknowns that counts as many modes: one of this many.
 const MANY: usize = 4;
+/// Growth, of |s|, that round-off does not make of one that is alone.
+const GROWS: f64 = 1e-9;
 /// Multiple of the shift beyond which an eigenvalue that fits no equation is infinite.
 const BEYOND: f64 = 1e5;
 
 /// The `count` modes of lowest |s|, one of two conjugates, sorted by frequency, then by growth; all, if
 /// there are fewer; none only where constraints leave no motion free.
 pub(super) fn lowest(pencil: &Pencil, count: usize) -> Result<Vec<Pair>, Failure> {
+    search(pencil, count).map(|found| found.modes)
+}
+
+/// The same, and those beyond that grow; whether all modes were looked at for that. Of more than 60 unknowns, and up to
+/// `most`, they are where something may feed a motion.
+pub(super) fn lowest_and_growing(pencil: &Pencil, count: usize, most: usize) -> Result<(Vec<Pair>, bool), Failure> {
+    let Found { mut modes, mut beyond } = search(pencil, count)?;
+    let is_all = modes.len() < count;
+    if beyond.is_none() && !is_all && pencil.unknowns() <= most && may_feed(pencil) {
+        let found = dense::spectrum(pencil)?;
+        beyond = Some((found.shift, found.pairs));
+    }
+    let Some((shift, pairs)) = beyond else {
+        return Ok((modes, is_all));
+    };
+    let last = modes.iter().map(|pair| pair.s.norm()).fold(0.0, f64::max);
+    let mut refinement = Refinement::new(pencil, shift);
+    let is_beyond = |pair: &Pair| pair.s.norm() > last * (1.0 + CLOSE) && pair.s.re > GROWS * pair.s.norm();
+    let growing = pairs.into_iter().filter(|pair| pair.s.im >= 0.0).filter(is_beyond);
+    // Those of the highest frequencies may be lost to round-off.
+    let found = growing.filter_map(|pair| refinement.group(vec![pair])).flatten();
+    modes.extend(found.filter(is_beyond));
+    number(&mut modes, |pair| [pair.s.re, pair.s.im]);
+    Ok((modes, true))
+}
+
+/// What a search finds.
+struct Found {
+    /// The lowest modes.
+    modes: Vec<Pair>,
+    /// The shift and all pairs as they were found, where all were.
+    beyond: Option<(f64, Vec<Pair>)>,
+}
+
+fn search(pencil: &Pencil, count: usize) -> Result<Found, Failure> {
     if !pencil.is_finite() {
         return Err(Failure::NotFinite);
     }
     if count == 0 || pencil.unknowns() == 0 {
-        return Ok(Vec::new());
+        return Ok(Found {
+            modes: Vec::new(),
+            beyond: None,
+        });
     }
     let n = pencil.unknowns();
     let mut asked = count;
@@ -39,6 +80,7 @@ pub(super) fn lowest(pencil: &Pencil, count: usize) -> Result<Vec<Pair>, Failure
         // A motion with inertia has two eigenvalues, and none of them is infinite.
         let is_lost = pairs.len() < 2 * moving;
         let finite = farthest(&pairs, 2 * moving);
+        let beyond = is_small.then(|| (shift, pairs.clone()));
         let (mut modes, is_checked) = distinct(pencil, (shift, finite), pairs, [count, asked])?;
         // Of a motion that drifts two eigenvalues make one mode.
         if modes.len() < count && !(is_all && is_checked) {
@@ -57,7 +99,7 @@ pub(super) fn lowest(pencil: &Pencil, count: usize) -> Result<Vec<Pair>, Failure
         }
         modes.truncate(count);
         number(&mut modes, |pair| [pair.s.re, pair.s.im]);
-        return Ok(modes);
+        return Ok(Found { modes, beyond });
     }
 }
 

@@ -4,6 +4,7 @@
 use std::ops::ControlFlow;
 
 use super::finer;
+use super::looked::size;
 use super::modes::of_finer;
 use super::onsets::onset;
 use super::tracker::Tracker;
@@ -20,9 +21,11 @@ use crate::app::results::equilibria::{EquilibriumSettings, Range};
 use crate::app::results::error::RunError;
 use crate::app::results::history::History;
 use crate::app::results::incomplete::Incomplete;
+use crate::app::results::modes::MANY;
 use crate::app::results::uniform;
+use crate::app::writing::numbers::digits;
 use crate::equilibrium::{self, Kind};
-use crate::modes::Critical;
+use crate::modes::{self, Critical, Wanted};
 use crate::{AnyModel, Scene};
 
 /// Part of a critical value within which it is looked for on finer meshes, and most values that are.
@@ -85,6 +88,7 @@ pub fn campbell_watched(
         excitations: Vec::new(),
         tracks: Vec::new(),
         is_round: true,
+        is_all: true,
         critical: Vec::new(),
         standing: Vec::new(),
         is_near: true,
@@ -103,8 +107,10 @@ pub fn campbell_watched(
         incomplete: None,
     };
     let mut reason = tracker.look(&mut line, &mut diagram).err().map(Incomplete::Equilibrium);
+    let mut beyond = Vec::new();
     if reason.is_none() {
         tracker.judge_meshes(&mut line, &diagram);
+        beyond.extend(growing_beyond(&mut line, &diagram));
     }
     while reason.is_none() && !line.is_done() {
         reason = line
@@ -125,6 +131,7 @@ pub fn campbell_watched(
     }
     if reason.is_none() {
         tracker.judge_meshes(&mut line, &diagram);
+        beyond.extend(growing_beyond(&mut line, &diagram));
     }
     tracker.finish(&mut diagram);
     diagram.is_round &= diagram.spins.iter().any(|&spin| spin > 0.0);
@@ -151,6 +158,7 @@ pub fn campbell_watched(
     diagram
         .warnings
         .extend(way::as_it_is(station.scene, &station.at, station.state));
+    diagram.warnings.extend(beyond);
     diagram.warnings.extend(leaps);
     diagram.warnings.extend(nearer);
     let (at, state) = (station.at, station.state);
@@ -169,6 +177,25 @@ pub fn campbell_watched(
         None => Ok(diagram),
         Some(_) => Err(RunError::Campbell(Box::new(diagram))),
     }
+}
+
+/// That a mode grows beyond the lowest ones at the last value, where not all are looked at on the way.
+fn growing_beyond(line: &mut Line<'_>, diagram: &Campbell) -> Option<String> {
+    if diagram.is_all {
+        return None;
+    }
+    let (count, station) = (diagram.settings.count, line.station());
+    let (at, scene, state) = (station.at, station.scene, station.state);
+    let (found, _) = modes::modes_and_growing(scene, &at, state, Wanted { count }, MANY).ok()?;
+    let mut beyond = found;
+    beyond.sort_by(|a, b| size(a).total_cmp(&size(b)));
+    let fastest = beyond.into_iter().skip(count).max_by(|a, b| a.re.total_cmp(&b.re))?;
+    Some(format!(
+        "Beyond the {count} lowest modes one grows at {}, by the factor e in {} s, with {} rad/s: ask for more of them (`--modes`)",
+        diagram.key.at(station.key, 7),
+        digits(1.0 / fastest.re, 4),
+        digits(fastest.im, 7),
+    ))
 }
 
 /// What finer meshes make of a complete diagram: of the frequencies at its last value, which takes as long as a few of its rows, and of its critical values.

@@ -3,6 +3,7 @@
 pub(super) mod campbell;
 mod finer;
 mod known;
+mod looked;
 pub(super) mod modes;
 mod onsets;
 pub(super) mod tracker;

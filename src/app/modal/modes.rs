@@ -10,15 +10,13 @@ use crate::app::machine::clock::Clock;
 use crate::app::pictures::Shapes;
 use crate::app::results::equilibria::EquilibriumSettings;
 use crate::app::results::error::RunError;
-use crate::app::results::modes::{Modes, SeenMode, grows, is_round};
+use crate::app::results::modes::{MANY, Modes, SeenMode, grows, is_round};
 use crate::app::results::uniform;
 use crate::equilibrium::{Uniform, assembled, follow, glance};
 use crate::model::DescribedBody;
 use crate::modes::{self, Mode, Wanted};
 use crate::{AnyModel, Formulation, Joints, Scene, SolveError, State};
 
-/// Unknowns up to which all modes are looked at: full matrices find them together.
-const FEW: usize = 60;
 /// Relative distance of two sizes |s| that are one.
 const SAME: f64 = 1e-9;
 
@@ -200,31 +198,18 @@ fn lowest_and_growing(
     state: &State,
     count: usize,
 ) -> Result<Vec<Mode>, SolveError> {
-    let found = modes::modes(scene, at, state, Wanted { count })?;
-    if found.len() < count || count == 0 {
+    let (found, is_all) = modes::modes_and_growing(scene, at, state, Wanted { count }, MANY)?;
+    if is_all || count == 0 || scene.spin_in(at) != 0.0 {
         return Ok(found);
     }
-    let unknowns = scene.unknowns();
-    let beyond = if unknowns <= FEW {
-        modes::modes(scene, at, state, Wanted { count: unknowns })
-    } else if scene.spin_in(at) == 0.0 {
-        let negative = directions::whole(scene, at, state, false).map_or(0, |measured| measured.negative);
-        let known = found.iter().filter(|mode| mode.im == 0.0 && mode.re > 0.0).count();
-        if negative <= known {
-            return Ok(found);
-        }
-        // Of each of them there are two modes, and what vibrates as slowly.
-        modes::modes(
-            scene,
-            at,
-            state,
-            Wanted {
-                count: count + 4 * negative,
-            },
-        )
-    } else {
+    let negative = directions::whole(scene, at, state, false).map_or(0, |measured| measured.negative);
+    let known = found.iter().filter(|mode| mode.im == 0.0 && mode.re > 0.0).count();
+    if negative <= known {
         return Ok(found);
-    };
+    }
+    // Of each of them there are two modes, and what vibrates as slowly.
+    let count = count + 4 * negative;
+    let beyond = modes::modes(scene, at, state, Wanted { count });
     // Those of the highest frequencies may be lost to round-off.
     let Ok(beyond) = beyond else {
         return Ok(found);

@@ -1,6 +1,6 @@
 //! Where on the way modes begin to grow, or cease to: flutter, hunting, the whirl of a damped shaft.
 
-use super::tracker::{Looked, there};
+use super::looked::{Looked, there};
 use crate::State;
 use crate::app::equilibria::continuation::Line;
 use crate::app::results::campbell::{Campbell, Onset};
@@ -18,6 +18,8 @@ const LINEAR: f64 = 0.01;
 const SINGLE: f64 = 1e-9;
 /// Part of a rate of growth or decay that is nothing beside it.
 const SMALL: f64 = 1e-3;
+/// Part of the |s| of a mode beyond which another one is none that it has become.
+const NEXT: f64 = 0.5;
 /// Part of a value within which a critical one beside it says the same.
 const ALIKE: f64 = 1e-4;
 
@@ -33,7 +35,16 @@ pub(super) fn onset(line: &mut Line<'_>, diagram: &Campbell) -> Option<Onset> {
     let (first, last) = (first?.clone(), last.clone());
     let (mut low, mut high, mut guess) = (first.share, last.share, first.state.clone());
     let grown = if before.is_some() { first.share } else { last.share };
-    let mut growing = vec![(grown, before.or(after)?)];
+    let grows = before.or(after)?;
+    let mut growing = vec![(grown, grows)];
+    let size = |mode: &SeenMode| mode.re.hypot(mode.im);
+    let grown_row = if before.is_some() { row } else { row + 1 };
+    let lower = diagram.row(grown_row).filter(|mode| size(mode) < size(&grows)).count();
+    // One beyond the lowest is seen where it grows alone: of few unknowns all are looked at.
+    let count = match lower < diagram.settings.count || !diagram.is_all {
+        true => diagram.settings.count,
+        false => line.station().scene.unknowns(),
+    };
     let [from, to] = [0.0, 1.0].map(|share| line.key(share));
     let share_of = |key: f64| (key - from) / (to - from);
     let mut seen: Vec<(f64, Vec<SeenMode>)> = (0..=row + 1)
@@ -41,7 +52,7 @@ pub(super) fn onset(line: &mut Line<'_>, diagram: &Campbell) -> Option<Onset> {
         .collect();
     for _ in 0..LOOKS {
         let share = low + 0.5 * (high - low);
-        let Some((modes, back)) = look(line, diagram, share, &guess) else {
+        let Some((modes, back)) = look(line, count, share, &guess) else {
             break;
         };
         let found = fastest(&modes);
@@ -54,7 +65,7 @@ pub(super) fn onset(line: &mut Line<'_>, diagram: &Campbell) -> Option<Onset> {
         }
     }
     let last = *growing.last()?;
-    let mut at = |share: f64| look(line, diagram, share, &first.state).map(|(modes, _)| modes);
+    let mut at = |share: f64| look(line, count, share, &first.state).map(|(modes, _)| modes);
     let (zero, away, im) = sign_changes(seen, last, before.is_none(), &mut at).unwrap_or_else(|| {
         let zero = zero_of(&growing, [low, high]);
         (zero, LINEAR * (zero - low).abs() + 0.5 * (high - low).abs(), last.1.im)
@@ -72,9 +83,9 @@ pub(super) fn onset(line: &mut Line<'_>, diagram: &Campbell) -> Option<Onset> {
 }
 
 /// The modes at a part of the way, and the equilibrium there.
-fn look(line: &mut Line<'_>, diagram: &Campbell, share: f64, guess: &State) -> Option<(Vec<SeenMode>, State)> {
+fn look(line: &mut Line<'_>, count: usize, share: f64, guess: &State) -> Option<(Vec<SeenMode>, State)> {
     let (mut scene, at, state, back) = line.between(share, guess)?;
-    let looked = Looked::at(scene.as_mut(), &at, &state, diagram.settings.count).ok()?;
+    let looked = Looked::at(scene.as_mut(), &at, &state, count).ok()?;
     let seen = looked.modes.iter().map(|mode| {
         let mode = there(scene.as_mut(), &at, mode);
         SeenMode::of(scene.as_mut(), &at, &state, &mode)
@@ -96,7 +107,9 @@ fn sign_changes(
     let mut above = (grown, mode);
     let mut below = None;
     for (share, modes) in seen {
-        let mode = nearest(&modes, &above.1)?;
+        let Some(mode) = nearest(&modes, &above.1) else {
+            continue;
+        };
         if mode.re < -SINGLE * mode.re.hypot(mode.im) {
             below = Some((share, mode));
             break;
@@ -136,10 +149,11 @@ fn sign_changes(
     Some((found, away, im))
 }
 
-/// Which of some modes has its value next to that of another.
+/// Which of some modes has its value next to that of another; `None` where none is near.
 fn nearest(modes: &[SeenMode], to: &SeenMode) -> Option<SeenMode> {
     let distance = |mode: &SeenMode| (mode.re - to.re).hypot(mode.im - to.im);
-    modes.iter().copied().min_by(|a, b| distance(a).total_cmp(&distance(b)))
+    let nearest = modes.iter().copied().min_by(|a, b| distance(a).total_cmp(&distance(b)));
+    nearest.filter(|mode| distance(mode) <= NEXT * to.re.hypot(to.im))
 }
 
 /// Where the growth of the last of some modes is zero, each with its part of the way: growth that hardly differs from round-off counts as none, so that this is

@@ -2,16 +2,14 @@
 //! with multiples of the spin.
 
 use super::known::{self, Known};
+use super::looked::{Looked, size, there};
 use crate::app::equilibria::continuation::{Found, Line};
 use crate::app::equilibria::directions::{self, Measured};
 use crate::app::results::campbell::{Campbell, Crossing};
 use crate::app::results::modes::{Inertial, SeenMode, is_round};
-use crate::equilibrium::Uniform;
-use crate::modes::{self, Composition, Critical, Mode, Wanted, Whirl};
-use crate::{Scene, SolveError, State};
+use crate::modes::{self, Composition, Critical, Mode, Whirl};
+use crate::{SolveError, State};
 
-/// Modes that are looked at beyond those shown, so that one that leaves them is not lost at once: as many of these as can be had.
-const BEYOND: [usize; 2] = [6, 2];
 /// Times that a step is halved to find where a mode goes.
 const HALVINGS: u32 = 4;
 /// Part of the largest |s| of a step beyond which a mode that is lost may have left the lowest ones.
@@ -67,47 +65,8 @@ impl Judged {
     }
 }
 
-/// The modes at an equilibrium, with shapes that are turned back with the system to t = 0: at one time systems have turned by other angles at other speeds.
-pub(super) struct Looked {
-    pub modes: Vec<Mode>,
-    weights: Vec<f64>,
-}
-
-impl Looked {
-    pub fn at(scene: &mut dyn Scene, at: &Uniform, state: &State, count: usize) -> Result<Self, SolveError> {
-        let modes = |scene: &mut dyn Scene, count| modes::modes(scene, at, state, Wanted { count });
-        // Those beyond what is asked for may be too many.
-        let beyond = BEYOND.into_iter().find_map(|beyond| modes(scene, count + beyond).ok());
-        let mut modes = beyond.map_or_else(|| modes(scene, count), Ok)?;
-        for mode in &mut modes {
-            scene.carried_shape(at, &mut mode.shape, true);
-        }
-        let weights = masses(scene, state);
-        Ok(Self { modes, weights })
-    }
-
-    /// Indices from the lowest |s|.
-    fn order(&self) -> Vec<usize> {
-        let mut order: Vec<usize> = (0..self.modes.len()).collect();
-        let size = |&index: &usize| size(&self.modes[index]);
-        order.sort_by(|a, b| size(a).total_cmp(&size(b)).then(a.cmp(b)));
-        order
-    }
-}
-
-/// A mode with the shape that it has at the time of the equilibrium.
-pub(super) fn there(scene: &mut dyn Scene, at: &Uniform, mode: &Mode) -> Mode {
-    let mut mode = mode.clone();
-    scene.carried_shape(at, &mut mode.shape, false);
-    mode
-}
-
 /// Part of a frequency by which it and the spin differ for round-off.
 const SAME: f64 = 1e-9;
-
-fn size(mode: &Mode) -> f64 {
-    mode.re.hypot(mode.im)
-}
 
 impl Tracker {
     /// Adds the last equilibrium of the line to the diagram.
@@ -175,9 +134,11 @@ impl Tracker {
             partners.push(Some((index, mode.clone())));
         }
         let lowest: Vec<usize> = found.order().into_iter().take(count).collect();
+        let is_shown = |index: &usize| lowest.contains(index) || found.grows(*index);
         for (track, partner) in partners.iter().enumerate() {
-            self.is_shown[track] |= partner.as_ref().is_some_and(|(index, _)| lowest.contains(index));
+            self.is_shown[track] |= partner.as_ref().is_some_and(|(index, _)| is_shown(index));
         }
+        diagram.is_all &= found.is_all;
         if spin > 0.0 {
             // The highest ones, which the mesh hardly shows, are not asked.
             let tracks = diagram.tracks.iter().zip(&self.is_shown);
@@ -255,8 +216,7 @@ impl Tracker {
 
     /// Whether a mode that is shown, and not one of the last that were looked at, has no partner.
     fn loses(&self, fresh: &[usize], expected: &[Mode], partners: &[Option<(usize, Mode)>], found: &Looked) -> bool {
-        let largest = found.modes.iter().map(size).fold(0.0, f64::max);
-        let is_inside = |&&track: &&usize| self.is_shown[track] && size(&expected[track]) < INSIDE * largest;
+        let is_inside = |&&track: &&usize| self.is_shown[track] && size(&expected[track]) < INSIDE * found.largest;
         fresh.iter().filter(is_inside).any(|&track| partners[track].is_none())
     }
 
@@ -568,14 +528,4 @@ fn standing(looked: &Looked, expected: f64, spin: f64) -> Option<f64> {
     let still = looked.modes.iter().filter(|mode| mode.im <= WIDTH * spin);
     let off = still.map(|mode| (mode.re - expected).abs()).reduce(f64::min);
     off.filter(|off| *off <= NEAR * spin)
-}
-
-/// The diagonal of the mass matrix: shapes of different modes are nearly orthogonal with it.
-fn masses(scene: &mut dyn Scene, state: &State) -> Vec<f64> {
-    let mut values = vec![0.0; scene.pattern().entries()];
-    scene.mass(state, &mut values);
-    let pattern = scene.pattern();
-    (0..state.x.len())
-        .map(|row| pattern.find(row, row).map_or(0.0, |place| values[place].abs()))
-        .collect()
 }

@@ -285,9 +285,9 @@ pub(in crate::app) fn campbell_lines(result: &Campbell, frequency: Frequency) ->
         let mut line = format!(
             "{} at {} ({} in the reference frame)",
             if onset.begins {
-                "A mode begins to grow"
+                "A mode begins to grow".to_string()
             } else {
-                "No mode grows any more"
+                format!("{} any more", none_grows(result))
             },
             result.key.at(onset.key, 7),
             frequency.shown(onset.im),
@@ -320,11 +320,22 @@ pub(in crate::app) fn campbell_lines(result: &Campbell, frequency: Frequency) ->
             "At some of the values there are no modes: nothing is said of the stability.".into()
         }
         _ if rows.iter().any(|row| row.iter().any(|mode| mode.re > neutral(row))) => {
-            "No mode grows at any of the values by more than round-off makes of two equal frequencies.".into()
+            format!(
+                "{} at any of the values by more than round-off makes of two equal frequencies.",
+                none_grows(result)
+            )
         }
-        _ => "No mode grows at any of the values.".into(),
+        _ => format!("{} at any of the values.", none_grows(result)),
     });
     lines
+}
+
+/// That no mode grows of those that were looked at.
+fn none_grows(result: &Campbell) -> String {
+    match result.is_all {
+        true => "No mode grows".into(),
+        false => format!("None of the {} lowest modes grows", result.settings.count),
+    }
 }
 
 /// The part of the report with the Campbell diagram.

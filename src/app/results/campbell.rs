@@ -31,6 +31,8 @@ pub struct Campbell {
     /// Whether the modes whirl on circles at every spin but 0, as those about axisymmetric, balanced
     /// equilibria do.
     pub is_round: bool,
+    /// Whether all modes were looked at for growth, and not the lowest ones alone.
+    pub is_all: bool,
     /// Values of the first column where the stiffness in the reference frame vanishes: critical speeds, at
     /// which what stands still in the frame, an unbalance, excites a mode.
     pub critical: Vec<Critical>,

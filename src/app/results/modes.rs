@@ -186,6 +186,9 @@ fn largest(modes: &[SeenMode]) -> f64 {
     modes.iter().map(|mode| mode.re.hypot(mode.im)).fold(0.0, f64::max)
 }
 
+/// Unknowns up to which all modes are looked at for growth, once.
+pub(in crate::app) const MANY: usize = 300;
+
 /// Whether a mode grows, and not by the round-off of modes of which this is the largest |s|.
 pub(in crate::app) fn grows(re: f64, im: f64, largest: f64) -> bool {
     re > NEUTRAL * largest && re > DOUBLE * re.hypot(im)

@@ -1,6 +1,6 @@
 //! What a uniform motion is not: that which is declared, or that which stays.
 
-use super::modes::{SeenMode, growth};
+use super::modes::{MANY, SeenMode, growth};
 use crate::app::writing::numbers::digits;
 use crate::app::writing::sentences::listed;
 use crate::equilibrium::{self, Uniform};
@@ -34,7 +34,7 @@ pub(in crate::app) fn time_of_growth(
     state: &State,
     count: usize,
 ) -> Result<Option<f64>, SolveError> {
-    let found = modes::modes(scene, at, state, modes::Wanted { count })?;
+    let (found, _) = modes::modes_and_growing(scene, at, state, modes::Wanted { count }, MANY)?;
     let seen: Vec<SeenMode> = found.iter().map(|mode| SeenMode::of(scene, at, state, mode)).collect();
     Ok(growth(&seen).map(|growth| 1.0 / growth))
 }
