@@ -199,3 +199,13 @@ fn methods_of_second_order_refuse_states() {
         "{message}"
     );
 }
+
+/// A state has no place: frames and signs of a picture are those of what moves.
+#[test]
+fn pictures_know_nothing_of_states() {
+    let scene = Summed::default().build(Formulation::Rncf, Joints::Eliminated).unwrap();
+    assert_eq!(scene.frame_names(), ["inertial", "bob"]);
+    let signs = scene.signs();
+    let names: Vec<&str> = signs.iter().map(|sign| sign.name.as_str()).collect();
+    assert!(names.contains(&"coil") && !names.contains(&"right"), "{names:?}");
+}

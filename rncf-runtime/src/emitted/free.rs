@@ -30,7 +30,7 @@ pub enum Motions {
         /// Axis normal to the plane.
         normal: usize,
     },
-    /// None: the unknown is a state, a number z that moves nothing and has no inertia. A force `g - z'` on its
+    /// None, of a frame behind all others: the unknown is a state, a number z that moves nothing and has no inertia. A force `g - z'` on its
     /// [`MarkerSpec::Angle`](super::MarkerSpec::Angle) is its equation `z' = g`.
     State,
 }

@@ -43,7 +43,7 @@ impl Scene for MeshScene {
     }
 
     fn frame_names(&self) -> Vec<String> {
-        let frames = 0..self.parts.frame_count();
+        let frames = 0..self.drawn_frames();
         frames.map(|frame| self.parts.frame_name(frame).to_string()).collect()
     }
 

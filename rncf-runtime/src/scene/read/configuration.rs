@@ -78,6 +78,11 @@ impl MeshScene {
         ends.filter(|end| end.norm() > 0.0).collect()
     }
 
+    /// Number of frames that have a place: states stand behind them.
+    pub(crate) fn drawn_frames(&self) -> usize {
+        self.parts.frame_count() - self.frames.states.len()
+    }
+
     /// The picture at the loaded state.
     pub(crate) fn draw(&self, out: &mut Configuration) {
         out.points.clear();
@@ -101,7 +106,7 @@ impl MeshScene {
             out.points.extend(self.attached(free));
         }
         out.poses.clear();
-        let poses = self.buffers.frames.iter();
+        let poses = self.buffers.frames[..self.drawn_frames()].iter();
         out.poses
             .extend(poses.map(|frame| (frame.position, from_matrix(&frame.rotation))));
         self.acting(&mut out.acting);

@@ -40,7 +40,7 @@ impl MeshScene {
         let pushes = (0..self.links.forces.len()).filter(|&index| {
             matches!(self.links.forces[index].law, Law::Force(_)) && self.links.forces[index].element.is_none()
         });
-        let pushes = pushes.flat_map(|index| {
+        let pushes = pushes.filter(|&index| !self.is_of_state(index)).flat_map(|index| {
             let markers = self.links.forces[index].markers.iter().enumerate();
             let has_place = move |&(_, &marker): &(usize, &usize)| self.place_of(&self.links.markers[marker]).is_some();
             markers.filter(has_place).map(move |(at, _)| Shown::Push(index, at))
@@ -134,6 +134,12 @@ impl MeshScene {
                 }
             }
         }
+    }
+
+    /// Whether a force is the equation of a state, which is its first marker.
+    fn is_of_state(&self, index: usize) -> bool {
+        let first = self.links.forces[index].markers.first();
+        matches!(first.map(|&marker| &self.links.markers[marker]), Some(Marker::Angle { free }) if self.frames.free[*free].is_state())
     }
 
     /// What a force does to its markers at the loaded state.
