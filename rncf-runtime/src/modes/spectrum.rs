@@ -14,8 +14,8 @@ const SMALL: usize = 60;
 const STILL_SMALL: usize = 600;
 /// Part of the unknowns that counts as many modes: one of this many.
 const MANY: usize = 4;
-/// Growth, of |s|, that round-off does not make of one that is alone.
-const GROWS: f64 = 1e-9;
+/// Growth, of |s|, that round-off makes of two equal frequencies.
+const GROWS: f64 = 1e-7;
 /// Multiple of the shift beyond which an eigenvalue that fits no equation is infinite.
 const BEYOND: f64 = 1e5;
 
