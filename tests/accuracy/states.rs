@@ -74,6 +74,19 @@ fn column(result: &RunResult, name: &str) -> Vec<f64> {
     result.history.column(index).collect()
 }
 
+rncf::model! {
+    /// A bob that hangs on a spring, and the impulse of that.
+    pub model Hung {
+        rigid bob { plane xy; mass = 2 kg; inertia = 1 kg*m^2; origin = [0, -1, 0] m; }
+        joint slide = prismatic(inertial.at([0, -1, 0] m), bob, axis = y);
+        spring coil = linear(inertial.at([0, 0, 0] m), bob, stiffness = 500 N/m, length = 1 m);
+        load weight = gravity([0, -9.81, 0] m/s^2);
+        state impulse = integral(coil.force, start = 0 [N*s]);
+        output y = bob.y;
+        output sum = impulse;
+    }
+}
+
 const INERTIA: f64 = 0.1 + 2.0 * 0.5 * 0.5;
 
 /// What the weight takes of the stiffness about the hinge, at the wanted angle, N m/rad.
@@ -208,4 +221,17 @@ fn pictures_know_nothing_of_states() {
     let signs = scene.signs();
     let names: Vec<&str> = signs.iter().map(|sign| sign.name.as_str()).collect();
     assert!(names.contains(&"coil") && !names.contains(&"right"), "{names:?}");
+}
+
+/// The impulse of what carries a weight grows for ever: the state is named.
+#[test]
+fn a_state_that_does_not_come_to_rest_is_named() {
+    let message = static_equilibria(&Hung::default(), &EquilibriumSettings::default())
+        .unwrap_err()
+        .to_string();
+    assert!(
+        message.contains("what a state is the integral of is not zero"),
+        "{message}"
+    );
+    assert!(message.contains("(worst: state `impulse`)"), "{message}");
 }

@@ -117,7 +117,7 @@ impl Bordered {
             sizes: system.sizes().to_vec(),
             jacobian: vec![0.0; constraint_pattern.entries()],
             mass: vec![0.0; pattern.entries()],
-            states: diagonal(&pattern, system.states()).collect(),
+            states: pattern.diagonal(system.states().iter().copied()).collect(),
             mass_is_present: false,
             responses: Responses {
                 are_known: false,
@@ -432,14 +432,6 @@ impl Bordered {
             .sum::<f64>()
             .sqrt()
     }
-}
-
-/// Unknowns with their places on the diagonal.
-pub(super) fn diagonal(pattern: &Pattern, unknowns: &[usize]) -> impl Iterator<Item = (usize, usize)> {
-    let places = unknowns
-        .iter()
-        .map(|&unknown| Some((unknown, pattern.find(unknown, unknown)?)));
-    places.flatten()
 }
 
 fn negate(y: &mut [f64]) {

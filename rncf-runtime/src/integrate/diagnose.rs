@@ -1,7 +1,6 @@
 //! Diagnosis of the initial state by name: constraints that depend on each other, and motions that
 //! have neither inertia nor a tie (THEORY 9.4, T14).
 
-use super::bordered::diagonal;
 use crate::linalg::{Pattern, Saddle};
 use crate::system::{State, System};
 
@@ -261,7 +260,8 @@ pub(super) fn untied(system: &mut dyn System, state: &State) -> Option<String> {
     let (mut mass, mut border) = (vec![0.0; pattern.entries()], vec![0.0; border_pattern.entries()]);
     system.mass(state, &mut mass);
     // Of states any inertia is as good as none.
-    diagonal(&pattern, system.states()).for_each(|(_, place)| mass[place] = 1.0);
+    let states = pattern.diagonal(system.states().iter().copied());
+    states.for_each(|(_, place)| mass[place] = 1.0);
     if system.constraints() > 0 {
         system.constraint_jacobian(state, &mut border);
     }

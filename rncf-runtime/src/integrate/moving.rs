@@ -4,7 +4,6 @@
 //! as they can: the change has the least of `M + tau^2 K`, kinetic energy and that of the rates of strain, with the stiffness K of the bodies
 //! alone. The time tau is long beside the periods of what deforms, so that K decides, and M does among what moves without strain.
 
-use super::bordered::diagonal;
 use super::start;
 use crate::error::SolveError;
 use crate::linalg::Pattern;
@@ -27,7 +26,8 @@ pub fn set_in_motion(system: &mut dyn System, state: &mut State) -> Result<(), S
     let entries = system.pattern().entries();
     let (mut mass, mut stiffness) = (vec![0.0; entries], vec![0.0; entries]);
     system.mass(state, &mut mass);
-    diagonal(system.pattern(), system.states()).for_each(|(_, place)| mass[place] = 1.0);
+    let states = system.pattern().diagonal(system.states().iter().copied());
+    states.for_each(|(_, place)| mass[place] = 1.0);
     system.elastic_stiffness(state, &mut stiffness);
     let slow = STIFF / fastest(system.pattern(), &mass, &stiffness);
     let weights = mass.iter().zip(&stiffness);

@@ -170,6 +170,11 @@ impl Pattern {
             .map(|place| start + place)
     }
 
+    /// Those of the given rows that have an entry on the diagonal, each with its place.
+    pub fn diagonal(&self, rows: impl IntoIterator<Item = usize>) -> impl Iterator<Item = (usize, usize)> {
+        rows.into_iter().filter_map(|row| Some((row, self.find(row, row)?)))
+    }
+
     /// Row and column of every entry, in the order of the values.
     pub fn places(&self) -> impl Iterator<Item = (usize, usize)> {
         (0..self.columns()).flat_map(|column| {

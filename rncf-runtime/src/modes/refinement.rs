@@ -162,9 +162,8 @@ impl<'a> Refinement<'a> {
     /// The refined pair, if it satisfies its equation. Where others are nearer than the shift, as those of motions that damping alone resists are to each
     /// other, a shift that is nearer tells them apart.
     fn refined(&mut self, pair: Pair) -> Option<Pair> {
-        let near = || pair.clone();
-        self.refined_beside(near(), BESIDE)
-            .or_else(|| self.refined_beside(near(), TOUCHING))
+        self.refined_beside(pair.clone(), BESIDE)
+            .or_else(|| self.refined_beside(pair, TOUCHING))
     }
 
     fn refined_beside(&mut self, pair: Pair, beside: f64) -> Option<Pair> {

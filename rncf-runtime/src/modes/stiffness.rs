@@ -88,14 +88,10 @@ pub fn stiffness_values(
 /// Gives states as much inertia, relative to their sizes, as the heaviest unknown has: what passes zero does so with any.
 fn weigh_states(scene: &dyn Scene, mass: &mut [f64]) {
     let (pattern, sizes) = (scene.pattern(), scene.sizes());
-    let own = (0..sizes.len()).filter_map(|unknown| Some((unknown, pattern.find(unknown, unknown)?)));
-    let heaviest = own.map(|(unknown, place)| mass[place] * sizes[unknown].powi(2));
-    let heaviest = heaviest.fold(0.0, f64::max);
-    for (&state, place) in scene
-        .states()
-        .iter()
-        .filter_map(|state| Some((state, pattern.find(*state, *state)?)))
-    {
+    let weights = pattern.diagonal(0..sizes.len());
+    let weights = weights.map(|(unknown, place)| mass[place] * sizes[unknown].powi(2));
+    let heaviest = weights.fold(0.0, f64::max);
+    for (state, place) in pattern.diagonal(scene.states().iter().copied()) {
         mass[place] = heaviest / sizes[state].powi(2);
     }
 }

@@ -186,10 +186,9 @@ fn growing_beyond(line: &mut Line<'_>, diagram: &Campbell) -> Option<String> {
     }
     let (count, station) = (diagram.settings.count, line.station());
     let (at, scene, state) = (station.at, station.scene, station.state);
-    let (found, _) = modes::modes_and_growing(scene, &at, state, Wanted { count }, MANY).ok()?;
-    let mut beyond = found;
-    beyond.sort_by(|a, b| size(a).total_cmp(&size(b)));
-    let fastest = beyond.into_iter().skip(count).max_by(|a, b| a.re.total_cmp(&b.re))?;
+    let (mut found, _) = modes::modes_and_growing(scene, &at, state, Wanted { count }, MANY).ok()?;
+    found.sort_by(|a, b| size(a).total_cmp(&size(b)));
+    let fastest = found.into_iter().skip(count).max_by(|a, b| a.re.total_cmp(&b.re))?;
     Some(format!(
         "Beyond the {count} lowest modes one grows at {}, by the factor e in {} s, with {} rad/s: ask for more of them (`--modes`)",
         diagram.key.at(station.key, 7),
