@@ -9,6 +9,7 @@ mod chains;
 mod circulatory;
 mod discs;
 mod free_spin;
+mod hubs;
 mod ladder;
 mod lateral;
 mod loose;

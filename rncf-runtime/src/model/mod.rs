@@ -11,7 +11,7 @@ mod uniform;
 
 pub use crate::emitted::Fidelity;
 pub use bodies::{DescribedBody, ExportedBody, MassProperties, MeshError, SectionBody, SectionState};
-pub use circulating::Circulating;
+pub use circulating::{Beside, Circulating, ROUND};
 pub use composition::{Composition, Motion};
 pub use derived::{ConstantArray, KernelCount};
 pub use operands::Operands;

@@ -140,10 +140,12 @@ fn readings(result: &Modes) -> Vec<String> {
         lines.push("Nothing turns: the reference frame is the inertial frame.".into());
     } else {
         lines.push("Frequency, damping ratio, logarithmic decrement and whirl are those seen in the inertial frame; nu is the frequency in the reference frame, which turns with the system.".into());
-        lines.push(if !result.modes.iter().any(SeenMode::is_across) {
-            "Nothing moves across the axis: each mode appears at nu.".into()
+        lines.push(if result.modes.iter().all(|mode| mode.circulation.is_none()) {
+            "Nothing is felt across the axis: each mode appears at nu.".into()
+        } else if !result.modes.iter().any(SeenMode::is_across) {
+            "What moves across the axis does not oscillate: it turns with the spin.".into()
         } else if result.is_round {
-            "The modes whirl on circles: each appears at one frequency, |spin + nu| or |spin - nu|, or nu where nothing moves across the axis.".into()
+            "The modes whirl on circles: each appears at one frequency, |spin + nu| or |spin - nu|, or nu where nothing is felt across the axis.".into()
         } else {
             "The equilibrium is not axisymmetric: a mode that moves across the axis, and not on circles, appears at spin + nu and at |spin - nu|.".to_owned()
         });

@@ -4,7 +4,7 @@ use super::equilibria::EquilibriumSettings;
 use crate::app::machine::clock::Seconds;
 use crate::app::pictures::Shapes;
 use crate::equilibrium::Uniform;
-use crate::model::{DescribedBody, MassProperties};
+use crate::model::{DescribedBody, MassProperties, ROUND};
 use crate::modes::{Composition, Mode, Whirl};
 use crate::{Scene, State};
 
@@ -61,9 +61,6 @@ pub struct Modes {
     /// Time that it took.
     pub seconds: Seconds,
 }
-
-/// Circulation of what counts as a circle.
-const ROUND: f64 = 0.999;
 
 /// Part of the spin below which a whirl in space is round-off.
 const STILL: f64 = 1e-12;

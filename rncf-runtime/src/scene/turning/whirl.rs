@@ -120,7 +120,7 @@ impl MeshScene {
             ..Energies::default()
         };
         for index in 0..self.bodies.len() {
-            self.body_energies(index, axis, &full, &mut energies);
+            self.body_energies(index, axis.map(|axis| (axis, spin.point)), &full, &mut energies);
         }
         for free in 0..self.frames.free.len() {
             self.frame_energies(free, axis.map(|axis| (axis, spin.point)), &full, &mut energies);
@@ -145,7 +145,14 @@ impl MeshScene {
         ]
     }
 
-    fn body_energies(&self, index: usize, axis: Option<Vector>, full: &[Vec<f64>; 2], energies: &mut Energies) {
+    fn body_energies(
+        &self,
+        index: usize,
+        spun: Option<(Vector, Vector)>,
+        full: &[Vec<f64>; 2],
+        energies: &mut Energies,
+    ) {
+        let axis = spun.map(|(axis, _)| axis);
         let body = &self.bodies[index];
         let (mass, spec) = (&body.whole_mass, &body.spec);
         let frame = &self.buffers.frames[body.frame];
@@ -210,6 +217,17 @@ impl MeshScene {
         if moved.is_some() || frame.spin != Vector::zeros() {
             for (centre, image) in centres.iter().zip(&image) {
                 energies.whirling.add(&short(centre), &short(image));
+            }
+            if let Some((_, point)) = spun {
+                let from_axis = frame.position - point;
+                for place in (0..mass.vectors()).filter(|&place| is_axis[place] && !ways[place].is_shaft()) {
+                    let image_here = short(&image[place]);
+                    match mass.is_position(place) {
+                        true => energies.whirling.add_force(from_axis + own[place], &image_here),
+                        false => energies.whirling.add_moment(image_here.map(|image| own[place].cross(&image))),
+                    }
+                    energies.whirling.add_beside(inner(&centres[place..=place], &image[place..=place]));
+                }
             }
             let nodes = (0..mass.vectors()).map(|place| spec.locate(place).0);
             let places = nodes.enumerate().filter(|&(place, _)| !is_axis[place]);
@@ -308,7 +326,12 @@ impl MeshScene {
             total += value.max(0.0);
         }
         energies.whirling.add(&centred, &own);
-        if axis.is_some() {
+        if let Some((axis, point)) = axis {
+            if along_axis != axis {
+                energies.whirling.add_force(motion.position + centre - point, &own);
+                energies.whirling.add_moment(spun);
+                energies.whirling.add_beside(total);
+            }
             // Points on both sides of it see the tilt: along the axis where it lies there, as of a disc, else outwards, as of a blade.
             let tilted = turn.map(|turn| turn.cross(&along_axis));
             energies.whirling.add(&tilted, &tilted.map(|value| gyration * value));
