@@ -91,8 +91,14 @@ fn blades_that_flap_in_turn_whirl() {
         Inertial::Two(_) => f64::NAN,
     };
     for (seen, expected) in seen.iter().zip(&expected) {
-        assert!(std::mem::discriminant(seen) == std::mem::discriminant(expected), "{seen:?}");
-        assert!((value(seen) - value(expected)).abs() < 1e-5, "{seen:?} for {expected:?}");
+        assert!(
+            std::mem::discriminant(seen) == std::mem::discriminant(expected),
+            "{seen:?}"
+        );
+        assert!(
+            (value(seen) - value(expected)).abs() < 1e-5,
+            "{seen:?} for {expected:?}"
+        );
     }
     assert!(found.is_round);
     // The hub itself, over time: both circles, and nothing at the frequencies of the turning axes.
@@ -112,7 +118,11 @@ fn blades_that_flap_in_turn_whirl() {
     let [forward, backward] = [value(&seen[1]), value(&seen[2])].map(strength);
     assert!((forward / backward - 1.0).abs() < 0.05, "{forward} {backward}");
     for other in [2.7647, -2.7647, -4.76412, 0.76527] {
-        assert!(strength(other) < 0.02 * forward, "{other}: {} of {forward}", strength(other));
+        assert!(
+            strength(other) < 0.02 * forward,
+            "{other}: {} of {forward}",
+            strength(other)
+        );
     }
 }
 

@@ -8,6 +8,7 @@ use super::action::FrameAction;
 use super::body::ModalBody;
 use super::carried::Beside;
 use super::reduction::{Block, Reduction};
+use super::softening::LossOfStiffness;
 use crate::course::{Courses, Path};
 use crate::emitted::{Fidelity, Parts};
 use crate::error::ModelError;
@@ -77,6 +78,8 @@ pub struct ModalScene {
     whole_mass: Vec<f64>,
     /// By body, where its modes have described its deflection worst.
     pub(super) worst: Vec<Option<Told>>,
+    /// By body, the spin at which tension was asked for last, and what its modes lack of it.
+    pub(super) tightened: Vec<Option<(Vector, Option<LossOfStiffness>)>>,
     /// The state with all nodal vectors.
     pub(super) full: State,
     pub(super) tangent: Tangent,
@@ -144,6 +147,7 @@ impl ModalScene {
             modes: all,
             whole_mass,
             worst: vec![None; scene.bodies.len()],
+            tightened: vec![None; scene.bodies.len()],
             full: State::of(&scene, 0.0),
             tangent: Tangent {
                 mass: zeros(),

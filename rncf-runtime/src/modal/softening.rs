@@ -14,7 +14,7 @@ use crate::space::Vector;
 
 /// Part of its stiffness at rest that a combination of modes must keep.
 const LOWEST: f64 = 0.5;
-/// Part of the stiffness at rest that the whole body must have more, for a report.
+/// Part of the stiffness at rest that the whole body must have more, for a report, and of its own.
 const MISSING: f64 = 0.25;
 /// Newton steps towards the equilibrium with the spin.
 const STEPS: usize = 12;
@@ -46,7 +46,7 @@ impl fmt::Display for LossOfStiffness {
         match self.fidelity {
             Fidelity::Small(count) => write!(
                 f,
-                "body `{body}`: at a spin of {spin:.4} rad/s small({count}) leaves out centrifugal effects as large as its stiffness ({whole:.2} of that at rest in the whole body, of which {remaining:.2} without stretch): leave `small` out to use the whole body"
+                "body `{body}`: at a spin of {spin:.4} rad/s small({count}) leaves out centrifugal effects: in one of its motions the whole body has {whole:.2} times the stiffness at rest, {remaining:.2} times without tension: leave `small` out to use the whole body"
             ),
             _ => write!(
                 f,
@@ -91,7 +91,8 @@ impl ModalBody {
             return None;
         }
         let stretched = self.stretched(&action)?;
-        let mut whole = self.whole_stiffness(elements, &action, &stretched, &softest.direction);
+        let tightened = self.whole_stiffness(elements, &action, &stretched);
+        let mut whole = along(&tightened, &softest.direction);
         let lost = |softest: &Softest, whole: f64| softest.remaining < LOWEST && whole > softest.remaining + MISSING;
         if !lost(&softest, whole) {
             return None;
@@ -101,15 +102,62 @@ impl ModalBody {
             && let Some(settled) = self.settled(elements, &action, self.coordinates(&stretched))
         {
             softest = self.softest(elements, &action, &settled)?;
-            whole = self.whole_stiffness(elements, &action, &stretched, &softest.direction);
+            whole = along(&tightened, &softest.direction);
         }
-        lost(&softest, whole).then(|| LossOfStiffness {
+        lost(&softest, whole).then(|| self.loss(spin, [softest.remaining, whole]))
+    }
+
+    /// What tension adds to the stiffness of the whole body at a spin and the modes do not have in the equilibrium with it, where
+    /// that is much: as of flap, which nothing softens.
+    pub fn lack_of_tension(&self, elements: &dyn Elements, frame: &FrameAction) -> Option<LossOfStiffness> {
+        let k = self.modes();
+        let action = Action {
+            spin_rate: Vector::zeros(),
+            ..Action::new(frame, self.nodal.dimension)
+        };
+        let spin = action.spin.norm();
+        if k == 0 || spin == 0.0 {
+            return None;
+        }
+        let stretched = self.stretched(&action)?;
+        let whole = self.whole_stiffness(elements, &action, &stretched);
+        let own = if self.moves() {
+            let settled = self.settled(elements, &action, self.coordinates(&stretched))?;
+            self.stiffness_in_spin(elements, &action, &settled)
+        } else {
+            let mut rest = vec![0.0; k * k];
+            self.elastic_tangent(elements, &vec![0.0; k], &vec![0.0; k], &mut rest, &mut vec![0.0; k * k]);
+            rest
+        };
+        let lack: Vec<f64> = whole.iter().zip(&own).map(|(whole, own)| whole - own).collect();
+        let (lacks, directions) = symmetric_eigen(k, &self.over_rest(lack)).ok()?;
+        let direction = self.with_unit_stiffness(&directions[k - 1]);
+        let [whole, own] = [&whole, &own].map(|stiffness| along(stiffness, &direction));
+        (lacks[k - 1] > MISSING * whole.max(1.0)).then(|| self.loss(spin, [own, whole]))
+    }
+
+    fn loss(&self, spin: f64, [remaining, whole]: [f64; 2]) -> LossOfStiffness {
+        LossOfStiffness {
             body: self.nodal.name.clone(),
             fidelity: self.fidelity,
             spin,
-            remaining: softest.remaining,
+            remaining,
             whole,
-        })
+        }
+    }
+
+    /// A stiffness in modal coordinates of unit stiffness at rest.
+    fn over_rest(&self, mut stiffness: Vec<f64>) -> Vec<f64> {
+        let k = self.modes();
+        for (place, entry) in stiffness.iter_mut().enumerate() {
+            *entry /= self.frequencies[place / k] * self.frequencies[place % k];
+        }
+        stiffness
+    }
+
+    /// Modal coordinates of those.
+    fn with_unit_stiffness(&self, scaled: &[f64]) -> Vec<f64> {
+        scaled.iter().zip(&self.frequencies).map(|(y, w)| y / w).collect()
     }
 
     /// Elastic and centrifugal stiffness at p, k x k.
@@ -127,28 +175,21 @@ impl ModalBody {
         if k == 0 {
             return None;
         }
-        let (mut scaled, mut gyroscopic) = (vec![0.0; k * k], vec![0.0; k * k]);
-        self.loaded.modal_tangent(action, &mut scaled, &mut gyroscopic);
-        for (place, entry) in scaled.iter_mut().enumerate() {
-            let (row, column) = (place / k, place % k);
-            *entry /= self.frequencies[row] * self.frequencies[column];
-            *entry += f64::from(u8::from(row == column));
-        }
+        let (mut softening, mut gyroscopic) = (vec![0.0; k * k], vec![0.0; k * k]);
+        self.loaded.modal_tangent(action, &mut softening, &mut gyroscopic);
+        let mut scaled = self.over_rest(softening);
+        (0..k).for_each(|own| scaled[own * k + own] += 1.0);
         let (values, _) = symmetric_eigen(k, &scaled).ok()?;
         values.first().copied()
     }
 
     fn softest(&self, elements: &dyn Elements, action: &Action, p: &[f64]) -> Option<Softest> {
         let k = self.modes();
-        let mut scaled = self.stiffness_in_spin(elements, action, p);
-        for (place, entry) in scaled.iter_mut().enumerate() {
-            *entry /= self.frequencies[place / k] * self.frequencies[place % k];
-        }
+        let scaled = self.over_rest(self.stiffness_in_spin(elements, action, p));
         let (values, vectors) = symmetric_eigen(k, &scaled).ok()?;
-        let direction = vectors[0].iter().zip(&self.frequencies).map(|(y, w)| y / w).collect();
         Some(Softest {
             remaining: values[0],
-            direction,
+            direction: self.with_unit_stiffness(&vectors[0]),
         })
     }
 
@@ -165,26 +206,27 @@ impl ModalBody {
         Some(nodal.shape.iter().zip(&stretch).map(|(q0, u)| q0 - u).collect())
     }
 
-    /// Stiffness of the whole body with nodal vectors q along a direction p.
-    fn whole_stiffness(&self, elements: &dyn Elements, action: &Action, q: &[f64], direction: &[f64]) -> f64 {
-        let mut moved = vec![0.0; q.len()];
-        self.expand_rate(direction, &mut moved);
-        let mut sum = 0.0;
+    /// Elastic and centrifugal stiffness of the whole body with nodal vectors q in the modes' motions, k x k.
+    fn whole_stiffness(&self, elements: &dyn Elements, action: &Action, q: &[f64]) -> Vec<f64> {
+        let k = self.modes();
+        let (mut sum, mut coriolis) = (vec![0.0; k * k], vec![0.0; k * k]);
+        self.loaded.modal_tangent(action, &mut sum, &mut coriolis);
+        let mut force = vec![0.0; k];
         self.nodal.each_stiffness(elements, q, |components, matrix| {
             for (&row, entries) in components.iter().zip(matrix.chunks_exact(components.len())) {
-                let force: f64 = entries.iter().zip(components).map(|(k, &c)| k * moved[c]).sum();
-                sum += moved[row] * force;
+                force.fill(0.0);
+                for (&column, entry) in components.iter().zip(entries) {
+                    force
+                        .iter_mut()
+                        .zip(self.mode_row(column))
+                        .for_each(|(f, mode)| *f += entry * mode);
+                }
+                for (sums, mode) in sum.chunks_exact_mut(k).zip(self.mode_row(row)) {
+                    sums.iter_mut().zip(&force).for_each(|(sum, f)| *sum += mode * f);
+                }
             }
         });
-        let k = self.modes();
-        let (mut centrifugal, mut coriolis) = (vec![0.0; k * k], vec![0.0; k * k]);
-        self.loaded.modal_tangent(action, &mut centrifugal, &mut coriolis);
-        let softening: f64 = times(k, &centrifugal, direction)
-            .iter()
-            .zip(direction)
-            .map(|(a, b)| a * b)
-            .sum();
-        sum + softening
+        sum
     }
 
     /// Modal coordinates of the stable equilibrium with the spin, by Newton's method from p.
@@ -218,4 +260,10 @@ impl ModalBody {
         }
         None
     }
+}
+
+/// `p . K p`
+fn along(stiffness: &[f64], direction: &[f64]) -> f64 {
+    let image = times(direction.len(), stiffness, direction);
+    image.iter().zip(direction).map(|(a, b)| a * b).sum()
 }

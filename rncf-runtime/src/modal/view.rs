@@ -14,6 +14,8 @@ use crate::system::{State, Tangent};
 /// Growth of a deflection from which on what its modes get wrong is found anew: it takes a static problem of the
 /// whole body.
 const WORSE: f64 = 1.1;
+/// Change of the spin up to which tension is the same.
+const SAME_SPIN: f64 = 0.02;
 
 impl ModalScene {
     /// Increments of all nodal vectors in a mode.
@@ -256,6 +258,7 @@ impl Scene for ModalScene {
             false => Vec::new(),
         };
         let mut worst = std::mem::take(&mut self.worst);
+        let mut tightened = std::mem::take(&mut self.tightened);
         self.each_body(Vector::zeros(), |block, body, modes, elements, action| {
             let own = |of: &[f64]| of[block.coordinate..][..block.count].to_vec();
             let [p, v, a] = [&state.x, &state.v, &state.a].map(|of| own(of));
@@ -263,7 +266,13 @@ impl Scene for ModalScene {
                 warnings.extend(modes.told(action, &p, acting.get(body).map_or(&[], Vec::as_slice)));
                 return;
             }
-            let loss = modes.loss_of_stiffness(elements, action, &p);
+            let asked = &mut tightened[body];
+            let is_near = |last: Vector| (action.spin - last).norm() <= SAME_SPIN * last.norm();
+            if asked.as_ref().is_none_or(|(last, _)| !is_near(*last)) {
+                *asked = Some((action.spin, modes.lack_of_tension(elements, action)));
+            }
+            let lack = asked.as_ref().and_then(|(_, lack)| lack.clone());
+            let loss = modes.loss_of_stiffness(elements, action, &p).or(lack);
             warnings.extend(loss.map(|loss| Warning {
                 text: loss.to_string(),
                 weight: loss.whole - loss.remaining,
@@ -288,7 +297,7 @@ impl Scene for ModalScene {
             }
             warnings.extend(told.iter().filter_map(|told| told.warning.clone()));
         });
-        self.worst = worst;
+        (self.worst, self.tightened) = (worst, tightened);
         warnings
     }
 }

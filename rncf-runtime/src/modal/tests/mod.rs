@@ -375,6 +375,29 @@ fn a_rotor_of_too_few_modes_is_reported() {
     }
 }
 
+/// Flap of a rotor without hub radius stiffens with 1.193 eta^2 (Southwell), and nothing softens it; lag has the same tension.
+#[test]
+fn flap_without_tension_is_reported() {
+    let (nodal, cable) = cantilever(3, 6, 1e5, 0.0, 0.0);
+    for fidelity in [Fidelity::Modal(4), Fidelity::Small(4)] {
+        let body = ModalBody::new(nodal.clone(), fidelity, &cable).unwrap();
+        let lack = |eta: f64| {
+            let action = FrameAction {
+                spin: Vector::new(0.0, 0.0, eta),
+                ..FrameAction::default()
+            };
+            body.lack_of_tension(&cable, &action)
+        };
+        let found = lack(3.0).unwrap();
+        let tension = found.whole - found.remaining;
+        assert!((tension - 1.193 * 9.0 / 3.516_02f64.powi(2)).abs() < 0.02, "{found}");
+        assert_eq!(lack(1.0), None);
+    }
+    // Those of a shaft carry no tension.
+    let body = ModalBody::new(nodal, Fidelity::Modal(4), &cable).unwrap();
+    assert_eq!(body.lack_of_tension(&cable, &spinning(3.0)), None);
+}
+
 #[test]
 fn a_shaft_that_truly_softens_is_not_reported() {
     let (nodal, cable) = cantilever(3, 6, 1e5, 0.0, 0.0);

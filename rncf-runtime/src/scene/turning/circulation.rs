@@ -71,7 +71,13 @@ impl Whirling {
             ..self.sums.beside
         };
         for (felt, length) in self.beside.iter().zip([1.0, self.reach]) {
-            let felt = felt.map(|part| if length > 0.0 { 1.0 / length * part } else { Vector::zeros() });
+            let felt = felt.map(|part| {
+                if length > 0.0 {
+                    1.0 / length * part
+                } else {
+                    Vector::zeros()
+                }
+            });
             let [turning, across] = circling(&felt, &felt, [first, second]);
             beside.forward += 0.5 * (across + turning);
             beside.backward += 0.5 * (across - turning);

@@ -224,9 +224,13 @@ impl MeshScene {
                     let image_here = short(&image[place]);
                     match mass.is_position(place) {
                         true => energies.whirling.add_force(from_axis + own[place], &image_here),
-                        false => energies.whirling.add_moment(image_here.map(|image| own[place].cross(&image))),
+                        false => energies
+                            .whirling
+                            .add_moment(image_here.map(|image| own[place].cross(&image))),
                     }
-                    energies.whirling.add_beside(inner(&centres[place..=place], &image[place..=place]));
+                    energies
+                        .whirling
+                        .add_beside(inner(&centres[place..=place], &image[place..=place]));
                 }
             }
             let nodes = (0..mass.vectors()).map(|place| spec.locate(place).0);
