@@ -132,8 +132,11 @@ impl ModalBody {
         let lack: Vec<f64> = whole.iter().zip(&own).map(|(whole, own)| whole - own).collect();
         let (lacks, directions) = symmetric_eigen(k, &self.over_rest(lack)).ok()?;
         let direction = self.with_unit_stiffness(&directions[k - 1]);
-        let [whole, own] = [&whole, &own].map(|stiffness| along(stiffness, &direction));
-        (lacks[k - 1] > MISSING * whole.max(1.0)).then(|| self.loss(spin, [own, whole]))
+        let whole = along(&whole, &direction);
+        (lacks[k - 1] > MISSING * whole.max(1.0)).then(|| {
+            let slack = self.stiffness_in_spin(elements, &action, &vec![0.0; k]);
+            self.loss(spin, [along(&slack, &direction), whole])
+        })
     }
 
     fn loss(&self, spin: f64, [remaining, whole]: [f64; 2]) -> LossOfStiffness {

@@ -26,7 +26,7 @@ pub struct Circulating {
 /// The points of a mode in which blades flap or lag one after the other go on straight lines. What they do to the hub goes round.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Beside {
-    /// Square of what goes round with the spin: the part of the force across the axis, and of the moment over [`Beside::reach`].
+    /// Square of what goes round with the spin: the part of the force across the axis, and of the moment over the distance of the farthest of these masses.
     pub forward: f64,
     /// The same of what goes round against it.
     pub backward: f64,
@@ -53,7 +53,7 @@ impl Circulating {
     pub fn sense(&self) -> Option<f64> {
         let is_across = self.across > ALONG * self.whole && self.turning.is_finite();
         let points = is_across.then(|| (self.turning / self.across).clamp(-1.0, 1.0));
-        if points.is_some_and(|sense| sense.abs() > ROUND) || !(self.beside.energy > ALONG * self.whole) {
+        if points.is_some_and(|sense| sense.abs() > ROUND) || self.beside.energy <= ALONG * self.whole {
             return points;
         }
         match self.felt() {
