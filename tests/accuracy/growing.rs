@@ -36,6 +36,22 @@ rncf::model! {
     }
 }
 
+rncf::model! {
+    /// A motor with its characteristic drives a fan through a shaft; both run at 100 rad/s.
+    pub model Driven {
+        param slope = 0.4 N*m*s;
+        param torque = 50 N*m;
+        frame motor = hinged(axis = x, speed = 100 rad/s);
+        frame fan = hinged(axis = x, speed = 100 rad/s);
+        fixture rotor on motor { mass = 1 kg; inertia = [0.1, 0.1, 0.1] kg*m^2; }
+        fixture wheel on fan { mass = 1 kg; inertia = [1, 1, 1] kg*m^2; }
+        spring shaft = coordinate_law(motor.angle - fan.angle, moment = 1000 [N*m/rad] * value);
+        load drive = moment(motor, [torque - slope * motor.speed, 0, 0]);
+        load air = moment(fan, [-1e-3 [N*m*s^2] * fan.speed^2, 0, 0]);
+        output wind = motor.angle - fan.angle;
+    }
+}
+
 fn over(param: usize, from: f64, to: f64, steps: u32) -> EquilibriumSettings {
     EquilibriumSettings {
         range: Some(Range { param, from, to }),
@@ -98,4 +114,30 @@ fn a_diagram_says_what_it_looks_at() {
         told[1].contains("at speed = 300 rad/s, by the factor e in 2 s, with 31622.78 rad/s"),
         "{told:?}"
     );
+}
+
+/// The speed that nothing holds dies away, or grows, by what torques change with it: far more slowly than the shaft twists, and beside the angle, which
+/// stays where it is. The roots are those of `(J1 s^2 + c1 s + k) (J2 s^2 + c2 s + k) - k^2`.
+#[test]
+fn a_speed_that_grows_slowly_is_a_mode() {
+    for (slope, torque) in [(0.4, 50.0), (-0.19, -9.0), (-0.21, -11.0)] {
+        let model = Driven { slope, torque };
+        let found = modes(&model, &EquilibriumSettings::default()).unwrap();
+        let [still, others @ ..] = &found.modes[..] else {
+            panic!("{found:?}")
+        };
+        let slow = others
+            .iter()
+            .chain([still])
+            .find(|mode| mode.im == 0.0 && mode.re != 0.0);
+        let slow = slow.unwrap_or_else(|| panic!("{slope}: {:?}", found.modes)).re;
+        let (k, fan) = (1000.0, 0.2);
+        let dynamic = |s: f64| (0.1 * s * s + slope * s + k) * (s * s + fan * s + k) - k * k;
+        let (near, rest) = (1e-6 * slow.abs(), dynamic(slow));
+        assert!(rest.abs() < (dynamic(slow + near) - rest).abs(), "{slope}: {slow}");
+        assert_eq!(slow > 0.0, slope + fan < 0.0, "{slow}");
+        let most = found.margin.unwrap();
+        assert!(slow <= 0.0 || most >= slow, "{most}");
+        assert_eq!(found.modes.iter().filter(|mode| mode.is_still()).count(), 1);
+    }
 }

@@ -94,7 +94,7 @@ pub fn symmetric_eigen(size: usize, matrix: &[f64]) -> Result<(Vec<f64>, Vec<Vec
 }
 
 /// `A^-1 B` of two full B, or `None` where A is singular or not finite.
-pub fn solve_full(size: usize, matrix: &[f64], right: [&[f64]; 2]) -> Option<[Vec<f64>; 2]> {
+pub fn solve_full<const N: usize>(size: usize, matrix: &[f64], right: [&[f64]; N]) -> Option<[Vec<f64>; N]> {
     let factor = Mat::from_fn(size, size, |i, j| matrix[i * size + j]).partial_piv_lu();
     let solutions = right.map(|right| {
         let solution = factor.solve(Mat::from_fn(size, size, |i, j| right[i * size + j]));

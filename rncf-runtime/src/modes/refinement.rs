@@ -1,8 +1,8 @@
 //! Eigenpairs as exact as the entries of the pencil tell them, checked against it.
 
 use super::pair::{CLOSE, Pair, normalise};
-use super::pencil::Pencil;
-use crate::linalg::{Lu, c64, scattered};
+use super::pencil::{Pencil, Products};
+use crate::linalg::{Lu, c64, general_eigen, scattered, solve_full};
 
 /// Most refinements of a pair.
 const REFINEMENTS: usize = 12;
@@ -21,6 +21,8 @@ const ACCEPTED_MULTIPLE: f64 = 1e-5;
 const INVERSE_ITERATIONS: usize = 4;
 /// Part of the shift beside which zeros are looked for.
 const STILL: f64 = 1e-2;
+/// Multiple of an eigenvalue that a first guess of it may be.
+const GUESSED: f64 = 2.0;
 /// Vectors that inverse iteration starts from for each one that is looked for.
 const STARTS: usize = 3;
 /// Part of a unit vector that makes it new beside others of the same eigenvalue.
@@ -108,6 +110,47 @@ impl<'a> Refinement<'a> {
         let mut found: Vec<Pair> = self.pencil.known_still().map(zero).collect();
         found.extend(independent(beside.map(zero).collect()));
         found.truncate(count);
+        found
+    }
+
+    /// What motions without stiffness do apart from lying still, where that is slow (up to this |s|): a damper, or a torque that depends on the speed, lets
+    /// their speed die away or grow, `(s M + C) x = 0`. Of those that neither resists, this is zero as well, and no mode of its own.
+    pub fn running(&mut self, still: &[Pair], slow: f64) -> Vec<Pair> {
+        let count = still.len();
+        let images: Vec<[Vec<c64>; 2]> = still
+            .iter()
+            .map(|pair| {
+                let Products { mass, damping, .. } = self.pencil.products(&pair.x, &[]);
+                [mass, damping]
+            })
+            .collect();
+        let [mass, damping] = [0, 1].map(|which| -> Vec<f64> {
+            let form = |place: usize| {
+                let image = &images[place % count][which];
+                let parts = still[place / count].x.iter().zip(image);
+                parts.map(|(x, image)| (x.conj() * image).re).sum()
+            };
+            (0..count * count).map(form).collect()
+        });
+        let Some([rates]) = solve_full(count, &mass, [&damping]) else {
+            return Vec::new();
+        };
+        let against: Vec<f64> = rates.iter().map(|rate| -rate).collect();
+        let Ok((values, vectors)) = general_eigen(count, &against) else {
+            return Vec::new();
+        };
+        let zero = CLOSE * self.shift;
+        let guessed = values.into_iter().zip(vectors);
+        let guessed = guessed.filter(|(s, _)| s.norm() > zero && s.norm() <= GUESSED * slow && s.im >= 0.0);
+        let mut found = Vec::new();
+        for (s, parts) in guessed {
+            let mut x = vec![c64::default(); self.pencil.unknowns()];
+            for (part, pair) in parts.iter().zip(still) {
+                x.iter_mut().zip(&pair.x).for_each(|(sum, value)| *sum += part * value);
+            }
+            let refined = self.refined(Pair { s, x });
+            found.extend(refined.filter(|pair| pair.s.norm() > zero && pair.s.norm() <= slow));
+        }
         found
     }
 

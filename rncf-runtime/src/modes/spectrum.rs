@@ -128,6 +128,8 @@ fn distinct(
     let mut modes = refinement.still(slow);
     if !modes.is_empty() {
         pairs.drain(..slow);
+        let running = refinement.running(&modes, SLOW * shift);
+        modes.extend(running);
     }
     let mut pairs: Vec<Pair> = pairs.into_iter().flat_map(one_of_conjugates).collect();
     let found = modes.len() + pairs.len();
