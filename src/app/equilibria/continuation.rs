@@ -430,7 +430,10 @@ impl<'m> Line<'m> {
             let at = key.at(self.key(*share), 7);
             format!("whether the stiffness is negative in some direction is not known at {at}, so that critical values next to it are not found: {why}")
         });
-        self.leaps.iter().map(told).chain(unmeasured).collect()
+        // Where nothing turns the spin grows from nothing to nothing.
+        let is_way = self.key(0.0) != self.key(1.0);
+        let leaps = self.leaps.iter().filter(|_| is_way);
+        leaps.map(told).chain(unmeasured).collect()
     }
 
     fn total(&self) -> u64 {

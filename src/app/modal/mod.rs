@@ -2,6 +2,7 @@
 
 pub(super) mod campbell;
 mod finer;
+mod kinks;
 mod known;
 mod looked;
 pub(super) mod modes;

@@ -1,7 +1,7 @@
 //! Modes of small motions about a relative equilibrium, and how an observer sees them (THEORY 8.1, 8.2);
 //! nothing is printed or written here.
 
-use super::finer;
+use super::{finer, kinks};
 use crate::app::equilibria::{directions, way};
 use crate::app::judged::cautions;
 use crate::app::judged::finer_model::FinerModel;
@@ -53,6 +53,7 @@ pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Mod
     warnings.extend(crate::equilibrium::closed(scene));
     warnings.extend(told.equilibrium);
     warnings.extend(fewer(scene, &modes, settings.count));
+    warnings.extend(kinks::crossed(scene, &state, &shapes));
     warnings.extend(told.modes);
     warnings.extend(finer_modes::not_asked(settings.judged, scene));
     Ok(Modes {
@@ -78,8 +79,10 @@ pub fn modes(model: &dyn AnyModel, settings: &EquilibriumSettings) -> Result<Mod
 
 /// That fewer modes are found than were asked for, where motions are left.
 fn fewer(scene: &dyn Scene, modes: &[SeenMode], asked: usize) -> Option<String> {
-    let free = scene.unknowns().saturating_sub(scene.constraints());
-    let (found, wanted) = (modes.len(), asked.min(free));
+    // A state has one eigenvalue where a motion has two, and two of them may make one mode.
+    let states = scene.states().len();
+    let free = scene.unknowns().saturating_sub(scene.constraints() + states);
+    let (found, wanted) = (modes.len(), asked.min(free + states.div_ceil(2)));
     (found < wanted).then(|| {
         format!(
             "{found} of the {wanted} modes that were asked for are found: the others have no inertia, share eigenvalue and shape with one of them, or are lost beside masses, dampings or stiffnesses many orders larger"

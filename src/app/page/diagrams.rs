@@ -401,7 +401,7 @@ pub(in crate::app) fn campbell_part(result: &Campbell, frequency: Frequency) -> 
 fn diagram(result: &Campbell, frequency: Frequency, seen: impl Fn(SeenMode, f64) -> Vec<f64>, axis: &str) -> Chart {
     let mut lines: Vec<Line> = Vec::new();
     for (index, track) in result.tracks.iter().enumerate() {
-        let pieces = coloured(result, frequency, &seen, track, axis.contains("inertial"));
+        let pieces = coloured(result, frequency, &seen, track);
         lines.extend(
             pieces
                 .into_iter()
@@ -447,55 +447,41 @@ fn marked(result: &Campbell) -> Vec<(f64, String)> {
         .collect()
 }
 
-/// A track as lines of one sense each; a new one begins where the old one ends.
+/// A track as lines of one sense each, in the inertial frame; a new one begins where the old one ends.
 fn coloured(
     result: &Campbell,
     frequency: Frequency,
     seen: impl Fn(SeenMode, f64) -> Vec<f64>,
     track: &[Option<SeenMode>],
-    is_inertial: bool,
 ) -> Vec<Line> {
     let mut lines: Vec<Line> = Vec::new();
-    let mut last: Option<(usize, SeenMode)> = None;
+    let mut is_lost = true;
     for (row, mode) in track.iter().enumerate() {
         let Some(mode) = *mode else {
-            last = None;
+            is_lost = true;
             continue;
         };
-        let (key, spin) = (result.keys[row], result.spins[row]);
-        let place = (key, frequency.of(seen(mode, spin)[0]));
+        let place = (result.keys[row], frequency.of(seen(mode, result.spins[row])[0]));
         // At rest the sense is that of the next row.
-        let next = track.get(row + 1).copied().flatten();
-        let mut whirl = next.filter(|_| spin == 0.0).unwrap_or(mode).whirl;
-        // Faster than critical, a whirl that falls back in the frame still goes forward in space.
-        if is_inertial && spin > 0.0 {
-            whirl = mode.inertial_whirl(spin);
-        }
-        match (lines.last_mut(), last) {
-            (Some(line), Some(_)) if line.color == color(whirl) => line.points.push(place),
-            (Some(line), Some((earlier, before))) => {
-                // A sense turns over where the frequency is zero.
-                let [from, to] = [result.keys[earlier], key];
-                let guess = from + before.im / (before.im + mode.im) * (to - from);
-                let inside = result.critical.iter().map(|critical| critical.value);
-                let inside = inside.filter(|value| (value - from) * (value - to) <= 0.0);
-                let zero = inside.min_by(|a, b| (a - guess).abs().total_cmp(&(b - guess).abs()));
-                let joint = zero.map_or(place, |zero| {
-                    let share = (zero - from) / (to - from);
-                    let spin = result.spins[earlier] + share * (spin - result.spins[earlier]);
-                    (zero, frequency.of(seen(SeenMode { im: 0.0, ..before }, spin)[0]))
-                });
-                line.points.push(joint);
-                let points = if zero.is_some() {
-                    vec![joint, place]
-                } else {
-                    vec![place]
-                };
-                lines.push(Line::new(points, color(whirl)));
+        let next = track
+            .get(row + 1)
+            .copied()
+            .flatten()
+            .filter(|_| result.spins[row] == 0.0);
+        let whirl = next.map_or_else(
+            || mode.inertial_whirl(result.spins[row]),
+            |next| next.inertial_whirl(result.spins[row + 1]),
+        );
+        match lines.last_mut() {
+            Some(line) if !is_lost => {
+                line.points.push(place);
+                if line.color != color(whirl) {
+                    lines.push(Line::new([place], color(whirl)));
+                }
             }
             _ => lines.push(Line::new([place], color(whirl))),
         }
-        last = Some((row, mode));
+        is_lost = false;
     }
     lines
 }
@@ -503,9 +489,9 @@ fn coloured(
 /// The senses that occur, with their colours.
 fn legend(result: &Campbell, has_guides: bool) -> String {
     let occurs = |whirl: Whirl| {
-        let spinning = result.spins.iter().enumerate().filter(|(_, spin)| **spin > 0.0);
-        let mut rows = spinning.map(|(row, _)| row);
-        rows.any(|row| result.row(row).any(|mode| mode.whirl == whirl)) || whirl == Whirl::None && !result.is_turning()
+        let mut spinning = result.spins.iter().enumerate().filter(|(_, spin)| **spin > 0.0);
+        spinning.any(|(row, &spin)| result.row(row).any(|mode| mode.inertial_whirl(spin) == whirl))
+            || whirl == Whirl::None && !result.is_turning()
     };
     let mut text = String::from("<p class=\"extremes\">");
     for (_, color, name) in CLASSES.iter().filter(|class| occurs(class.0)) {

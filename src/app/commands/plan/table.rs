@@ -85,7 +85,12 @@ fn values(record: &Summary, outputs: Option<&[usize]>) -> Found {
             what: "max",
             unit: "1/s".into(),
         };
-        found.push((head, margin.as_f64()));
+        // What meets no stiffness, as an angle or a sum of work, tells nothing of how the others die away.
+        let moving = list("modes").filter_map(|mode| {
+            let [re, im] = ["re [1/s]", "im [rad/s]"].map(|part| mode[part].as_f64());
+            re.filter(|&re| re != 0.0 || im != Some(0.0))
+        });
+        found.push((head, moving.reduce(f64::max).or(margin.as_f64())));
     }
     found
 }
@@ -264,5 +269,22 @@ mod tests {
         assert!((spread.deviation - (32.0_f64 / 7.0).sqrt()).abs() < 1e-15);
         assert!((spread.percentiles[0] - 2.7).abs() < 1e-12);
         assert_eq!(Spread::of(&[1.0]), None);
+    }
+
+    /// An angle that nothing holds, or a sum of work, has s = 0 at every point: the others count.
+    #[test]
+    fn growth_is_that_of_what_dies_away() {
+        let of = |modes: Value| {
+            let record = serde_json::json!({ "modes": modes, "stability_margin": 0.0 });
+            let found = values(record.as_object().unwrap(), None);
+            found.into_iter().find(|(head, _)| head.name == GROWTH).unwrap().1
+        };
+        let mode = |re: f64, im: f64| serde_json::json!({ "re [1/s]": re, "im [rad/s]": im });
+        assert_eq!(
+            of(Value::from(vec![mode(0.0, 0.0), mode(-1.5, 3.0), mode(-2.0, 0.0)])),
+            Some(-1.5)
+        );
+        assert_eq!(of(Value::from(vec![mode(0.0, 2.0), mode(-1.5, 3.0)])), Some(0.0));
+        assert_eq!(of(Value::from(vec![mode(0.0, 0.0)])), Some(0.0));
     }
 }
