@@ -335,6 +335,16 @@ pub trait System {
         &[]
     }
 
+    /// The largest of the sizes of what moves; states have units of their own.
+    fn largest_length(&self) -> f64 {
+        let moving = self
+            .sizes()
+            .iter()
+            .enumerate()
+            .filter(|(unknown, _)| !self.states().contains(unknown));
+        moving.fold(0.0, |largest: f64, (_, size)| largest.max(*size))
+    }
+
     /// Number of unknowns at the end (poses of free frames and rigid bodies) whose rows and columns
     /// may be full: linear algebra borders them. What is in front of them has a regular mass matrix.
     fn border(&self) -> usize {

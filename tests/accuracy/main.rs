@@ -54,6 +54,7 @@ mod slider_crank;
 mod small_motions;
 mod spin_up;
 mod states;
+mod states_at_rest;
 mod steady;
 mod step_control;
 mod stopped;

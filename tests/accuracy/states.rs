@@ -223,15 +223,16 @@ fn pictures_know_nothing_of_states() {
     assert!(names.contains(&"coil") && !names.contains(&"right"), "{names:?}");
 }
 
-/// The impulse of what carries a weight grows for ever: the state is named.
+/// The impulse of what carries a weight grows for ever, and nothing minds.
 #[test]
-fn a_state_that_does_not_come_to_rest_is_named() {
-    let message = static_equilibria(&Hung::default(), &EquilibriumSettings::default())
-        .unwrap_err()
-        .to_string();
+fn a_state_that_keeps_books_may_go_on() {
+    let found = static_equilibria(&Hung::default(), &EquilibriumSettings::default()).unwrap();
+    let y = found.history.column(0).last().unwrap();
+    assert!((y + 1.0 + 2.0 * 9.81 / 500.0).abs() < 1e-9, "{y}");
     assert!(
-        message.contains("what a state is the integral of is not zero"),
-        "{message}"
+        found
+            .warnings
+            .iter()
+            .any(|told| told.contains("nothing holds state `impulse`"))
     );
-    assert!(message.contains("(worst: state `impulse`)"), "{message}");
 }

@@ -34,8 +34,7 @@ pub fn assembled(scene: &mut dyn Scene, at: &Uniform) -> State {
     let is_carried = start.x != guess.x || start.turns != guess.turns;
     let stays = if is_carried {
         let [[_, before], [_, after]] = [balance(scene, 0.0, &start), balance(scene, at.t, &guess)];
-        let sizes = scene.sizes();
-        let size = sizes.iter().copied().fold(1.0, f64::max);
+        let size = scene.largest_length().max(1.0);
         before
             .iter()
             .zip(&after)
@@ -59,7 +58,7 @@ pub fn assembled(scene: &mut dyn Scene, at: &Uniform) -> State {
 /// Whether forces and violations differ by round-off alone.
 fn is_same(scene: &dyn Scene, before: &[Vec<f64>; 2], after: &[Vec<f64>; 2]) -> bool {
     let largest = |values: &[f64]| values.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
-    let size = scene.sizes().iter().copied().fold(1.0, f64::max);
+    let size = scene.largest_length().max(1.0);
     let scales = [largest(&before[0]), size];
     let pairs = before.iter().zip(after).zip(scales);
     pairs.into_iter().all(|((before, after), scale)| {

@@ -22,7 +22,13 @@ fn over(scene: &dyn Scene, a: &State, b: &State, sizes: &[f64]) -> f64 {
         let away = product(&a.turns[index].inverse(), &b.orientation(index, unknown));
         b.x[unknown..unknown + 3].copy_from_slice(away.scaled_axis().as_slice());
     }
-    // Those of equilibria have just begun anew.
-    let parts = a.x.iter().zip(&b.x).zip(sizes);
-    parts.fold(0.0, |largest: f64, ((a, b), size)| largest.max((a - b).abs() / size))
+    // Those of equilibria have just begun anew. A state is as large as it is.
+    let own = |unknown: usize| match scene.states().contains(&unknown) {
+        true => sizes[unknown].max(a.x[unknown].abs()).max(b.x[unknown].abs()),
+        false => sizes[unknown],
+    };
+    let parts = a.x.iter().zip(&b.x).enumerate();
+    parts.fold(0.0, |largest: f64, (unknown, (a, b))| {
+        largest.max((a - b).abs() / own(unknown))
+    })
 }

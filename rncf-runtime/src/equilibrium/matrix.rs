@@ -89,7 +89,7 @@ impl Newton {
     fn largest_energy(&self, values: &[f64], is_one: impl Fn(usize) -> bool) -> f64 {
         let mut largest: f64 = 0.0;
         for (&(row, column), value) in self.columns.iter().zip(values) {
-            if is_one(row) {
+            if is_one(row) && !self.is_state[row] && !self.is_state[column] {
                 let sizes = self.inverse_sizes[row] * self.inverse_sizes[column];
                 largest = largest.max((value / sizes).abs());
             }

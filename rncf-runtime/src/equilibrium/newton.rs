@@ -140,6 +140,8 @@ pub(super) struct Newton {
     pub(super) tangent: Tangent,
     pub(super) increments: Vec<f64>,
     pub(super) inverse_sizes: Vec<f64>,
+    /// Whether an unknown is a state: a number, of which no length tells how far it may go.
+    pub(super) is_state: Vec<bool>,
     /// Multipliers of the phase conditions.
     held: Vec<f64>,
     /// What acts on a start that is no equilibrium, and does not count; nothing where it is empty.
@@ -179,7 +181,10 @@ impl Newton {
             places.collect()
         });
         let zeros = || vec![0.0; block.len()];
+        let mut is_state = vec![false; n];
+        scene.states().iter().for_each(|&state| is_state[state] = true);
         Self {
+            is_state,
             phase_places: phase_places.collect(),
             block: block.iter().map(|&(row, column)| place(row, column)).collect(),
             border: border.iter().map(|&(row, j)| both(row, n + j)).collect(),
@@ -382,6 +387,7 @@ impl Newton {
                 return (Err(Failure::Singular(row)), iteration);
             }
             self.solve_increments();
+            self.measure_states(scene, state);
             let size = self.size();
             if !size.is_finite() {
                 return (Err(Failure::NotFinite(None)), iteration);
@@ -448,6 +454,15 @@ impl Newton {
         self.increments.iter_mut().for_each(|value| *value = -*value);
     }
 
+    /// A state is as large as it is, or becomes: its size says what errors of a run are held to.
+    fn measure_states(&mut self, scene: &dyn Scene, state: &State) {
+        for &unknown in scene.states() {
+            let (now, next) = (state.x[unknown], state.x[unknown] + self.increments[unknown]);
+            let size = scene.sizes()[unknown].max(now.abs()).max(next.abs());
+            self.inverse_sizes[unknown] = 1.0 / size;
+        }
+    }
+
     /// Along a neutral motion nothing may act.
     fn check_phases(&self, scene: &mut dyn Scene, at: &Uniform, state: &State) -> Result<(), Failure> {
         if self.phases.is_empty() {
@@ -469,10 +484,13 @@ impl Newton {
             let resolved = if place < known { RESOLVED } else { RESOLVED_UNTIED };
             let stiff = resolved * self.stiffest(|row| phase[row] != 0.0);
             if energy(worst) > UNBALANCED * self.acting + rounded + stiff + twice + spun {
-                return Err(match scene.states().contains(&worst) {
-                    true => Failure::Running(worst),
-                    false => Failure::Unbalanced(worst),
-                });
+                if !self.is_state[worst] {
+                    return Err(Failure::Unbalanced(worst));
+                }
+                // What keeps books of a machine may go on for ever.
+                if scene.is_read(worst) {
+                    return Err(Failure::Running(worst));
+                }
             }
         }
         Ok(())
@@ -486,10 +504,11 @@ impl Newton {
         (STRIDE / self.reach()).min(1.0)
     }
 
-    /// Largest entry of an increment, relative to the size of its unknown.
+    /// Largest entry of an increment of what moves, relative to the size of its unknown.
     fn reach(&self) -> f64 {
-        let parts = self.increments.iter().zip(&self.inverse_sizes);
-        parts.fold(0.0, |largest: f64, (change, inverse)| {
+        let parts = self.increments.iter().zip(&self.inverse_sizes).zip(&self.is_state);
+        let moving = parts.filter(|(_, is_state)| !**is_state);
+        moving.fold(0.0, |largest: f64, ((change, inverse), _)| {
             largest.max((change * inverse).abs())
         })
     }

@@ -130,12 +130,17 @@ impl Newton {
         for (&(row, column), value) in self.columns.iter().zip(&self.tangent.stiffness) {
             energies[row] = energies[row].max((value / (inverse[row] * inverse[column])).abs());
         }
-        let largest = energies.iter().fold(0.0, |largest: f64, &energy| largest.max(energy));
-        // Where nothing is stiff any scale will do.
+        let floored = energies.iter().zip(inverse).zip(&self.is_state);
+        // Where nothing is stiff any scale will do. Rates of states are no stiffnesses, and each has a unit of its own.
+        let moving = floored.clone().filter(|(_, is_state)| !**is_state);
+        let largest = moving.fold(0.0, |largest: f64, ((&energy, _), _)| largest.max(energy));
         let least = if largest > 0.0 { 1e-6 * largest } else { 1.0 };
-        let floored = energies.iter().zip(inverse);
         floored
-            .map(|(energy, inverse)| energy.max(least) * inverse * inverse)
+            .map(|((&energy, inverse), is_state)| match is_state {
+                false => energy.max(least) * inverse * inverse,
+                true if energy > 0.0 => energy * inverse * inverse,
+                true => 1.0,
+            })
             .collect()
     }
 }

@@ -31,6 +31,8 @@ pub struct Lu<T: Scalar> {
     /// With row exchanges, for values that need them: made when it is first needed, and whether it holds the factors.
     fallback: Option<Box<Lu<T>>>,
     is_fallback_used: bool,
+    /// Whether the last [`Lu::factor`] succeeded.
+    is_regular: bool,
     /// Place of every unknown in the order of elimination of the banded factors.
     place: Arc<[usize]>,
     row_scale: Vec<f64>,
@@ -94,6 +96,7 @@ impl<T: Scalar> Lu<T> {
             factors,
             fallback: None,
             is_fallback_used: false,
+            is_regular: false,
             place,
             row_scale: vec![1.0; scaled],
             column_scale: vec![1.0; scaled],
@@ -115,6 +118,7 @@ impl<T: Scalar> Lu<T> {
         let starts = std::mem::take(&mut self.starts);
         let factored = self.factor_from(values, &starts);
         self.starts = starts;
+        self.is_regular = factored.is_ok();
         factored
     }
 
@@ -306,8 +310,12 @@ fn banded<T: Scalar>(pattern: &Pattern, place: &[usize]) -> Factors<T> {
 }
 
 impl Lu<f64> {
-    /// Whether the determinant of the matrix of the last successful [`Lu::factor`] is negative.
+    /// Whether the determinant of the matrix of the last [`Lu::factor`] is negative; not of one that was singular.
     pub fn is_determinant_negative(&self) -> bool {
+        // What is left of factors that were not finished cannot be read.
+        if !self.is_regular {
+            return false;
+        }
         match &self.used().factors {
             Factors::Chain(chain) => chain.is_determinant_negative(),
             // Rows and columns have the same order there.

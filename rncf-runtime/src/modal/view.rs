@@ -9,7 +9,7 @@ use crate::model::{
 };
 use crate::scene::bodies::mesh_body::MeshBody;
 use crate::space::Vector;
-use crate::system::{State, Tangent};
+use crate::system::{State, System, Tangent};
 
 /// Growth of a deflection from which on what its modes get wrong is found anew: it takes a static problem of the
 /// whole body.
@@ -186,6 +186,12 @@ impl Scene for ModalScene {
     fn uniform_outputs(&mut self, at: &Uniform, state: &State, out: &mut [f64]) {
         self.expand(state);
         self.in_elements(|scene, full| scene.uniform_outputs(at, full, out));
+    }
+
+    fn is_read(&self, state: usize) -> bool {
+        let all = self.scene.states().iter();
+        let whole = all.copied().find(|&whole| self.reduction.same(whole) == Some(state));
+        whole.is_none_or(|whole| self.scene.is_read(whole))
     }
 
     fn circulating(&mut self, at: &Uniform, state: &State, shape: &[[f64; 2]]) -> Option<Circulating> {

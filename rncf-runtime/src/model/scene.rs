@@ -192,6 +192,11 @@ pub trait Scene: System + Send {
         None
     }
 
+    /// Whether anything but its own rate and outputs reads the state that is this unknown ([`System::states`](crate::system::System::states)).
+    fn is_read(&self, _state: usize) -> bool {
+        true
+    }
+
     /// What circulates about the axis of the rotation in a mode with complex increments `shape` of the unknowns that grow as
     /// exp(i |im| t), seen in co-rotating axes. `None` where nothing spins, or where the scene does not know its points.
     fn circulating(&mut self, _at: &Uniform, _state: &State, _shape: &[[f64; 2]]) -> Option<Circulating> {

@@ -8,11 +8,6 @@ use crate::linalg::Pattern;
 use crate::model::{Scene, Uniform};
 use crate::system::{State, Tangent};
 
-pub(super) fn pencil(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Pencil {
-    let tangent = tangent(scene, at, state);
-    with_constraints(scene, state, &tangent)
-}
-
 pub(super) fn tangent(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Tangent {
     let zeros = || vec![0.0; scene.pattern().entries()];
     let mut tangent = Tangent {
@@ -24,15 +19,18 @@ pub(super) fn tangent(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Tan
     tangent
 }
 
-pub(super) fn with_constraints(scene: &mut dyn Scene, state: &State, tangent: &Tangent) -> Pencil {
-    apart_from(scene, state, tangent, Vec::new())
-}
-
-/// The same for what moves beside some directions of the unknowns: `r^T M x = 0`, with forces `M r` that hold nothing but these.
-pub(super) fn apart_from(scene: &mut dyn Scene, state: &State, tangent: &Tangent, directions: Vec<Vec<f64>>) -> Pencil {
+/// The pencil of matrices on `pattern`, for what moves beside some directions of the unknowns: `r^T M x = 0`, with forces `M r` that hold nothing but these.
+pub(super) fn apart_from(
+    scene: &mut dyn Scene,
+    state: &State,
+    (pattern, tangent): (&Pattern, &Tangent),
+    directions: Vec<Vec<f64>>,
+) -> Pencil {
     let mut jacobian = vec![0.0; scene.constraint_pattern().entries()];
     scene.constraint_jacobian(state, &mut jacobian);
-    let (pattern, constraints, sizes) = (scene.pattern(), scene.constraint_pattern(), scene.sizes());
+    let (constraints, sizes) = (scene.constraint_pattern(), scene.sizes());
+    let units = units(scene, pattern, tangent);
+    let units = [&units.rows[..], &units.columns];
     let momentum = |mut direction: Vec<f64>| {
         direction.iter_mut().zip(sizes).for_each(|(value, size)| *value *= size);
         let mut momentum = vec![0.0; sizes.len()];
@@ -43,7 +41,7 @@ pub(super) fn apart_from(scene: &mut dyn Scene, state: &State, tangent: &Tangent
     // What has no mass has no momentum.
     let momenta: Vec<Vec<f64>> = momenta.filter(|all| all.iter().any(|part| *part != 0.0)).collect();
     if momenta.is_empty() {
-        return Pencil::new(pattern, tangent, constraints, &jacobian, sizes);
+        return Pencil::new(pattern, tangent, constraints, &jacobian, units);
     }
     let own = constraints.columns();
     let known = (0..own).flat_map(|column| {
@@ -65,7 +63,66 @@ pub(super) fn apart_from(scene: &mut dyn Scene, state: &State, tangent: &Tangent
     for ((row, column), value) in entries {
         values[all.find(row, column).expect("the pattern is made of these entries")] = value;
     }
-    Pencil::new(pattern, tangent, &all, &values, sizes)
+    Pencil::new(pattern, tangent, &all, &values, units)
+}
+
+/// In what the equations and the unknowns of a pencil are measured.
+struct Units {
+    rows: Vec<f64>,
+    columns: Vec<f64>,
+}
+
+/// Those are the sizes of what moves. The size of a state says what errors of a run are held to: here it is as large as what moves it makes it, and its
+/// equation counts as much as a stiffness.
+fn units(scene: &dyn Scene, pattern: &Pattern, tangent: &Tangent) -> Units {
+    let sizes = scene.sizes();
+    let mut units = Units {
+        rows: sizes.to_vec(),
+        columns: sizes.to_vec(),
+    };
+    let states = scene.states();
+    let own = |values: &[f64], state: usize| pattern.find(state, state).map_or(0.0, |place| values[place]);
+    if !states.iter().any(|&state| own(&tangent.mass, state) == 0.0) {
+        return units;
+    }
+    let mut known: Vec<bool> = (0..sizes.len()).map(|unknown| !states.contains(&unknown)).collect();
+    let places: Vec<((usize, usize), f64, f64)> = pattern
+        .places()
+        .zip(tangent.stiffness.iter().zip(&tangent.damping))
+        .map(|(place, (&stiffness, &damping))| (place, stiffness, damping))
+        .collect();
+    let most = |values: &[f64]| {
+        let energies = pattern.places().zip(values);
+        let moving = energies.filter(|((row, column), _)| !states.contains(row) && !states.contains(column));
+        moving.fold(0.0, |most: f64, ((row, column), value)| {
+            most.max((value * sizes[row] * sizes[column]).abs())
+        })
+    };
+    let [stiffest, heaviest] = [&tangent.stiffness, &tangent.mass].map(|values| most(values));
+    let quick = (stiffest / heaviest).sqrt();
+    // What reads others alone comes behind them; an integral changes as quickly as what it reads.
+    for _ in states {
+        for &state in states {
+            let rate = own(&tangent.stiffness, state).abs();
+            let read = places
+                .iter()
+                .filter(|((row, column), ..)| *row == state && *column != state && known[*column]);
+            let moved = read.map(|&((_, column), stiffness, damping)| {
+                let slowly = stiffness.abs() / if rate > 0.0 { rate } else { quick };
+                let slowly = if slowly.is_finite() { slowly } else { 0.0 };
+                slowly.max(damping.abs()) * units.columns[column]
+            });
+            let largest = moved.fold(0.0, f64::max);
+            if largest > 0.0 && !known[state] {
+                units.columns[state] = largest;
+                known[state] = true;
+            }
+        }
+    }
+    for &state in states {
+        units.rows[state] = if stiffest > 0.0 { stiffest } else { 1.0 } / units.columns[state];
+    }
+    units
 }
 
 /// The motions without stiffness: directions of the unknowns.

@@ -16,6 +16,7 @@ mod mode;
 mod pair;
 mod pencil;
 mod refinement;
+mod settled;
 mod spectrum;
 mod stiffness;
 mod tracking;
@@ -32,11 +33,12 @@ pub use whirl::Whirl;
 use crate::error::SolveError;
 use crate::linalg::{Pattern, c64};
 use crate::model::{Scene, Uniform};
-use crate::system::State;
+use crate::system::{State, Tangent};
 use carried::carried;
 use circles::turn_to_circles;
-use matrices::{apart_from, error, pencil, still, tangent};
+use matrices::{apart_from, error, still, tangent};
 use pair::{Failure, Pair};
+use settled::settled;
 
 /// Which modes are wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,7 +89,8 @@ fn found(
     let speed = scene.spin_in(at);
     let carried = carried(scene, at, state, &tangent, speed);
     let shifts = carried.iter().flat_map(|carried| carried.shifts.clone()).collect();
-    let pencil = apart_from(scene, state, &tangent, shifts)
+    let pattern = scene.pattern().clone();
+    let pencil = apart_from(scene, state, (&pattern, &tangent), shifts)
         .without_stiffness_along(still)
         .turning(speed);
     let sizes = scene.sizes().to_vec();
@@ -103,7 +106,9 @@ fn found(
     pairs.sort_by(|a, b| pair::order(a.s, b.s));
     pairs.truncate(found);
     number(&mut pairs, |pair| [pair.s.re, pair.s.im]);
-    let mut modes: Vec<Mode> = pairs.into_iter().map(|pair| mode(&pencil, &sizes, pair)).collect();
+    let states = scene.states();
+    let mode = |pair: Pair| mode(&pencil, (&sizes, states), pair);
+    let mut modes: Vec<Mode> = pairs.into_iter().map(mode).collect();
     turn_to_circles(scene, at, state, (&mut modes, &sizes));
     Ok((modes, is_all))
 }
@@ -120,31 +125,35 @@ pub fn unstable_directions(scene: &mut dyn Scene, at: &Uniform, state: &State) -
     dense::negative_stiffness(&pencil).map_err(|failure| error(scene, at, &failure))
 }
 
-/// The pencil that knows the motions without stiffness.
+/// The pencil with states at rest, which knows the motions without stiffness.
 fn beside_still(scene: &mut dyn Scene, at: &Uniform, state: &State) -> Pencil {
     let still = still(scene, at, state);
     let speed = scene.spin_in(at);
-    pencil(scene, at, state).without_stiffness_along(still).turning(speed)
+    let tangent = tangent(scene, at, state);
+    let (pattern, tangent) = settled(scene, tangent);
+    apart_from(scene, state, (&pattern, &tangent), Vec::new())
+        .without_stiffness_along(still)
+        .turning(speed)
 }
 
 /// Whether circulatory forces act, the skew part of the stiffness: then an equilibrium may be unstable in growing vibrations
 /// though its stiffness is positive, and [`unstable_directions`] does not tell.
 pub fn is_circulatory(scene: &mut dyn Scene, at: &Uniform, state: &State) -> bool {
-    let stiffness = tangent(scene, at, state).stiffness;
-    let (pattern, sizes) = (scene.pattern(), scene.sizes());
-    let places = (0..pattern.columns()).flat_map(|column| {
-        let range = pattern.starts()[column]..pattern.starts()[column + 1];
-        range.map(move |entry| (entry, pattern.indices()[entry], column))
-    });
+    let tangent = tangent(scene, at, state);
+    let (pattern, Tangent { stiffness, .. }) = settled(scene, tangent);
+    let sizes = scene.sizes();
+    let places = || {
+        let all = pattern.places().enumerate();
+        all.map(|(entry, (row, column))| (entry, row, column))
+    };
     let scaled = |entry: usize, row: usize, column: usize| stiffness[entry] * sizes[row] * sizes[column];
     let mut largest = vec![0.0_f64; pattern.columns()];
-    for (entry, row, column) in places.clone() {
+    for (entry, row, column) in places() {
         largest[row] = largest[row].max(scaled(entry, row, column).abs());
     }
     // Rows that cancel are round-off of what has cancelled.
     let cancelled = CANCELLED * largest.iter().copied().fold(0.0, f64::max);
-    places
-        .clone()
+    places()
         .filter(|&(_, row, column)| row < column)
         .any(|(entry, row, column)| {
             let other = pattern
@@ -205,10 +214,21 @@ fn form(pattern: &Pattern, values: &[f64], x: &[[f64; 2]]) -> [f64; 2] {
     sum
 }
 
+/// Part of what moves, of what states change in a mode, that is round-off: nothing moves.
+const UNMOVED: f64 = 1e-8;
+
 /// The mode in the unknowns and their true sizes.
-fn mode(pencil: &Pencil, sizes: &[f64], Pair { s, mut x }: Pair) -> Mode {
-    for (value, (scale, size)) in x.iter_mut().zip(pencil.scales().iter().zip(sizes)) {
-        *value *= scale / size;
+fn mode(pencil: &Pencil, (sizes, states): (&[f64], &[usize]), Pair { s, mut x }: Pair) -> Mode {
+    let most = |is_one: &dyn Fn(usize) -> bool| {
+        let parts = x.iter().enumerate().filter(|(unknown, _)| is_one(*unknown));
+        parts.fold(0.0, |largest: f64, (_, value)| largest.max(value.norm()))
+    };
+    let [of_states, of_others] = [true, false].map(|wanted| most(&|unknown| states.contains(&unknown) == wanted));
+    let is_moved = of_others > UNMOVED * of_states;
+    for (unknown, value) in x.iter_mut().enumerate() {
+        let is_shown = is_moved || states.contains(&unknown);
+        let factor = pencil.scales()[unknown] / sizes[unknown];
+        *value = if is_shown { *value * factor } else { c64::default() };
     }
     pair::normalise(&mut x, &mut []);
     Mode {

@@ -53,7 +53,7 @@ pub(super) struct Products {
 
 impl Pencil {
     /// The pencil of mass, damping and stiffness on `pattern` (n x n) and of `C_x^T` on
-    /// `constraint_pattern` (n x m), for unknowns of the given sizes.
+    /// `constraint_pattern` (n x m), for equations and unknowns of the given sizes.
     ///
     /// # Panics
     /// If the shapes do not fit: a defect of the caller.
@@ -62,14 +62,15 @@ impl Pencil {
         tangent: &Tangent,
         constraint_pattern: &Pattern,
         jacobian: &[f64],
-        sizes: &[f64],
+        [equations, sizes]: [&[f64]; 2],
     ) -> Self {
         let (n, m) = (pattern.columns(), constraint_pattern.columns());
         assert_eq!((pattern.rows(), constraint_pattern.rows(), sizes.len()), (n, n, n), "n");
-        let scales: Vec<f64> = sizes.iter().map(|&size| power_of_two(size)).collect();
+        let [row_scales, scales] =
+            [equations, sizes].map(|sizes| sizes.iter().map(|&size| power_of_two(size)).collect::<Vec<f64>>());
         let places: Vec<(usize, usize)> = pattern.places().collect();
         let energies = tangent.stiffness.iter().zip(&places);
-        let energies = energies.map(|(value, &(row, column))| (value * scales[row] * scales[column]).abs());
+        let energies = energies.map(|(value, &(row, column))| (value * row_scales[row] * scales[column]).abs());
         // Beside constraints, which are relative to themselves, the stiffness of a small machine in J is nothing.
         let unit = match energies.fold(0.0, f64::max) {
             largest if largest > 0.0 && largest < 1.0 => 1.0 / power_of_two(largest),
@@ -78,7 +79,7 @@ impl Pencil {
         let scaled = |values: &[f64]| {
             let parts = values.iter().zip(&places);
             parts
-                .map(|(value, &(row, column))| unit * (value * scales[row] * scales[column]))
+                .map(|(value, &(row, column))| unit * (value * row_scales[row] * scales[column]))
                 .collect()
         };
         let border: Vec<(usize, usize)> = constraint_pattern.places().collect();

@@ -3,6 +3,7 @@
 use super::matrices::{apart_from, error, still, symmetrise, tangent};
 use super::pair::Failure;
 use super::pencil::Pencil;
+use super::settled::settled;
 use super::spectrum;
 use crate::error::SolveError;
 use crate::linalg::c64;
@@ -41,25 +42,25 @@ pub fn stiffness_values(
     count: usize,
     of: Stiffness,
 ) -> Result<Vec<f64>, SolveError> {
-    let mut tangent = tangent(scene, at, state);
+    let tangent = tangent(scene, at, state);
+    let (pattern, mut tangent) = settled(scene, tangent);
     tangent.damping.fill(0.0);
-    weigh_states(scene, &mut tangent.mass);
     // What moves without stiffness has a value of zero at every parameter. Where forces follow what bends, another one that
     // becomes zero is not apart from it: to bend is to drift, too.
     let still = still(scene, at, state);
     let zeros = vec![0.0; still.len()];
     let beside_still = match of {
         Stiffness::Symmetric(spin) => {
-            symmetrise(scene.pattern(), &mut tangent.stiffness);
+            symmetrise(&pattern, &mut tangent.stiffness);
             // Beside the mass nothing is singular, and the lowest ones are those that are looked for.
             let tangent = beside_mass(&tangent, 2.0 * spin * spin);
-            let pencil = apart_from(scene, state, &tangent, still);
+            let pencil = apart_from(scene, state, (&pattern, &tangent), still);
             values(scene, at, &pencil, count, 2.0 * spin * spin)?
         }
         Stiffness::Whole => {
             let pencil = |scene: &mut dyn Scene, beside| {
                 let tangent = beside_mass(&tangent, beside);
-                apart_from(scene, state, &tangent, still.clone())
+                apart_from(scene, state, (&pattern, &tangent), still.clone())
             };
             let bare = pencil(scene, 0.0);
             let mut found = values(scene, at, &bare, count, 0.0)?;
@@ -83,17 +84,6 @@ pub fn stiffness_values(
     let mut all = [zeros, beside_still].concat();
     all.sort_by(f64::total_cmp);
     Ok(all)
-}
-
-/// Gives states as much inertia, relative to their sizes, as the heaviest unknown has: what passes zero does so with any.
-fn weigh_states(scene: &dyn Scene, mass: &mut [f64]) {
-    let (pattern, sizes) = (scene.pattern(), scene.sizes());
-    let weights = pattern.diagonal(0..sizes.len());
-    let weights = weights.map(|(unknown, place)| mass[place] * sizes[unknown].powi(2));
-    let heaviest = weights.fold(0.0, f64::max);
-    for (state, place) in pattern.diagonal(scene.states().iter().copied()) {
-        mass[place] = heaviest / sizes[state].powi(2);
-    }
 }
 
 /// The largest of the values, in size, beside which the one below it is next to zero; `None` where none is.

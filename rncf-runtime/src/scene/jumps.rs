@@ -14,7 +14,7 @@ const FAR: f64 = 1e-12;
 impl MeshScene {
     /// The frames that jump, else the first constraint; positions before velocities.
     pub(crate) fn jumps_between(&mut self, state: &State, behind: f64) -> Vec<Jump> {
-        let size = self.tabulated.sizes.iter().copied().fold(0.0, f64::max);
+        let size = self.largest_length();
         let frames = self.jumps_of_frames(state.t, behind, size);
         if frames.iter().any(|jump| jump.of_position) {
             return frames;

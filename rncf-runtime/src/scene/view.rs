@@ -167,6 +167,10 @@ impl Scene for MeshScene {
         self.evaluate_outputs(at.t, at.load(), &state.lambda, out);
     }
 
+    fn is_read(&self, state: usize) -> bool {
+        self.reads(state)
+    }
+
     fn circulating(&mut self, at: &Uniform, state: &State, shape: &[[f64; 2]]) -> Option<Circulating> {
         self.circulating_of(at, state, shape)
     }

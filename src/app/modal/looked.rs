@@ -71,12 +71,24 @@ pub(super) fn size(mode: &Mode) -> f64 {
     mode.re.hypot(mode.im)
 }
 
+/// Weight of a state beside the heaviest unknown: it tells modes apart in which nothing else moves.
+const OF_STATES: f64 = 1e-6;
+
 /// The diagonal of the mass matrix: shapes of different modes are nearly orthogonal with it.
 fn masses(scene: &mut dyn Scene, state: &State) -> Vec<f64> {
     let mut values = vec![0.0; scene.pattern().entries()];
     scene.mass(state, &mut values);
-    let pattern = scene.pattern();
-    (0..state.x.len())
+    let (pattern, sizes) = (scene.pattern(), scene.sizes());
+    let mut masses: Vec<f64> = (0..state.x.len())
         .map(|row| pattern.find(row, row).map_or(0.0, |place| values[place].abs()))
-        .collect()
+        .collect();
+    let heaviest = masses
+        .iter()
+        .zip(sizes)
+        .map(|(mass, size)| mass * size * size)
+        .fold(0.0, f64::max);
+    for &state in scene.states() {
+        masses[state] = OF_STATES * if heaviest > 0.0 { heaviest } else { 1.0 } / sizes[state].powi(2);
+    }
+    masses
 }

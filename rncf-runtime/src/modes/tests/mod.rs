@@ -35,7 +35,7 @@ fn sparse(n: usize, matrices: [&Entries; 3], rows: &[Entries]) -> Pencil {
         stiffness,
         damping,
     };
-    Pencil::new(&pattern, &tangent, &constraint_pattern, &jacobian, &vec![1.0; n])
+    Pencil::new(&pattern, &tangent, &constraint_pattern, &jacobian, [&vec![1.0; n]; 2])
 }
 
 /// Entries of a full matrix, rows first.

@@ -139,7 +139,34 @@ impl MeshScene {
     /// Whether a force is the equation of a state, which is its first marker.
     fn is_of_state(&self, index: usize) -> bool {
         let first = self.links.forces[index].markers.first();
-        matches!(first.map(|&marker| &self.links.markers[marker]), Some(Marker::Angle { free }) if self.frames.free[*free].is_state())
+        first.is_some_and(|&marker| self.is_state_marker(&self.links.markers[marker]))
+    }
+
+    /// A force in messages: what it is, and its name.
+    pub(crate) fn told_of_force(&self, index: usize) -> String {
+        let what = if self.is_of_state(index) {
+            "the rate of state"
+        } else {
+            "force"
+        };
+        format!("{what} `{}`", self.links.forces[index].name)
+    }
+
+    /// Whether a marker is the number of a state.
+    pub(crate) fn is_state_marker(&self, marker: &Marker) -> bool {
+        matches!(*marker, Marker::Angle { free } if self.frames.free[free].is_state())
+    }
+
+    /// Whether a force, a load or another state reads the state that is this unknown.
+    pub(crate) fn reads(&self, unknown: usize) -> bool {
+        let border = self.layout.unknowns() - self.layout.border();
+        let is_it = |&marker: &usize| match self.links.markers[marker] {
+            Marker::Angle { free } => border + self.frames.free[free].first == unknown,
+            _ => false,
+        };
+        let is_own = |index: usize| self.is_of_state(index) && is_it(&self.links.forces[index].markers[0]);
+        let mut others = (0..self.links.forces.len()).filter(|&index| !is_own(index));
+        others.any(|index| self.links.forces[index].markers.iter().any(is_it))
     }
 
     /// What a force does to its markers at the loaded state.

@@ -10,7 +10,7 @@ use crate::scene::pieces::displacement::Displacement;
 use crate::scene::pieces::marker::Marker;
 use crate::scene::turning::symmetry::Undisplaced;
 use crate::space::{Vector, exp, matrix, perpendicular};
-use crate::system::State;
+use crate::system::{State, System};
 
 /// Angles that a turning is tried with, rad.
 const ANGLES: [f64; 3] = [0.7, 2.1, 4.4];
@@ -158,11 +158,7 @@ impl MeshScene {
         if reduce(&mut direction, found) < 1e-6 * whole {
             return;
         }
-        let size = self
-            .tabulated
-            .sizes
-            .iter()
-            .fold(0.0, |size: f64, other| size.max(*other));
+        let size = self.largest_length();
         for displacement in screw.displacements(moved, is_own, size) {
             let is_free = (is_own || !self.is_pulled(at, &displacement))
                 && self.changed_from(before, at.t, &displacement).is_none()

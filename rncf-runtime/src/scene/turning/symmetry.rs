@@ -174,7 +174,7 @@ impl MeshScene {
             };
             let forces = before.forces.iter().filter(is_changed);
             let mut acting: Vec<String> = forces
-                .map(|(index, _)| format!("force `{}`", scene.links.forces[*index].name))
+                .map(|(index, _)| scene.told_of_force(*index))
                 .take(count - names.len())
                 .collect();
             if acting.len() + names.len() < count {

@@ -198,7 +198,8 @@ impl MeshScene {
         }
         let turn = matrix(&carrier.turn);
         let border = self.layout.unknowns() - self.layout.border();
-        let frames = self.frames.free.iter().map(|frame| {
+        let turning = self.frames.free.iter().filter(|frame| !frame.is_state());
+        let frames = turning.map(|frame| {
             let (directions, k) = (&frame.directions, frame.count());
             let entry = |place: usize| {
                 let (row, column) = (&directions[place / k], &directions[place % k]);

@@ -63,10 +63,11 @@ impl MeshScene {
         }
     }
 
-    /// Whether a force on markers is a load, which equilibria apply in parts.
+    /// Whether a force on markers is a load, which equilibria apply in parts. What reads a state is a controller's, and acts in full.
     pub(crate) fn is_load(&self, index: usize) -> bool {
+        let is_of_state = |&marker: &usize| self.is_state_marker(&self.links.markers[marker]);
         match self.links.forces[index].law {
-            Law::Force(force) => self.parts.is_load(force),
+            Law::Force(force) => self.parts.is_load(force) && !self.links.forces[index].markers.iter().any(is_of_state),
             Law::Distributed { .. } | Law::Gravity { .. } => true,
         }
     }
