@@ -142,7 +142,8 @@ fn few_modes_lose_stiffness_and_it_is_reported() {
             warned
         );
         for few in &warned[..2] {
-            assert_eq!(few.len(), usize::from(eta >= 3.0), "{few:?}");
+            // At 2 lag of the modes is 20 % too low, and flap of both 15 %.
+            assert_eq!(few.len(), usize::from(eta >= 2.0), "{few:?}");
             assert!(few.iter().all(|text| text.starts_with("body `blade`")));
         }
         assert!(warned[2].is_empty() && warned[3].is_empty());
