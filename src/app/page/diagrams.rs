@@ -455,25 +455,26 @@ fn coloured(
     track: &[Option<SeenMode>],
 ) -> Vec<Line> {
     let mut lines: Vec<Line> = Vec::new();
-    let mut is_lost = true;
+    let mut last: Option<(usize, SeenMode)> = None;
     for (row, mode) in track.iter().enumerate() {
         let Some(mode) = *mode else {
-            is_lost = true;
+            last = None;
             continue;
         };
-        let place = (result.keys[row], frequency.of(seen(mode, result.spins[row])[0]));
+        let (key, spin) = (result.keys[row], result.spins[row]);
+        let place = (key, frequency.of(seen(mode, spin)[0]));
         // At rest the sense is that of the next row.
-        let next = track
-            .get(row + 1)
-            .copied()
-            .flatten()
-            .filter(|_| result.spins[row] == 0.0);
+        let next = track.get(row + 1).copied().flatten().filter(|_| spin == 0.0);
         let whirl = next.map_or_else(
-            || mode.inertial_whirl(result.spins[row]),
+            || mode.inertial_whirl(spin),
             |next| next.inertial_whirl(result.spins[row + 1]),
         );
-        match lines.last_mut() {
-            Some(line) if !is_lost => {
+        match (lines.last_mut(), last) {
+            (Some(line), Some((earlier, before))) => {
+                line.points.extend(
+                    zero(result, [(earlier, before), (row, mode)])
+                        .map(|(key, spin)| (key, frequency.of(seen(SeenMode { im: 0.0, ..before }, spin)[0]))),
+                );
                 line.points.push(place);
                 if line.color != color(whirl) {
                     lines.push(Line::new([place], color(whirl)));
@@ -481,9 +482,23 @@ fn coloured(
             }
             _ => lines.push(Line::new([place], color(whirl))),
         }
-        is_lost = false;
+        last = Some((row, mode));
     }
     lines
+}
+
+/// Where the frequency in the reference frame is zero between two rows, and the spin there: its sense in that frame turns over at a critical value.
+fn zero(result: &Campbell, [(earlier, before), (row, mode)]: [(usize, SeenMode); 2]) -> Option<(f64, f64)> {
+    if before.whirl == mode.whirl {
+        return None;
+    }
+    let [from, to] = [earlier, row].map(|row| result.keys[row]);
+    let guess = from + before.im / (before.im + mode.im) * (to - from);
+    let inside = result.critical.iter().map(|critical| critical.value);
+    let inside = inside.filter(|value| (value - from) * (value - to) <= 0.0);
+    let value = inside.min_by(|a, b| (a - guess).abs().total_cmp(&(b - guess).abs()))?;
+    let [slow, fast] = [earlier, row].map(|row| result.spins[row]);
+    Some((value, slow + (value - from) / (to - from) * (fast - slow)))
 }
 
 /// The senses that occur, with their colours.
